@@ -42,6 +42,7 @@ QList<QPair<QString, QString>> actionMenus() {
             {"jog", MenuText::tr("Jog")},
             {"waypoint", MenuText::tr("Waypoints")},
             {"frame", MenuText::tr("Frames")},
+            {"tool", MenuText::tr("Tools")},
             {"io", MenuText::tr("I/O")},
             {"log", MenuText::tr("Log")},
             {"plots", MenuText::tr("Plots")},

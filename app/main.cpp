@@ -4,19 +4,23 @@
 
 #include <QApplication>
 #include <QFile>
-#include <QLocale>
 #include <QTextStream>
 #include <QTimer>
-#include <QTranslator>
 #include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
 
 #include "app/command_line.h"
+#include "app/crash_report.h"
 #include "app/demonstration.h"
 #include "app/interface_size.h"
+#include "app/language.h"
 #include "app/main_window.h"
 #include "app/start_project.h"
 #include "resources/resources.h"
 #include "tiller_version.h"
+#include "widgets/session/recording_choice.h"
 #include "widgets/session/texts.h"
 
 using namespace tiller;
@@ -98,6 +102,39 @@ int runDemonstration(QApplication& application, app::MainWindow& window, const Q
     return QApplication::exec();
 }
 
+/// With the robot that the window before was connected to. Control is for the operator to take.
+void connectAgain(app::MainWindow& window, const SessionState& before) {
+    if (before.link == LinkState::Disconnected) {
+        return;
+    }
+    if (before.simulated) {
+        window.connectSimulator();
+    } else {
+        window.connectRobot({before.robotName, before.address, before.portOffset, false});
+    }
+}
+
+/// connect  called before the window is shown: the robot answers while the first frame is painted
+std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const app::Settings& settings,
+                                            const std::function<void(app::MainWindow&)>& connect) {
+    auto window = std::make_unique<app::MainWindow>(settings);
+    const QString theme = line.theme.isEmpty() ? settings.theme() : line.theme;
+    window->setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
+    window->keepIncidentsIn((line.demoDirectory.isEmpty() ? recordingFolder() : line.demoDirectory) +
+                            QStringLiteral("/Incidents"));
+    connect(*window);
+    window->show();
+    const app::StartProject project = projectOf(line, settings);
+    window->openProject(project.path);
+    if (!project.missing.isEmpty()) {
+        Q_EMIT window->session().message(
+            Severity::Warning, QCoreApplication::translate(
+                                   "StartProject", "The project worked in last is not there any more: %1")
+                                   .arg(project.missing));
+    }
+    return window;
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
@@ -114,14 +151,9 @@ int main(int argc, char* argv[]) {
     // By this name the desktop finds its icon.
     QApplication::setDesktopFileName(QStringLiteral("org.tiller.Tiller"));
 
-    QTranslator translator;
-    // The English texts say the plurals, where no other language is there.
-    if (translator.load(QLocale(), QStringLiteral("tiller"), QStringLiteral("_"), QStringLiteral(":/i18n")) ||
-        translator.load(QStringLiteral(":/i18n/tiller_en"))) {
-        QApplication::installTranslator(&translator);
-    }
+    app::LanguageTexts texts(app::Settings().preferences().language);
 
-    const Result<app::CommandLine> line = app::parseCommandLine(QApplication::arguments());
+    Result<app::CommandLine> line = app::parseCommandLine(QApplication::arguments());
     if (!line) {
         print(stderr,
               QStringLiteral("tiller: %1 (%2)").arg(line.error().context, line.error().controllerMessage));
@@ -150,31 +182,35 @@ int main(int argc, char* argv[]) {
     if (demonstration) {
         settings.setLearned({.dismissed = true, .firstSteps = {}, .practice = {}});
     }
-    app::MainWindow window(settings);
-    const QString theme = line->theme.isEmpty() ? settings.theme() : line->theme;
-    window.setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
-    if (!demonstration) {
-        // Before the window is shown: the robot answers while the first frame is painted.
-        connectAsAsked(window, *line);
-    }
-    window.show();
-
-    const app::StartProject project = projectOf(*line, settings);
-    window.openProject(project.path);
-    if (!project.missing.isEmpty()) {
-        Q_EMIT window.session().message(
-            Severity::Warning, QCoreApplication::translate(
-                                   "StartProject", "The project worked in last is not there any more: %1")
-                                   .arg(project.missing));
-    }
+    // The demonstration connects by itself, so that it hears of what goes wrong on the way.
+    auto window = openWindow(*line, settings, [&](app::MainWindow& opened) {
+        if (!demonstration) {
+            connectAsAsked(opened, *line);
+        }
+    });
     if (demonstration) {
-        // It connects by itself, so that it hears of what goes wrong on the way.
-        return runDemonstration(application, window, line->demoDirectory);
+        return runDemonstration(application, *window, line->demoDirectory);
     }
-    tellOfSize(window);
-    window.lookForDevices();
+    tellOfSize(*window);
+    window->offerCrashReport(app::crashReportPath());
+    app::keepCrashReports(app::crashReportPath());
+    window->lookForDevices();
     if (line->start == app::CommandLine::Start::Ask) {
-        window.askForRobot();
+        window->askForRobot();
     }
-    return QApplication::exec();
+    for (;;) {
+        std::optional<SessionState> before;
+        QObject::connect(window.get(), &app::MainWindow::closedToOpenAnew, &application,
+                         [&](const SessionState& state) { before = state; });
+        const int code = QApplication::exec();
+        if (!before) {
+            return code;
+        }
+        window.reset();
+        texts.take(app::Settings().preferences().language);
+        // What is open now, not what the program was started with.
+        line->projectFile.clear();
+        window = openWindow(*line, settings, [&](app::MainWindow& opened) { connectAgain(opened, *before); });
+        window->lookForDevices();
+    }
 }

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDesktopServices>
 #include <QDialog>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -13,11 +14,13 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolButton>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "app/action_table.h"
 #include "app/command_palette.h"
 #include "app/connect_dialog.h"
+#include "app/crash_report.h"
 #include "app/dock_stage.h"
 #include "app/help_page.h"
 #include "app/interface_size.h"
@@ -27,6 +30,7 @@
 #include "app/panel_dock.h"
 #include "app/perspective_actions.h"
 #include "app/perspectives.h"
+#include "app/report_dialog.h"
 #include "app/robot_actions.h"
 #include "app/sample_projects.h"
 #include "app/scene_actions.h"
@@ -34,6 +38,7 @@
 #include "app/settings_page.h"
 #include "app/settings_transfer.h"
 #include "app/sleep_watch.h"
+#include "robot/project/project_file.h"
 #include "widgets/common/density.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/hover_keeper.h"
@@ -50,6 +55,7 @@
 #include "widgets/jog/device_sources.h"
 #include "widgets/jog/device_trainer.h"
 #include "widgets/jog/jog_column.h"
+#include "widgets/jog/jog_motion.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/jog/stop_keys.h"
@@ -60,6 +66,7 @@
 #include "widgets/project/project_files.h"
 #include "widgets/scene/scene_dock.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/session/incident_watch.h"
 #include "widgets/session/stop_record.h"
 #include "widgets/session/texts.h"
 #include "widgets/status/header_bar.h"
@@ -67,6 +74,7 @@
 #include "widgets/status/recovery_page.h"
 #include "widgets/status/robot_popup.h"
 #include "widgets/status/status_line.h"
+#include "widgets/tools/tools_tab.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 namespace tiller::app {
@@ -133,6 +141,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     plots_ = new PlotDock(*session_, this);
     waypoints_ = new WaypointsTab(*session_, *document_, this);
     frames_ = new FramesTab(*session_, *document_, this);
+    tools_ = new ToolsTab(*session_, *document_, this);
     io_ = new IoTab(*session_, this);
     gripper_ = new GripperPanel(*session_, this);
     ioPages_ = new IoPages(io_, gripper_, this);
@@ -213,7 +222,7 @@ void MainWindow::buildDocks() {
     // The bar of a docked panel is a part of the gap above it.
     setCentralWidget(withMargins(area, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View")));
-    tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, I/O, Log"));
+    tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, Tools, I/O, Log"));
     stage_->add(*tabsDock_);
     stage_->add(*new PanelDock(*plots_, "plotsDock", tr("Plots")));
     perspectives_ =
@@ -251,13 +260,14 @@ Panel* MainWindow::buildTabs() {
     auto* panel = new Panel(QString(), this);
     tabs_ = new QTabBar;
     tabs_->setObjectName("tabs");
-    tabs_->setAccessibleName(tr("Waypoints, Frames, I/O, Log"));
+    tabs_->setAccessibleName(tr("Waypoints, Frames, Tools, I/O, Log"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     pages_ = new QStackedWidget;
     for (const auto& [name, title, page] :
          {std::tuple<QString, QString, QWidget*>{"waypoints", tr("Waypoints"), waypoints_},
           {"frames", tr("Frames"), frames_},
+          {"tools", tr("Tools"), tools_},
           {"io", tr("I/O"), ioPages_},
           {"log", tr("Log"), log_}}) {
         tabs_->setTabData(tabs_->addTab(title), name);
@@ -289,13 +299,22 @@ void MainWindow::connectParts() {
         const bool same = own && shown && own->name == shown->name && own->q == shown->q;
         waypoints_->setWayLimit(same ? text : QString());
     });
+    connect(session_.get(), &RobotSession::message, this,
+            [](Severity, const QString& text) { rememberForCrash(text); });
     connectFrames();
+    connectTools();
     followCell(scene_->view(), *document_);
     connectProject();
     connectTransfer();
     connectIo();
     followJog();
     connect(plots_, &PlotDock::recordingOptionsWanted, this, [this] { showSettings(true); });
+    plots_->arrange(settings_.plots());
+    if (const std::size_t budget = settings_.plotBudget(); budget > 0) {
+        plots_->setBudget(budget);
+    }
+    connect(plots_, &PlotDock::arrangementChanged, this,
+            [this] { settings_.setPlots(plots_->arrangement(), plots_->budget()); });
     connect(plots_, &PlotDock::recordingChosen, this, [this](const RecordingChoice& choice) {
         preferences_.recording = choice;
         settings_.setPreferences(preferences_);
@@ -376,6 +395,21 @@ void MainWindow::connectFrames() {
     };
     connect(document_.get(), &ProjectDocument::framesChanged, this, followFrames);
     followFrames();
+}
+
+void MainWindow::connectTools() {
+    connect(tools_, &ToolsTab::message, this,
+            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+    connect(tools_, &ToolsTab::frontWanted, this, [this] { showTab("tools"); });
+    connect(tools_, &ToolsTab::pageChanged, this,
+            [this] { stopMotion(control::StopCause::SelectionChanged); });
+    tools_->setHeldSpeed([this] { return jog_->heldSpeed(); });
+    const auto followHome = [this] {
+        const project::NamedPosition* home = document_->positions().homePosition();
+        jog_->setHome(home != nullptr ? home->joints : defaultHome());
+    };
+    connect(document_.get(), &ProjectDocument::positionsChanged, this, followHome);
+    followHome();
 }
 
 void MainWindow::connectDevices(const Clock& clock) {
@@ -555,6 +589,24 @@ void MainWindow::setTheme(const QString& theme) {
     applyTheme(*qApp, theme == QLatin1String("dark") ? Theme::dark() : Theme::light());
 }
 
+void MainWindow::keepIncidentsIn(const QString& folder) {
+    incidents_ = new IncidentWatch(*session_, folder, this);
+    connect(incidents_, &IncidentWatch::told, log_, &LogTab::appendRecording);
+    connect(log_, &LogTab::recordingWanted, this, [](const QString& path) {
+        QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath()));
+    });
+    const auto keepProject = [this] {
+        if (const auto bytes = project::serializeProject(document_->project())) {
+            const QString path = files_->store().path();
+            incidents_->setProject(
+                path.isEmpty() ? QStringLiteral("project.tiller") : QFileInfo(path).fileName(),
+                bytes.value());
+        }
+    };
+    connect(document_.get(), &ProjectDocument::documentChanged, incidents_, keepProject);
+    keepProject();
+}
+
 void MainWindow::openProject(const QString& path) {
     files_->open(path);
 }
@@ -651,6 +703,9 @@ void MainWindow::buildActions() {
     }
     for (QAction* action : frames_->commandActions()) {
         actions_->adopt("frame", action);
+    }
+    for (QAction* action : tools_->commandActions()) {
+        actions_->adopt("tool", action);
     }
     connect(session_.get(), &RobotSession::stateChanged, actions_, &ActionTable::applyState);
     connect(session_.get(), &RobotSession::stateChanged, this, &MainWindow::rememberRobot);
@@ -792,6 +847,12 @@ void MainWindow::addViewActions() {
                                [this] { lessons_->showPractice(); });
                        page->show();
                    }});
+    actions_->add(
+        {"app.report",
+         tr("Report a problem…"),
+         tr("One file with versions, log and settings for whoever helps; shows first what is in it."),
+         {},
+         [this] { showReport(); }});
     actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),
                    QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); }});
 }
@@ -885,12 +946,72 @@ void MainWindow::showSettings(bool atRecording) {
     connect(page, &SettingsPage::trainerWanted, this, [this, page] { showTrainer(page); });
     connect(page, &SettingsPage::exportWanted, transfer_, [this, page] { transfer_->askToExport(page); });
     connect(page, &SettingsPage::importWanted, transfer_, [this, page] { transfer_->askToImport(page); });
+    connect(page, &SettingsPage::windowAnewWanted, this, [this, page] { openAnew(*page); });
     // It shows what was chosen before.
     connect(transfer_, &SettingsTransfer::imported, page, &QDialog::close);
     if (atRecording) {
         page->showRecording();
     }
     page->open();
+}
+
+void MainWindow::openAnew(SettingsPage& page) {
+    if (session_->state().recording.active) {
+        page.refuseAnew(tr("A recording is running. End it first: nothing of it shall be missing."));
+        return;
+    }
+    page.close();
+    const SessionState before = session_->state();
+    if (close()) {
+        Q_EMIT closedToOpenAnew(before);
+    }
+}
+
+ReportSources MainWindow::reportSources() const {
+    ReportSources sources{.settings = settings_.bundle(),
+                          .state = session_->state(),
+                          .knownNames = {},
+                          .log = log_->allText(),
+                          .lastStop = stops_->last(),
+                          .crash = readCrashReport(crashReport_)};
+    for (const RobotAddress& robot : settings_.rememberedRobots()) {
+        sources.knownNames << robot.host << robot.name;
+    }
+    if (!sources.state.simulated) {
+        sources.knownNames << sources.state.robotName << sources.state.address;
+    }
+    sources.knownNames << sources.state.loadedProgram << settings_.ioNames().values();
+    const QStringList projects = settings_.recentProjects() + QStringList{files_->store().path()};
+    for (const QString& path : projects) {
+        sources.knownNames << path << QFileInfo(path).fileName();
+    }
+    return sources;
+}
+
+void MainWindow::showReport() {
+    stopMotion(control::StopCause::DialogOpened);
+    auto* dialog = new ReportDialog(reportSources(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ReportDialog::saved, this, [this](const QString& path) {
+        if (!crashReport_.isEmpty()) {
+            QFile::remove(std::exchange(crashReport_, {}));
+        }
+        Q_EMIT session_->message(Severity::Info, tr("Report saved: %1").arg(path), Origin::Operator);
+    });
+    dialog->open();
+}
+
+void MainWindow::offerCrashReport(const QString& path) {
+    if (readCrashReport(path).isEmpty()) {
+        return;
+    }
+    // A copy: a second crash shall not write over the first one before it was read.
+    const QString kept = path + QStringLiteral(".last");
+    QFile::remove(kept);
+    crashReport_ = QFile::rename(path, kept) ? kept : path;
+    waypoints_->showNotice(tr("Tiller ended unexpectedly the last time"),
+                           tr("What it was doing then was kept. Save it as a report for whoever helps you."),
+                           tr("Report a problem…"), [this] { showReport(); });
 }
 
 void MainWindow::connectTransfer() {
@@ -909,6 +1030,7 @@ void MainWindow::readSettingsAgain() {
     io_->setNames(settings_.ioNames());
     tellIoNames();
     gripper_->readAgain();
+    plots_->arrange(settings_.plots());
     lessons_->readAgain();
     listRobots();
     perspectives_->readAgain();

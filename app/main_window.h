@@ -23,6 +23,7 @@ namespace tiller {
 
 class HeaderBar;
 class GripperPanel;
+class IncidentWatch;
 class IoPages;
 class IoTab;
 class DeviceJog;
@@ -39,6 +40,7 @@ class SceneDock;
 class StatusLine;
 class StopKeys;
 class StopRecorder;
+class ToolsTab;
 class WaypointsTab;
 
 namespace app {
@@ -48,6 +50,8 @@ class DockStage;
 class Lessons;
 class PanelDock;
 class Perspectives;
+class SettingsPage;
+struct ReportSources;
 class SettingsTransfer;
 
 class MainWindow : public QMainWindow {
@@ -65,6 +69,7 @@ public:
     ProjectFiles& files() { return *files_; }
     WaypointsTab& waypoints() { return *waypoints_; }
     FramesTab& frames() { return *frames_; }
+    ToolsTab& tools() { return *tools_; }
     DeviceJog& devices() { return *devices_; }
     /// Who is asked whether a button or a key is still down. At first the one of this platform.
     void setHoldWitness(std::unique_ptr<HoldWitness> witness);
@@ -88,15 +93,26 @@ public:
     /// "light" or "dark"; remembered when the operator chose it.
     void setTheme(const QString& theme);
     void openProject(const QString& path);
+    /// From now on every stop of the safety system becomes a file in this folder, and a line of the log that opens it.
+    void keepIncidentsIn(const QString& folder);
+    /// Everything that is known, as one file to give to somebody who helps.
+    void showReport();
+    /// Offers what a crash has left in this file, if it is there; goes with the next report.
+    void offerCrashReport(const QString& path);
 
     /// What the settings page chose; holds at once.
     void applyPreferences(const Preferences& preferences);
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// For the demonstration and tests: "waypoints", "frames", "io", "gripper" (a page of "io"), "log".
+    /// For the demonstration and tests: "waypoints", "frames", "tools", "io", "gripper" (a page of "io"), "log".
     void showTab(const QString& name);
     Perspectives& perspectives() { return *perspectives_; }
+
+Q_SIGNALS:
+    /// Another one is to take its place, in the language chosen now. It has let go of the robot and is closed.
+    /// before  how things stood until then
+    void closedToOpenAnew(const tiller::SessionState& before);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -116,6 +132,7 @@ private:
     void showSamples();
     void askForProgram();
     void showSettings(bool atRecording = false);
+    void openAnew(SettingsPage& page);
     void connectTransfer();
     /// Settings that came from elsewhere hold at once.
     void readSettingsAgain();
@@ -125,6 +142,7 @@ private:
     void connectProject();
     void followJog();
     void connectFrames();
+    void connectTools();
     void connectIo();
     void connectDevices(const Clock& clock);
     /// over  the window it stands in front of
@@ -134,6 +152,7 @@ private:
     void listProjects();
     void updateScene();
     void stopMotion(control::StopCause cause);
+    ReportSources reportSources() const;
 
     Settings settings_;
     Preferences preferences_;  ///< as they hold now
@@ -152,6 +171,7 @@ private:
     PlotDock* plots_ = nullptr;
     WaypointsTab* waypoints_ = nullptr;
     FramesTab* frames_ = nullptr;
+    ToolsTab* tools_ = nullptr;
     IoTab* io_ = nullptr;
     GripperPanel* gripper_ = nullptr;
     IoPages* ioPages_ = nullptr;  ///< of these two
@@ -162,6 +182,7 @@ private:
     KeyboardJog* keyboard_ = nullptr;
     DeviceJog* devices_ = nullptr;
     StopRecorder* stops_ = nullptr;
+    IncidentWatch* incidents_ = nullptr;  ///< null: nothing is kept
     ActionTable* actions_ = nullptr;
     SettingsTransfer* transfer_ = nullptr;
     QMap<QString, QMenu*> menus_;
@@ -170,6 +191,7 @@ private:
     DockStage* stage_ = nullptr;
     PanelDock* tabsDock_ = nullptr;
     Perspectives* perspectives_ = nullptr;
+    QString crashReport_;          ///< the file of one that was not reported yet; empty: none
     bool layoutRestored_ = false;  ///< as it was left last
     QTabBar* tabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;

@@ -37,6 +37,22 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                tr("Saves the shown range as a picture, a drawing, a page or values."),
                {},
                [&plots] { plots.askExport(); }});
+    table.add(
+        {"plots.action.signals",
+         tr("Search signals for the plots"),
+         tr("Opens the list of everything the robot tells: onto a plot by dragging, double click or Return."),
+         {},
+         [&plots] { plots.searchSignals(); }});
+    table.add({"plots.action.addPage",
+               tr("New page of plots"),
+               tr("An empty page behind the others; all pages show the same time."),
+               {},
+               [&plots] { plots.addPage(); }});
+    table.add({"plots.action.fit",
+               tr("Show all of the plots' history"),
+               tr("All that is in memory, each plot at its best scale."),
+               {},
+               [&plots] { plots.view().fit(); }});
     for (const PlotDock::Span& span : plots.spans()) {
         table.add({QStringLiteral("plots.action.span.%1").arg(span.seconds),
                    tr("Plots show %1").arg(span.text),

@@ -55,6 +55,7 @@ int readInterfaceSize(const QString& file) {
 Preferences readPreferences(const QString& file) {
     Preferences preferences;
     QSettings settings = openSettings(file);
+    preferences.language = settings.value("look/language").toString();
     const QString density = settings.value("look/density", kDensities[1]).toString();
     preferences.density = choiceOf<Density>(density, kDensities);
     preferences.interfaceSize = readInterfaceSize(file);
@@ -103,6 +104,7 @@ Preferences readPreferences(const QString& file) {
 
 void writePreferences(const QString& file, const Preferences& preferences) {
     QSettings settings = openSettings(file);
+    settings.setValue("look/language", preferences.language);
     settings.setValue("look/density", kDensities[static_cast<int>(preferences.density)]);
     settings.setValue("look/size", preferences.interfaceSize);
     settings.setValue("look/lengths", kLengths[static_cast<int>(preferences.notation.length)]);

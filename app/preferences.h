@@ -16,6 +16,8 @@
 namespace tiller::app {
 
 struct Preferences {
+    /// Its code; empty: what the system speaks. Holds from the next window on.
+    QString language;
     Density density = Density::Mouse;
     /// Of everything in the window [%]; holds from the next start on.
     int interfaceSize = 100;

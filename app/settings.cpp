@@ -145,6 +145,23 @@ void Settings::rememberProject(const QString& path) {
     openSettings(file_).setValue("projects/recent", projects.mid(0, kProjectsRemembered));
 }
 
+QByteArray Settings::plots() const {
+    return openSettings(file_).value("plots/arrangement").toString().toUtf8();
+}
+
+std::size_t Settings::plotBudget() const {
+    constexpr int kMostMegabytes = 65536;
+    return static_cast<std::size_t>(
+               std::clamp(openSettings(file_).value("plots/budget").toInt(), 0, kMostMegabytes))
+           << 20;
+}
+
+void Settings::setPlots(const QByteArray& arrangement, std::size_t budget) {
+    QSettings settings = openSettings(file_);
+    settings.setValue("plots/arrangement", QString::fromUtf8(arrangement));
+    settings.setValue("plots/budget", static_cast<int>(budget >> 20));
+}
+
 Learned Settings::learned() const {
     const QSettings settings = openSettings(file_);
     return {settings.value("learned/dismissed").toBool(), settings.value("learned/firstSteps").toStringList(),

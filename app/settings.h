@@ -50,6 +50,12 @@ public:
     QStringList recentProjects() const;
     void rememberProject(const QString& path);
 
+    /// Which plots there are, as PlotDock::arrangement() has it; empty when never changed.
+    QByteArray plots() const;
+    /// How much memory the plots' history may take [bytes]; 0 when never chosen.
+    std::size_t plotBudget() const;
+    void setPlots(const QByteArray& arrangement, std::size_t budget);
+
     Learned learned() const;
     void setLearned(const Learned& learned);
 

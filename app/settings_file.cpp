@@ -139,6 +139,7 @@ SettingsPart partOf(const QString& key) {
         {QStringLiteral("window"), SettingsPart::Layout},
         {QStringLiteral("arrangement"), SettingsPart::Layout},
         {QStringLiteral("perspectives"), SettingsPart::Layout},
+        {QStringLiteral("plots"), SettingsPart::Layout},
     };
     return parts.value(key.section(u'/', 0, 0), SettingsPart::Other);
 }

@@ -20,6 +20,7 @@
 #include "app/action_table.h"
 #include "app/device_settings.h"
 #include "app/interface_size.h"
+#include "app/language.h"
 #include "app/recording_settings.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/density.h"
@@ -129,6 +130,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     sizeNote_ = note({}, "secondary");
     sizeNote_->setObjectName("settings.sizeNote");
     showSizeNote();
+    languageNote_ = note({}, "secondary");
+    languageNote_->setObjectName("settings.languageNote");
     lengths_ = choice("settings.lengths", tr("Lengths"), {tr("Millimetres"), tr("Inches")},
                       static_cast<int>(preferences_.notation.length));
     rotations_ =
@@ -160,6 +163,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     form->setContentsMargins(0, 16, 0, 0);
     form->setVerticalSpacing(12);
     form->setHorizontalSpacing(20);
+    form->addRow(tr("Language"), buildLanguage());
+    form->addRow(QString(), languageNote_);
     form->addRow(tr("Colours"), theme_);
     form->addRow(tr("Size of everything"), size_);
     form->addRow(QString(), sizeNote_);
@@ -211,6 +216,51 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
         Q_EMIT preferencesChanged(preferences_);
     });
     return page;
+}
+
+QWidget* SettingsPage::buildLanguage() {
+    // In the words of those who look for it: whoever cannot read this window can read that.
+    QStringList names{tr("As the system: %1").arg(QString())};
+    int current = 0;
+    for (const Language& one : languages()) {
+        if (one.code == languageFor({})) {
+            names.front() = tr("As the system: %1").arg(one.name);
+        }
+        names << one.name;
+        current = one.code == preferences_.language ? static_cast<int>(names.size()) - 1 : current;
+    }
+    language_ = choice("settings.language", tr("Language"), names, current);
+    anew_ = new QPushButton(tr("Open the window anew"));
+    anew_->setObjectName("settings.windowAnew");
+    anew_->setAutoDefault(false);
+    anew_->setToolTip(
+        tr("Stops the arm, gives control back and connects again; what the plots show begins anew. "
+           "The project is saved."));
+    connect(language_, &QComboBox::activated, this, [this](int index) {
+        preferences_.language = index == 0 ? QString() : languages()[index - 1].code;
+        showLanguageNote();
+        Q_EMIT preferencesChanged(preferences_);
+    });
+    connect(anew_, &QPushButton::clicked, this, &SettingsPage::windowAnewWanted);
+    showLanguageNote();
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(language_, 1);
+    layout->addWidget(anew_);
+    return row;
+}
+
+void SettingsPage::showLanguageNote() {
+    const bool shown = languageFor(preferences_.language) == shownLanguage();
+    anew_->setEnabled(!shown);
+    languageNote_->setText(shown
+                               ? tr("Of the window and of the checks. Files and scripts are the same in all.")
+                               : tr("Holds at the next start of Tiller, or once the window is opened anew."));
+}
+
+void SettingsPage::refuseAnew(const QString& reason) {
+    languageNote_->setText(reason);
 }
 
 void SettingsPage::showSizeNote() {

@@ -39,6 +39,8 @@ public:
     QString hint() const;
     /// Says who confirms that a key is held, or that nobody does.
     void setHoldNote(const QString& text);
+    /// Says why the window cannot be built anew now.
+    void refuseAnew(const QString& reason);
     /// Brings the page about recordings to the front.
     void showRecording();
 
@@ -48,6 +50,8 @@ protected:
 Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
+    /// The window is to be built anew, in the language that was chosen.
+    void windowAnewWanted();
     /// The page on which a device is tried out, in front of this one.
     void trainerWanted();
     /// The questions for a file, in front of this page.
@@ -66,6 +70,8 @@ private:
     void showCommandNames();
     void showCap();
     void showSizeNote();
+    QWidget* buildLanguage();
+    void showLanguageNote();
     void showCapFigure();
 
     Preferences preferences_;
@@ -74,6 +80,9 @@ private:
     QComboBox* density_ = nullptr;
     QComboBox* size_ = nullptr;
     QLabel* sizeNote_ = nullptr;
+    QComboBox* language_ = nullptr;
+    QLabel* languageNote_ = nullptr;
+    QPushButton* anew_ = nullptr;
     QComboBox* lengths_ = nullptr;
     QComboBox* rotations_ = nullptr;
     FigureBox* cap_ = nullptr;

@@ -59,6 +59,10 @@
         <source>Move panels</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BackTrack</name>
@@ -119,6 +123,10 @@
     </message>
     <message>
         <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -310,6 +318,45 @@
     </message>
     <message>
         <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1605,6 +1652,105 @@
         <source>Writes the lines that are shown to a file.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -2132,6 +2278,25 @@
     </message>
 </context>
 <context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>SampleProjects</name>
     <message>
         <source>Pick and place</source>
@@ -2213,7 +2378,7 @@
     </message>
     <message numerus="yes">
         <source>Recorded %n rows to %1</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>Recorded %n row to %1</numerusform>
             <numerusform>Recorded %n rows to %1</numerusform>
         </translation>
@@ -2259,6 +2424,401 @@
     </message>
     <message>
         <source>read %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2732,6 +3292,17 @@
         <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::AnalogRow</name>
@@ -2966,14 +3537,14 @@ Right click or F2 to rename and scale.</source>
     </message>
     <message numerus="yes">
         <source>%n waypoints moved with it.</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n waypoint moved with it.</numerusform>
             <numerusform>%n waypoints moved with it.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n of them are out of reach there.</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n of them is out of reach there.</numerusform>
             <numerusform>%n of them are out of reach there.</numerusform>
         </translation>
@@ -2996,7 +3567,7 @@ Right click or F2 to rename and scale.</source>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it.</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n waypoint moves with it.</numerusform>
             <numerusform>%n waypoints move with it.</numerusform>
         </translation>
@@ -3035,7 +3606,7 @@ Right click or F2 to rename and scale.</source>
     </message>
     <message numerus="yes">
         <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n waypoint is given in it. It stays where it is, given in Base.</numerusform>
             <numerusform>%n waypoints are given in it. They stay where they are, given in Base.</numerusform>
         </translation>
@@ -3343,6 +3914,135 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
     <message>
         <source>Make frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n waypoint</numerusform>
+            <numerusform>%n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3726,6 +4426,37 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
     <message>
         <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4241,6 +4972,109 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>Log written to %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::NothingFound</name>
@@ -4282,6 +5116,634 @@ Clear the search to see everything.</source>
     </message>
 </context>
 <context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n waypoint written as a path to %1</numerusform>
+            <numerusform>%n waypoints written as a path to %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n packet did not arrive.</numerusform>
+            <numerusform>%n packets did not arrive.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n waypoint.</numerusform>
+            <numerusform>%n waypoints.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>%n of them is out of reach; it is marked.</numerusform>
+            <numerusform>%n of them are out of reach; they are marked.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Turn the wrist to another side and take the pose. Still needed: %n</numerusform>
+            <numerusform>Turn the wrist to another side and take the pose. Still needed: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -4317,10 +5779,6 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Plots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>TCP force [N] · joint current [A]</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4412,14 +5870,6 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tiller · TCP force and joint currents</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 · TCP force and joint currents</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>controller time %1 … %2 s</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4481,9 +5931,9 @@ Clear the search to see everything.</source>
     </message>
     <message numerus="yes">
         <source>A row for every %n packet(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>A row for every packet</numerusform>
+            <numerusform>A row for every %n packets</numerusform>
         </translation>
     </message>
     <message>
@@ -4492,9 +5942,9 @@ Clear the search to see everything.</source>
     </message>
     <message numerus="yes">
         <source>%n signal(s)…</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n signal…</numerusform>
+            <numerusform>%n signals…</numerusform>
         </translation>
     </message>
     <message>
@@ -4517,13 +5967,242 @@ Clear the search to see everything.</source>
         <source>Zero</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotView</name>
-    <message>
-        <source>Plots of TCP force and joint current over time</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source> min</source>
         <translation type="unfinished"></translation>
@@ -4545,10 +6224,6 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; End goes back to the newest samples</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 (zeroed)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4558,6 +6233,22 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Zeroed: %1 %2 taken off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4620,6 +6311,182 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4997,9 +6864,9 @@ Let go of the key and the arm stops.</source>
     </message>
     <message numerus="yes">
         <source>%n more on the robot.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n more on the robot.</numerusform>
+            <numerusform>%n more on the robot.</numerusform>
         </translation>
     </message>
     <message>
@@ -5275,10 +7142,80 @@ Let go of the key and the arm stops.</source>
     </message>
     <message numerus="yes">
         <source>%n names hidden: come nearer</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n name hidden: come nearer</numerusform>
+            <numerusform>%n names hidden: come nearer</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5378,6 +7315,296 @@ not an e-stop</source>
     </message>
 </context>
 <context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</numerusform>
+            <numerusform>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::TickLine</name>
     <message>
         <source>done</source>
@@ -5385,6 +7612,29 @@ not an e-stop</source>
     </message>
     <message>
         <source>not done yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5467,6 +7717,141 @@ not an e-stop</source>
         <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>Change the properties of %n waypoint</numerusform>
+            <numerusform>Change the properties of %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Move %n waypoint</numerusform>
+            <numerusform>Move %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>Import %n waypoint</numerusform>
+            <numerusform>Import %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n waypoint written to %1</numerusform>
+            <numerusform>%n waypoints written to %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -5476,7 +7861,7 @@ not an e-stop</source>
     </message>
     <message numerus="yes">
         <source>Duplicate %n waypoints</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>Duplicate %n waypoint</numerusform>
             <numerusform>Duplicate %n waypoints</numerusform>
         </translation>
@@ -5491,13 +7876,116 @@ not an e-stop</source>
     </message>
     <message numerus="yes">
         <source>Paste %n waypoints</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>Paste %n waypoint</numerusform>
             <numerusform>Paste %n waypoints</numerusform>
         </translation>
     </message>
     <message>
         <source>waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5643,6 +8131,211 @@ not an e-stop</source>
         <source>Change the pose of “%1”</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Group: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>Properties of %n waypoint</numerusform>
+            <numerusform>Properties of %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n found</numerusform>
+            <numerusform>%n found</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Move %n waypoint</numerusform>
+            <numerusform>Move %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>%n of them would be out of reach; it is kept, and marked.</numerusform>
+            <numerusform>%n of them would be out of reach; they are kept, and marked.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointTable</name>
@@ -5768,6 +8461,46 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Touch up “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6243,10 +8976,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints, Frames, I/O, Log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Waypoints</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6456,6 +9185,18 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>%1 to the bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6708,9 +9449,9 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message numerus="yes">
         <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n packet a row: %1 rows a second from a robot that sends 500 packets a second.</numerusform>
+            <numerusform>%n packets a row: %1 rows a second from a robot that sends 500 packets a second.</numerusform>
         </translation>
     </message>
 </context>
@@ -6913,6 +9654,30 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Holds at the next start of Tiller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

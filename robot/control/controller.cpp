@@ -197,10 +197,9 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
     return id;
 }
 
-Result<MotionId> Controller::Private::startSection(const QString& section, const QString& name,
-                                                   Holding holding, std::chrono::milliseconds silence,
-                                                   std::uint64_t stops, const Deadline& deadline,
-                                                   const QString& context) {
+Result<std::uint64_t> Controller::Private::sendSection(const QString& section, const QString& name,
+                                                       std::uint64_t stops, const Deadline& deadline,
+                                                       const QString& context) {
     const std::lock_guard lock(taking);
     const UnderWay cancellable(*this, deadline);
     if (!loop.isInControl()) {
@@ -223,6 +222,12 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
         }
         return error;
     }
+    return epoch;
+}
+
+Result<MotionId> Controller::Private::beginSection(std::uint64_t epoch, Holding holding,
+                                                   std::chrono::milliseconds silence,
+                                                   const QString& context) {
     MotionCommand command;
     command.kind = MotionCommand::Kind::Program;
     command.program = static_cast<std::int32_t>(ScriptCommand::Section);
@@ -239,10 +244,22 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
     return id;
 }
 
+Result<MotionId> Controller::Private::startSection(const QString& section, const QString& name,
+                                                   Holding holding, std::chrono::milliseconds silence,
+                                                   std::uint64_t stops, const Deadline& deadline,
+                                                   const QString& context) {
+    const auto epoch = sendSection(section, name, stops, deadline, context);
+    return epoch ? beginSection(*epoch, holding, silence, context) : Result<MotionId>(epoch.error());
+}
+
 void Controller::stop(StopCause cause) {
     d_->mailbox.stop(cause, d_->now());
     d_->loop.permitForce(false);  // afterwards: see setForceMode()
     d_->link.wake();
+}
+
+std::uint64_t Controller::stops() const {
+    return d_->mailbox.epoch().stops();
 }
 
 bool Controller::end(MotionId motion, StopCause cause) {

@@ -118,6 +118,9 @@ public:
     /// Ends whatever is active, force mode too. When it returns, no command given before can move the arm any
     /// more.
     void stop(StopCause cause = StopCause::ApiCall);
+    /// How many stops there were, by whomever; the end of one motion, or its giving way to another, is none. Who
+    /// reads it before he prepares a motion can have it begin only if none came meanwhile: see Motions.
+    std::uint64_t stops() const;
     /// Ends this motion; another one goes on.
     /// Returns  false when it had ended already
     bool end(MotionId motion, StopCause cause);

@@ -122,8 +122,8 @@ MotionPlan planned(double length, const Dynamics& asked, const kinematics::Speed
 struct Beginning {
     const char* context;
     Controller& controller;
+    std::uint64_t stops;  ///< before anything is looked at
     Controller::Private& d = ControllerAccess::of(controller);
-    std::uint64_t stops = d.mailbox.epoch().stops();  ///< before anything is looked at
     ArmLimits arm = d.program.arm();
     MotionLimits limits = d.limitsNow();
     ControllerStatus status = controller.status();
@@ -237,10 +237,9 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
 }
 
 template <class Parameters>
-Result<Motion> startStream(Controller& controller, ScriptCommand what, MotionKind kind,
+Result<Motion> startStream(Controller& controller, std::uint64_t stops, ScriptCommand what, MotionKind kind,
                            const Parameters& parameters, Holding holding) {
     auto& d = ControllerAccess::of(controller);
-    const std::uint64_t stops = d.mailbox.epoch().stops();
     const QString context = QStringLiteral("start a stream");
     if (const Error error = rulesOf(controller).check(parameters); error.code != ErrorCode::None) {
         return error;
@@ -256,8 +255,12 @@ Result<Motion> startStream(Controller& controller, ScriptCommand what, MotionKin
 
 }  // namespace
 
+std::uint64_t Motions::stops() const {
+    return stops_.value_or(controller_->stops());
+}
+
 Result<Motion> Motions::moveJ(const JointPositions& target, const MoveParameters& parameters) {
-    const Beginning from{"start a MoveJ", *controller_};
+    const Beginning from{"start a MoveJ", *controller_, stops()};
     const ArgumentCheck check =
         jointMove(from.context, parameters, from.arm).joints("target", target, from.arm);
     if (const Error error = from.obstacle(check); error.code != ErrorCode::None) {
@@ -267,7 +270,7 @@ Result<Motion> Motions::moveJ(const JointPositions& target, const MoveParameters
 }
 
 Result<Motion> Motions::moveJToPose(const Pose& target, const MoveParameters& parameters) {
-    const Beginning from{"start a MoveJ to a pose", *controller_};
+    const Beginning from{"start a MoveJ to a pose", *controller_, stops()};
     const ArgumentCheck check = jointMove(from.context, parameters, from.arm).pose("target", target);
     if (const Error error = from.obstacle(check); error.code != ErrorCode::None) {
         return error;
@@ -277,7 +280,7 @@ Result<Motion> Motions::moveJToPose(const Pose& target, const MoveParameters& pa
 }
 
 Result<Motion> Motions::moveL(const Pose& target, const MoveParameters& parameters) {
-    const Beginning from{"start a MoveL", *controller_};
+    const Beginning from{"start a MoveL", *controller_, stops()};
     const ArgumentCheck check =
         toolMove(from.context, parameters, from.limits.tcpSpeed).pose("target", target);
     if (const Error error = from.obstacle(check); error.code != ErrorCode::None) {
@@ -288,7 +291,7 @@ Result<Motion> Motions::moveL(const Pose& target, const MoveParameters& paramete
 }
 
 Result<Motion> Motions::moveLToJoints(const JointPositions& target, const MoveParameters& parameters) {
-    const Beginning from{"start a MoveL to joint positions", *controller_};
+    const Beginning from{"start a MoveL to joint positions", *controller_, stops()};
     const ArgumentCheck check =
         toolMove(from.context, parameters, from.limits.tcpSpeed).joints("target", target, from.arm);
     if (const Error error = from.obstacle(check); error.code != ErrorCode::None) {
@@ -299,16 +302,21 @@ Result<Motion> Motions::moveLToJoints(const JointPositions& target, const MovePa
 
 Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, Holding holding,
                                  milliseconds silence) {
-    const QString context = QStringLiteral("start a path");
-    if (const auto checked = checkPath(path); !checked) {
-        return checked.error();
-    }
     ArgumentCheck check("start a path");
     if (!checkSilence(check, silence).ok()) {
         return check.error();
     }
+    const auto prepared = preparePath(path, start);
+    return prepared ? startPath(*prepared, holding, silence) : Result<Motion>(prepared.error());
+}
+
+Result<PreparedPath> Motions::preparePath(const MotionPath& path, const Deadline& start) {
+    const QString context = QStringLiteral("start a path");
+    if (const auto checked = checkPath(path); !checked) {
+        return checked.error();
+    }
     auto& d = ControllerAccess::of(*controller_);
-    const std::uint64_t stops = d.mailbox.epoch().stops();
+    const std::uint64_t stops = this->stops();
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
@@ -321,19 +329,33 @@ Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, 
         lines.append(QStringLiteral("tiller_waypoint = %1").arg(lines.size() / 2 + 1));
         lines.append(pathMove(entry));
     }
-    const auto id = d.startSection(lines.join(QLatin1Char('\n')), QStringLiteral("path"), holding,
-                                   ownSilence(holding, silence), stops, start, context);
-    if (!id) {
-        return id.error();
+    const auto epoch =
+        d.sendSection(lines.join(QLatin1Char('\n')), QStringLiteral("path"), stops, start, context);
+    if (!epoch) {
+        return epoch.error();
     }
-    return MotionAccess::path(*controller_, *id, static_cast<int>(path.size()));
+    PreparedPath prepared;
+    prepared.epoch_ = *epoch;
+    prepared.waypoints_ = static_cast<int>(path.size());
+    return prepared;
+}
+
+Result<Motion> Motions::startPath(const PreparedPath& path, Holding holding, milliseconds silence) {
+    ArgumentCheck check("start a path");
+    if (!checkSilence(check, silence).ok()) {
+        return check.error();
+    }
+    auto& d = ControllerAccess::of(*controller_);
+    const auto id =
+        d.beginSection(path.epoch_, holding, ownSilence(holding, silence), QStringLiteral("start a path"));
+    return id ? MotionAccess::path(*controller_, *id, path.waypoints_) : Result<Motion>(id.error());
 }
 
 Result<Motion> Motions::moveUntilContact(const Twist& twist, const Deadline& start,
                                          const ContactParameters& parameters) {
     constexpr auto kContext = "move until contact";
     auto& d = ControllerAccess::of(*controller_);
-    const std::uint64_t stops = d.mailbox.epoch().stops();
+    const std::uint64_t stops = this->stops();
     ArgumentCheck check =
         ArgumentCheck(kContext)
             .twist("twist", twist, std::min(d.limitsNow().tcpSpeed, kHighestToolSpeed))
@@ -371,7 +393,7 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Deadline& sta
 
 Result<Jog> Motions::startJog(const JogTarget& target, Holding holding) {
     auto& d = ControllerAccess::of(*controller_);
-    const std::uint64_t stops = d.mailbox.epoch().stops();
+    const std::uint64_t stops = this->stops();
     const QString context = QStringLiteral("start a jog");
     if (!isFinite(target)) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("target: not a number")};
@@ -397,13 +419,13 @@ Result<Jog> Motions::startJog(const JogTarget& target, Holding holding) {
 
 Result<JointServo> Motions::startServoJ(const ServoParameters& parameters, Holding holding) {
     const auto motion =
-        startStream(*controller_, ScriptCommand::ServoJ, MotionKind::ServoJ, parameters, holding);
+        startStream(*controller_, stops(), ScriptCommand::ServoJ, MotionKind::ServoJ, parameters, holding);
     return motion ? Result<JointServo>(JointServo(*motion, parameters)) : motion.error();
 }
 
 Result<PoseServo> Motions::startServoL(const ServoParameters& parameters, Holding holding) {
     const auto motion =
-        startStream(*controller_, ScriptCommand::ServoL, MotionKind::ServoL, parameters, holding);
+        startStream(*controller_, stops(), ScriptCommand::ServoL, MotionKind::ServoL, parameters, holding);
     return motion ? Result<PoseServo>(PoseServo(*motion, parameters)) : motion.error();
 }
 
@@ -413,19 +435,19 @@ Result<CircularServo> Motions::startServoC(const CircularServoParameters& parame
         return known.error();
     }
     const auto motion =
-        startStream(*controller_, ScriptCommand::ServoC, MotionKind::ServoC, parameters, holding);
+        startStream(*controller_, stops(), ScriptCommand::ServoC, MotionKind::ServoC, parameters, holding);
     return motion ? Result<CircularServo>(CircularServo(*motion, parameters)) : motion.error();
 }
 
 Result<JointSpeed> Motions::startSpeedJ(const SpeedParameters& parameters, Holding holding) {
     const auto motion =
-        startStream(*controller_, ScriptCommand::SpeedJ, MotionKind::SpeedJ, parameters, holding);
+        startStream(*controller_, stops(), ScriptCommand::SpeedJ, MotionKind::SpeedJ, parameters, holding);
     return motion ? Result<JointSpeed>(JointSpeed(*motion, parameters)) : motion.error();
 }
 
 Result<ToolSpeed> Motions::startSpeedL(const SpeedParameters& parameters, Holding holding) {
     const auto motion =
-        startStream(*controller_, ScriptCommand::SpeedL, MotionKind::SpeedL, parameters, holding);
+        startStream(*controller_, stops(), ScriptCommand::SpeedL, MotionKind::SpeedL, parameters, holding);
     return motion ? Result<ToolSpeed>(ToolSpeed(*motion, parameters)) : motion.error();
 }
 
@@ -446,7 +468,7 @@ Result<JointTorque> Motions::startTorque(const TorqueParameters& parameters, Hol
         }
     }
     const auto motion =
-        startStream(*controller_, ScriptCommand::Torque, MotionKind::Torque, parameters, holding);
+        startStream(*controller_, stops(), ScriptCommand::Torque, MotionKind::Torque, parameters, holding);
     return motion ? Result<JointTorque>(JointTorque(*motion, parameters)) : motion.error();
 }
 

@@ -29,6 +29,7 @@
 // slowed down: it ends there, see setpoints.h.
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 
 #include "robot/control/controller.h"
@@ -65,6 +66,17 @@ struct ContactParameters {
     Holding holding = Holding::Held;
 };
 
+/// A path that the robot has and that waits to be begun. Anything else that moves the arm, and any stop, makes it void.
+class PreparedPath {
+public:
+    PreparedPath() = default;  ///< Of nothing: cannot be begun.
+
+private:
+    friend class Motions;
+    std::uint64_t epoch_ = 0;
+    int waypoints_ = 0;
+};
+
 /// All arguments are checked before anything is sent; an error names the argument that was wrong.
 /// Errors   of every command: NotInControl, UnsafeState, LinkLost; InvalidArgument (not a number, degrees or
 ///          millimetres by magnitude), LimitExceeded (out of a joint's range, above what the arm can, a tool
@@ -74,6 +86,9 @@ struct ContactParameters {
 class Motions {
 public:
     explicit Motions(Controller& controller) : controller_(&controller) {}
+    /// For what is prepared before it begins, or goes on from one motion to the next: begins nothing once there
+    /// has been a stop since Controller::stops() was this (Stopped).
+    Motions(Controller& controller, std::uint64_t stops) : controller_(&controller), stops_(stops) {}
 
     /// Linear in joint space. Ends at the target [rad]. Source: URScript movej
     Result<Motion> moveJ(const JointPositions& target, const MoveParameters& parameters = {});
@@ -90,6 +105,13 @@ public:
     /// Errors   also Timeout, Cancelled, ScriptError (with line and text)
     Result<Motion> movePath(const MotionPath& path, const Deadline& start, Holding holding = Holding::Free,
                             std::chrono::milliseconds silence = kHoldTime);
+    /// The first half of movePath(): sends it and moves nothing. For a thread that can wait, where another one, which
+    /// cannot, holds.
+    Result<PreparedPath> preparePath(const MotionPath& path, const Deadline& start);
+    /// The second half. Blocks: never
+    /// Errors   also Stopped when anything has moved the arm, or a stop came, since it was prepared
+    Result<Motion> startPath(const PreparedPath& path, Holding holding = Holding::Free,
+                             std::chrono::milliseconds silence = kHoldTime);
 
     /// Moves the tool until it touches something, then back to where the contact began, and ends there. Held:
     /// Motion::refresh() at least every 100 ms, or it ends and the arm brakes.
@@ -137,7 +159,10 @@ public:
                          StopCause cause = StopCause::ApiCall);
 
 private:
+    std::uint64_t stops() const;
+
     Controller* controller_;
+    std::optional<std::uint64_t> stops_;
 };
 
 }  // namespace tiller::control

@@ -21,12 +21,13 @@
 #include <vector>
 
 #include "widgets/common/theme.h"
-#include "widgets/plots/curve_item.h"
-#include "widgets/plots/plot_signals.h"
+#include "widgets/plots/curve.h"
+#include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/series_buffer.h"
 #include "widgets/plots/state_lane.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/signals/signal_store.h"
 
 using namespace tiller;
 
@@ -35,6 +36,7 @@ namespace {
 constexpr double kPeriod = 0.002;  // [s]
 constexpr int kWidth = 1430;       // of a plot in the default layout [px]
 constexpr int kHeight = 130;
+constexpr int kCurves = 12;
 
 struct Percentiles {
     double p50 = 0, p90 = 0, p99 = 0, most = 0;
@@ -68,10 +70,10 @@ float signalAt(std::int64_t sample, int signal, double stretch) {
 }
 
 void grow(SeriesBuffer& history, double length, double stretch = 1) {
-    std::array<float, kPlotSignalCount> row{};
+    std::array<float, kCurves> row{};
     const auto until = static_cast<std::int64_t>(length / kPeriod);
     for (std::int64_t i = history.end(); i < until; ++i) {
-        for (int s = 0; s < kPlotSignalCount; ++s) {
+        for (int s = 0; s < kCurves; ++s) {
             row[static_cast<std::size_t>(s)] = signalAt(i, s, stretch);
         }
         history.append(static_cast<double>(i) * kPeriod, row);
@@ -83,7 +85,8 @@ struct CurveCase {
     const char* name;
     SeriesBuffer& history;
     double span;
-    std::vector<std::unique_ptr<CurveItem>> curves = {};
+    std::vector<std::unique_ptr<Curve>> curves = {};
+    std::unique_ptr<CurveSheet> sheet = {};
     ColumnGrid grid = {};
     std::vector<double> times = {};
     double end = 0;
@@ -102,10 +105,10 @@ struct CurveCase {
             image.fill(Qt::white);
             QPainter painter(&image);
             for (const auto& curve : curves) {
-                curve->sample(history, grid);
-                curve->setView(QRectF(0, 0, kWidth, kHeight), end - span, end, -12, 12);
-                curve->paint(&painter, nullptr, nullptr);
+                curve->sample(history, curve->signal(), grid);
             }
+            sheet->setView(QRectF(0, 0, kWidth, kHeight), end - span, end, -12, 12);
+            sheet->paint(&painter, nullptr, nullptr);
         }));
     }
 };
@@ -135,11 +138,11 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     applyTheme(application, Theme::light());
 
-    SeriesBuffer shortHistory(kPlotSignalCount);
-    SeriesBuffer longHistory(kPlotSignalCount);
+    SeriesBuffer shortHistory(kCurves);
+    SeriesBuffer longHistory(kCurves);
     grow(shortHistory, 60);  // 30 s shown, and some to move through
     grow(longHistory, 30 * 60 + 30);
-    SeriesBuffer slowHistory(kPlotSignalCount);
+    SeriesBuffer slowHistory(kCurves);
     grow(slowHistory, 30 * 60 + 30, 1790.0 / 30.0);
 
     std::vector<CurveCase> cases;
@@ -150,10 +153,15 @@ int main(int argc, char** argv) {
     cases.back().zooming = true;
     cases.push_back({"2 s shown of 30 min", longHistory, 2});
     for (CurveCase& c : cases) {
-        for (int s = 0; s < kPlotSignalCount; ++s) {
-            c.curves.push_back(std::make_unique<CurveItem>(s, nullptr));
-            c.curves.back()->setPen(plot_signals::pen(static_cast<PlotSignal>(s), Theme::light()));
+        for (int s = 0; s < kCurves; ++s) {
+            c.curves.push_back(std::make_unique<Curve>(s));
+            QPen pen(Theme::light().curves[static_cast<std::size_t>(s % 6)], 1.6);
+            if (s % 6 > 3) {
+                pen.setDashPattern({6, 3});
+            }
+            c.curves.back()->setPen(pen);
         }
+        c.sheet = std::make_unique<CurveSheet>(c.curves, nullptr);
     }
     QImage image(kWidth, kHeight, QImage::Format_ARGB32_Premultiplied);
     // Case by case in turn, so that whatever else the machine does falls on all of them alike.
@@ -164,7 +172,16 @@ int main(int argc, char** argv) {
     }
 
     StateLane lane;
-    PlotView view(longHistory, lane);
+    SignalStore store;
+    std::vector<SeriesBuffer::Row> rows;
+    for (std::int64_t i = 0; i < static_cast<std::int64_t>(1830 / kPeriod); ++i) {
+        rows.push_back({static_cast<double>(i) * kPeriod, false});
+    }
+    store.appendLive(rows, [](std::size_t column, std::size_t row) {
+        return signalAt(static_cast<std::int64_t>(row), static_cast<int>(column) % kCurves, 1);
+    });
+    PlotMarks marks(store);
+    PlotView view(store, lane, marks);
     view.resize(1500, 342);
     view.refresh(0);
     QImage panel(1500, 342, QImage::Format_ARGB32_Premultiplied);

@@ -10,6 +10,7 @@
 #include <QSet>
 #include <QTest>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -119,7 +120,15 @@ struct TimedArm {
                 .endMotion = [this](std::uint64_t id, control::StopCause cause) { end(id, cause); },
                 .limits = [] { return control::MotionLimits(); },
                 .beginFreedrive = [this](const control::Freedrive&) { return begin(kNoEnd); },
-                .holdWith = [this](std::uint64_t id, const control::JogTarget&) { return hold(id); }};
+                .holdWith = [this](std::uint64_t id, const control::JogTarget&) { return hold(id); },
+                .beginPath = [this](const control::MotionPath&, std::uint64_t) { return begin(moveNs); },
+                .stops = [] { return std::uint64_t(0); },
+                .progress = [this](std::uint64_t id) -> Result<control::MotionProgress> {
+                    control::MotionProgress progress;
+                    progress.phase =
+                        id == running && moves() ? control::MotionPhase::Active : control::MotionPhase::Ended;
+                    return progress;
+                }};
     }
 };
 
@@ -205,7 +214,10 @@ struct Hands {
     }
     QVector<HoldButton*> keys() const {
         QVector<HoldButton*> all = column->holdKeys();
-        all << tab->findChild<HoldButton*>(QStringLiteral("waypoint.goTo"));
+        for (const char* name :
+             {"waypoint.goTo", "waypoint.goThrough", "waypoint.stepOn", "waypoint.stepBack"}) {
+            all << tab->findChild<HoldButton*>(QLatin1String(name));
+        }
         return all;
     }
     HoldButton& key(const char* name) const {
@@ -244,7 +256,11 @@ struct Hands {
             key->guard().pump();
         }
     }
-    bool isHolding() const { return column->isHolding() || key("waypoint.goTo").isHolding(); }
+    bool isHolding() const {
+        const QVector<HoldButton*> all = keys();
+        return column->isHolding() ||
+               std::any_of(all.begin(), all.end(), [](const HoldButton* key) { return key->isHolding(); });
+    }
 
     // Each of these does what a hand does: the display server knows of it, and the window hears of it.
     void mouse(QWidget& on, QEvent::Type type, Qt::MouseButton button = Qt::LeftButton, bool heard = true) {

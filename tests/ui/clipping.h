@@ -49,7 +49,10 @@ inline bool wordsFit(const QLabel& label, int room) {
         document.setHtml(text);
         text = document.toPlainText();
     }
-    const QStringList words = text.split(QRegularExpression(QStringLiteral("[\\s/-]+")));
+    // Chinese and Japanese lines end between any two signs.
+    static const QRegularExpression kBreaks(
+        QStringLiteral("[\\s/-]+|(?<=[\\x{3000}-\\x{9FFF}\\x{FF00}-\\x{FFEF}])"));
+    const QStringList words = text.split(kBreaks);
     return std::all_of(words.begin(), words.end(),
                        [&](const QString& word) { return widthOf(label, word) <= room; });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Nothing is cut off: every dialog and every page of the window, on the smallest screen, in both densities.
-// The same again at 150 and 200 %: see CMakeLists.txt.
+// The same again at 150 and 200 %, in every language and in one that does not exist: see CMakeLists.txt.
 
 #include <QDialog>
 #include <QDockWidget>
@@ -11,10 +11,13 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTest>
+#include <optional>
 
 #include "app/action_table.h"
 #include "app/connect_dialog.h"
+#include "app/language.h"
 #include "resources/resources.h"
+#include "tests/support/pseudo_translator.h"
 #include "tests/support/test_pad.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
@@ -81,6 +84,9 @@ class TestClipping : public QObject {
     Q_OBJECT
 
 private:
+    PseudoTranslator pseudo_;
+    std::optional<app::LanguageTexts> texts_;
+
     static QString densityName() {
         return currentDensity() == Density::Touch ? QStringLiteral("touch") : QStringLiteral("mouse");
     }
@@ -121,7 +127,18 @@ private:
     }
 
 private Q_SLOTS:
-    void initTestCase() { initResources(); }
+    void initTestCase() {
+        initResources();
+        // A language by its code; "pseudo": longer than any; "mirrored": that from right to left.
+        const QString language = qEnvironmentVariable("TILLER_LANGUAGE");
+        if (language == "pseudo" || language == "mirrored") {
+            QCoreApplication::installTranslator(&pseudo_);
+            QGuiApplication::setLayoutDirection(language == "pseudo" ? Qt::LeftToRight : Qt::RightToLeft);
+        } else if (!language.isEmpty()) {
+            texts_.emplace(language);
+            QCOMPARE(texts_->code(), language);
+        }
+    }
     void init() { applyTheme(*qApp, Theme::light()); }
     void cleanupTestCase() { applyDensity(*qApp, Density::Mouse); }
 

@@ -14,8 +14,24 @@ namespace tiller {
 
 namespace {
 
-constexpr QChar kMinus(0x2212);
+constexpr QChar kMinusSign(0x2212);
 constexpr QLatin1Char kHyphen('-');
+constexpr QLatin1Char kPoint('.');
+constexpr QLatin1Char kComma(',');
+
+/// With the signs of the screen and of the window's language.
+QString asShown(QString text) {
+    const QString sign = QLocale().decimalPoint();
+    text.replace(kHyphen, kMinusSign).replace(kComma, kPoint);
+    return sign == kPoint ? text : text.replace(kPoint, sign);
+}
+
+/// With those that the base class reads.
+QString asRead(QString text) {
+    return text.replace(kMinusSign, kHyphen)
+        .replace(QLocale().decimalPoint(), QString(kPoint))
+        .replace(kComma, kPoint);
+}
 
 }  // namespace
 
@@ -36,9 +52,8 @@ bool FigureBox::isRefused() const {
 
 void FigureBox::explainRefusal() {
     const auto with = [this](double figure) { return textFromValue(figure) + suffix(); };
-    const QString text =
-        tr("“%1” was not taken: %2 to %3. Nothing was changed.")
-            .arg(bare(lineEdit()->text()).replace(kHyphen, kMinus), with(minimum()), with(maximum()));
+    const QString text = tr("“%1” was not taken: %2 to %3. Nothing was changed.")
+                             .arg(asShown(bare(lineEdit()->text())), with(minimum()), with(maximum()));
     QToolTip::showText(mapToGlobal(QPoint(0, height())), text, this);
     setAccessibleDescription(text);
     QAccessibleEvent event(this, QAccessible::DescriptionChanged);
@@ -48,25 +63,24 @@ void FigureBox::explainRefusal() {
 // What is out of the range is let stand while it is typed: to swallow a digit would make another figure of it.
 // More decimals than are shown are rounded.
 QValidator::State FigureBox::validate(QString& text, int& position) const {
-    text.replace(QLatin1Char(','), QLatin1Char('.')).replace(kHyphen, kMinus);
+    text = asShown(text);
     bool isNumber = false;
     const double figure = locale().toDouble(bare(text), &isNumber);
     if (!isNumber) {
-        QString read = text;  // the base class knows the hyphen only
-        read.replace(kMinus, kHyphen);
+        QString read = asRead(text);
         return QDoubleSpinBox::validate(read, position);
     }
     return figure >= minimum() && figure <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 QString FigureBox::textFromValue(double value) const {
-    return QDoubleSpinBox::textFromValue(value).replace(kHyphen, kMinus);
+    return asShown(QDoubleSpinBox::textFromValue(value));
 }
 
 double FigureBox::valueFromText(const QString& text) const {
     bool isNumber = false;
     const double figure = locale().toDouble(bare(text), &isNumber);
-    return isNumber ? figure : QDoubleSpinBox::valueFromText(QString(text).replace(kMinus, kHyphen));
+    return isNumber ? figure : QDoubleSpinBox::valueFromText(asRead(text));
 }
 
 void FigureBox::keyPressEvent(QKeyEvent* event) {
@@ -109,7 +123,7 @@ QString FigureBox::bare(QString text) const {
     if (!suffix().isEmpty() && text.endsWith(suffix())) {
         text.chop(suffix().size());
     }
-    return text.trimmed().replace(kMinus, kHyphen);
+    return asRead(text.trimmed());
 }
 
 /// Copy and cut: no spreadsheet and no script knows the minus of the screen.
@@ -118,7 +132,7 @@ bool FigureBox::copies(const QKeyEvent& event) {
     if ((!cut && !event.matches(QKeySequence::Copy)) || !lineEdit()->hasSelectedText()) {
         return false;
     }
-    QApplication::clipboard()->setText(lineEdit()->selectedText().replace(kMinus, kHyphen));
+    QApplication::clipboard()->setText(lineEdit()->selectedText().replace(kMinusSign, kHyphen));
     if (cut) {
         lineEdit()->del();
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/format.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -12,13 +13,20 @@ namespace {
 
 constexpr QChar kMinus(0x2212);
 
+/// As the language of the window has it, see LanguageTexts: for the screen, never for a file.
+QString withDecimalSign(QString figure) {
+    const QString sign = QLocale().decimalPoint();
+    return sign == QLatin1String(".") ? figure : figure.replace(QLatin1Char('.'), sign);
+}
+
 QString withSign(double value, int digits, bool plus) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
     }
-    const QString magnitude = QString::number(std::abs(value), 'f', digits);
-    const bool zero = std::all_of(magnitude.begin(), magnitude.end(),
+    const QString plain = QString::number(std::abs(value), 'f', digits);
+    const bool zero = std::all_of(plain.begin(), plain.end(),
                                   [](QChar c) { return c == QLatin1Char('0') || c == QLatin1Char('.'); });
+    const QString magnitude = withDecimalSign(plain);
     if (zero) {
         return magnitude;
     }
@@ -87,7 +95,7 @@ QString bytes(std::int64_t value) {
         ++unit;
     }
     const int digits = unit == 0 || amount >= 10.0 ? 0 : 1;
-    return QStringLiteral("%1 %2").arg(QString::number(amount, 'f', digits), QLatin1String(kUnits[unit]));
+    return QStringLiteral("%1 %2").arg(number(amount, digits), QLatin1String(kUnits[unit]));
 }
 
 }  // namespace tiller::format

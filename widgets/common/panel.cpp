@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/panel.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -66,6 +67,40 @@ void Panel::setHint(const QString& text) {
 
 void Panel::addHeaderWidget(QWidget* widget) {
     headerLayout_->addWidget(widget, 0, Qt::AlignVCenter);
+}
+
+void Panel::addFoldingHeaderWidget(QWidget* widget) {
+    if (folding_.isEmpty()) {
+        // What folds asks for no room: the bar's least width is set where it is folded.
+        header_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        header_->installEventFilter(this);
+    }
+    folding_.append(widget);
+    addHeaderWidget(widget);
+}
+
+bool Panel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == header_ && (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)) {
+        foldHeader();
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+void Panel::foldHeader() {
+    const auto widthOf = [this](const QWidget* widget) {
+        return widget->sizeHint().expandedTo(widget->minimumSize()).width() + headerLayout_->spacing();
+    };
+    int least = headerLayout_->minimumSize().width();
+    for (const QWidget* widget : folding_) {
+        least -= widget->isHidden() ? 0 : widthOf(widget);
+    }
+    header_->setMinimumWidth(least);
+    // From the last one on, as many as there is room for.
+    int room = header_->width() - least;
+    for (auto widget = folding_.crbegin(); widget != folding_.crend(); ++widget) {
+        room -= widthOf(*widget);
+        (*widget)->setVisible(room >= 0);
+    }
 }
 
 void Panel::setHeaderWidget(QWidget* widget) {

@@ -5,6 +5,7 @@
 // hint at the right) and one content widget below.
 
 #include <QFrame>
+#include <QVector>
 
 class QHBoxLayout;
 class QLabel;
@@ -28,6 +29,9 @@ public:
     void setHint(const QString& text);
     /// Adds a small control at the right end of the title bar.
     void addHeaderWidget(QWidget* widget);
+    /// The same, for what is there only where the panel is wide enough, and can be reached in another way too. The one
+    /// added first goes first.
+    void addFoldingHeaderWidget(QWidget* widget);
     /// Puts a widget in place of title and hint, a tab bar for instance. The bar keeps its height.
     void setHeaderWidget(QWidget* widget);
     /// Takes ownership; replaces what was there.
@@ -38,8 +42,11 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void foldHeader();
+
     QWidget* header_;
     QHBoxLayout* headerLayout_;
     QVBoxLayout* layout_;
@@ -47,6 +54,7 @@ private:
     QLabel* subtitle_;
     ElidedLabel* hint_;
     QWidget* content_ = nullptr;
+    QVector<QWidget*> folding_;
 };
 
 }  // namespace tiller

@@ -28,12 +28,13 @@ void BackTrack::record(const JointPositions& q) {
     const bool jumped = !trail_.empty() && apart(now_, q) > kJump;
     now_ = q;
     if (jumped) {
-        trail_.clear();
+        clear();
     }
     if (going_ != 0 || (!trail_.empty() && apart(trail_.back(), q) < kSpacing)) {
         return;
     }
     trail_.push_back(q);
+    ++revision_;
     if (trail_.size() > kCapacity) {
         trail_.pop_front();
     }
@@ -41,6 +42,7 @@ void BackTrack::record(const JointPositions& q) {
 
 void BackTrack::clear() {
     trail_.clear();
+    ++revision_;
 }
 
 bool BackTrack::isEmpty() const {
@@ -52,6 +54,7 @@ Result<control::JogTarget> BackTrack::next() {
         std::max(1.5 * kSpacing, (trail_.empty() ? 0 : speed_(now_, trail_.back())) * kAhead);
     while (trail_.size() > 1 && apart(trail_.back(), now_) < reach) {
         trail_.pop_back();  // the beginning stays known
+        ++revision_;
     }
     const double left = trail_.empty() ? 0 : apart(trail_.back(), now_);
     if (left < kThere) {

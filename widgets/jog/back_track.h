@@ -4,6 +4,7 @@
 // The way the arm came, as joint positions, and the motion that goes back along it while a key is held: the
 // one way out of a tight place that is known to be free.
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -33,6 +34,10 @@ public:
     /// What the next turn heads for; nothing where there is nothing to undo.
     std::optional<JointPositions> nextPlace() const;
     int size() const { return static_cast<int>(trail_.size()); }
+    /// Its places, the oldest first: where a press leads to last.
+    const std::deque<JointPositions>& places() const { return trail_; }
+    /// Another number whenever the places are others.
+    std::uint64_t revision() const { return revision_; }
 
     /// For the key: a joint jog from place to place of the trail, so that it has the life time, the limits
     /// and the stops of a jog. It ends at the beginning of the trail; a stop of any kind ends it where it is,
@@ -53,6 +58,7 @@ private:
     Speed speed_;
     std::deque<JointPositions> trail_;
     JointPositions now_;
+    std::uint64_t revision_ = 0;
     HoldMotion::Id going_ = 0;  ///< the jog under way; 0: none
 };
 

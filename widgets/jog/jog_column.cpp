@@ -173,6 +173,10 @@ JogColumn::~JogColumn() {
     stopMotion(StopCause::WindowClosed);
 }
 
+std::vector<JointPositions> JogColumn::wayBack() const {
+    return {track_->places().begin(), track_->places().end()};
+}
+
 void JogColumn::setHome(const JointPositions& home) {
     home_ = home;
     speedsKnown_ = false;
@@ -232,6 +236,7 @@ void JogColumn::applyState(const SessionState& state) {
     } else if (valid && state.link == LinkState::Live) {
         track_->record(state.q);
     }
+    tellWayBack();
     const bool stale = state.link != LinkState::Live;
     pose_->setPose(state.tcpPose, state.moving, valid, stale);
     joints_->setJoints(state.q, state.moving, valid, stale);
@@ -247,6 +252,16 @@ void JogColumn::applyState(const SessionState& state) {
     }
     showSpeeds();
     showReason();
+}
+
+void JogColumn::tellWayBack() {
+    // Of the frames, sixty a second, every sixth: thousands of places are passed on.
+    constexpr int kFrames = 6;
+    if (++wayBackFrames_ >= kFrames && track_->revision() != wayBackTold_) {
+        wayBackFrames_ = 0;
+        wayBackTold_ = track_->revision();
+        Q_EMIT wayBackChanged();
+    }
 }
 
 void JogColumn::showFrame() {

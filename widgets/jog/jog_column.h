@@ -7,6 +7,7 @@
 #include <QVector>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "widgets/common/hold_rules.h"
 #include "widgets/common/panel.h"
@@ -78,6 +79,8 @@ public:
     void setFreedriveAxes(FreedriveAxes axes);
     /// Counts the way from here; once more: since the press again.
     void zeroHere();
+    /// The places that Back leads over, the oldest first, for the view.
+    std::vector<JointPositions> wayBack() const;
     /// How far the arm can still go, as the keys of the pad show it.
     TravelWatch& travel() { return *travel_; }
 
@@ -111,6 +114,8 @@ Q_SIGNALS:
     /// The pointer is on a key whose motion goes to a place, or the key is held.
     void ghostWanted(const tiller::Ghost& ghost);
     void ghostGone();
+    /// wayBack() is another one; at most some ten times a second.
+    void wayBackChanged();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -147,6 +152,7 @@ private:
     void arrange();
     void showReason();
     void showFrame();
+    void tellWayBack();
     void showJog();
     void lightKeys();
     void showFactor();
@@ -177,6 +183,8 @@ private:
     HoldButton* align_ = nullptr;
     HoldButton* back_ = nullptr;
     std::unique_ptr<BackTrack> track_;
+    std::uint64_t wayBackTold_ = 0;  ///< BackTrack::revision
+    int wayBackFrames_ = 0;          ///< since it was told
     AxisJog* axisJog_ = nullptr;
     ArmKey* armKey_ = nullptr;
 

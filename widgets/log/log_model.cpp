@@ -36,11 +36,11 @@ QString LogModel::originWord(Origin origin) {
 }
 
 void LogModel::append(const QDateTime& time, Severity severity, const QString& text, Origin origin,
-                      const QString& detail) {
+                      const QString& detail, const QString& recording) {
     if (!entries_.empty()) {
         Entry& entry = entries_.back();
         if (entry.severity == severity && entry.origin == origin && entry.text == text &&
-            entry.detail == detail) {
+            entry.detail == detail && entry.recording == recording) {
             ++entry.count;
             entry.last = time;
             const int row = rowCount() - 1;
@@ -54,7 +54,7 @@ void LogModel::append(const QDateTime& time, Severity severity, const QString& t
         endRemoveRows();
     }
     beginInsertRows({}, rowCount(), rowCount());
-    entries_.push_back({time, time, severity, text, origin, detail, 1});
+    entries_.push_back({time, time, severity, text, origin, detail, recording, 1});
     endInsertRows();
 }
 
@@ -118,6 +118,8 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
             return index.column() == Text ? QVariant() : QVariant(Theme::current().secondary);
         case Qt::AccessibleTextRole:
             return rowText(index.row());
+        case RecordingRole:
+            return entry.recording;
         case SeverityRole:
             return static_cast<int>(entry.severity);
         case TextRole:

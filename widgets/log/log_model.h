@@ -19,13 +19,14 @@ class LogModel : public QAbstractTableModel {
 
 public:
     enum Column { Time, SeverityColumn, Text, ColumnCount };
-    enum Role { SeverityRole = Qt::UserRole, TextRole };
+    enum Role { SeverityRole = Qt::UserRole, TextRole, RecordingRole };
     static constexpr int kCapacity = 5000;
 
     explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
+    /// recording  a file that shows what the row tells of; empty: none
     void append(const QDateTime& time, Severity severity, const QString& text, Origin origin = Origin::Tiller,
-                const QString& detail = {});
+                const QString& detail = {}, const QString& recording = {});
     /// All there is to say about a row, for people: when, how often, from whom, what it means, what to do.
     QString details(int row) const;
     /// Row as text, fields separated by tabs: date and time (the first), severity, text with its count and
@@ -49,6 +50,7 @@ private:
         QString text;
         Origin origin = Origin::Tiller;
         QString detail;
+        QString recording;
         int count = 1;
     };
     QString shown(const Entry& entry, const QString& clock) const;

@@ -32,6 +32,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     , filter_(new LogFilter(this))
     , severity_(new SegmentedControl({tr("All"), tr("Warnings"), tr("Errors")}))
     , search_(new QLineEdit)
+    , open_(nullptr)
     , table_(new QTableView)
     , nothing_(nullptr)
     , details_(new QLabel) {
@@ -55,11 +56,16 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     QToolButton* exportKey =
         button(QStringLiteral("log.export"), tr("Export…"), tr("Write the lines that are shown to a file"));
 
+    open_ = button(QStringLiteral("log.openRecording"), tr("Open recording"),
+                   tr("Open the recording of the selected line: incidents have one"));
+    open_->setEnabled(false);
+
     auto* tools = new QHBoxLayout;
     tools->setContentsMargins(12, 12, 12, 8);
     tools->setSpacing(8);
     tools->addWidget(severity_);
     tools->addWidget(search_, 1);
+    tools->addWidget(open_);
     tools->addWidget(copyKey);
     tools->addWidget(exportKey);
 
@@ -106,6 +112,8 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     copyAction->setShortcutContext(Qt::WidgetShortcut);
     table_->addAction(copyAction);
     connect(copyAction, &QAction::triggered, this, &LogTab::copy);
+    connect(open_, &QToolButton::clicked, this, &LogTab::openRecording);
+    connect(table_, &QTableView::activated, this, &LogTab::openRecording);
     connect(copyKey, &QToolButton::clicked, this, &LogTab::copy);
     connect(exportKey, &QToolButton::clicked, this, &LogTab::exportToFile);
     connect(severity_, &SegmentedControl::currentChanged, this,
@@ -121,10 +129,27 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
 LogTab::~LogTab() = default;
 
 void LogTab::append(Severity severity, const QString& text, Origin origin, const QString& detail) {
+    add(severity, text, origin, detail, {});
+}
+
+void LogTab::appendRecording(Severity severity, const QString& text, const QString& detail,
+                             const QString& path) {
+    add(severity, text, Origin::Tiller, detail, path);
+}
+
+void LogTab::openRecording() {
+    if (const QString path = table_->currentIndex().data(LogModel::RecordingRole).toString();
+        !path.isEmpty()) {
+        Q_EMIT recordingWanted(path);
+    }
+}
+
+void LogTab::add(Severity severity, const QString& text, Origin origin, const QString& detail,
+                 const QString& recording) {
     // Follows the newest line unless the reader has scrolled back.
     const QScrollBar* bar = table_->verticalScrollBar();
     const bool follow = bar->value() == bar->maximum();
-    model_->append(now_(), severity, text, origin, detail);
+    model_->append(now_(), severity, text, origin, detail, recording);
     if (follow) {
         table_->scrollToBottom();
     }
@@ -147,6 +172,7 @@ void LogTab::hideEvent(QHideEvent* event) {
 void LogTab::showDetails() {
     const QModelIndex current = table_->currentIndex();
     details_->setVisible(current.isValid());
+    open_->setEnabled(!current.data(LogModel::RecordingRole).toString().isEmpty());
     if (current.isValid()) {
         details_->setText(model_->details(filter_->mapToSource(current).row()));
     }
@@ -170,6 +196,14 @@ QString LogTab::shownText() const {
         rows.append(row);
     }
     return textOf(rows);
+}
+
+QString LogTab::allText() const {
+    QString result;
+    for (int row = 0; row < model_->rowCount(); ++row) {
+        result += model_->rowText(row) + QLatin1Char('\n');
+    }
+    return result;
 }
 
 void LogTab::copy() {

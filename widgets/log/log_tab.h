@@ -15,6 +15,7 @@ class QLabel;
 class QLineEdit;
 class QSortFilterProxyModel;
 class QTableView;
+class QToolButton;
 
 namespace tiller {
 
@@ -35,6 +36,8 @@ public:
     void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }
     /// The rows that are shown, one a line, fields separated by tabs.
     QString shownText() const;
+    /// All rows, shown or not, one a line.
+    QString allText() const;
     /// Writes all shown rows.
     /// Errors  FileNotWritable, DiskFull
     Result<void> exportTo(const QString& path) const;
@@ -42,6 +45,11 @@ public:
 public Q_SLOTS:
     void append(tiller::Severity severity, const QString& text,
                 tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
+    /// The same with the recording of an incident, which can be opened from its row.
+    void appendRecording(tiller::Severity severity, const QString& text, const QString& detail,
+                         const QString& path);
+    /// Asks for the recording of the current row to be opened; nothing happens when it has none.
+    void openRecording();
     /// Copies the selected rows, or all that are shown when none is selected.
     void copy();
     /// Asks for a file and writes the rows that are shown.
@@ -50,6 +58,10 @@ public Q_SLOTS:
     /// Only rows of this severity and above.
     void showFrom(tiller::Severity severity);
 
+Q_SIGNALS:
+    /// A row's recording is to be opened.
+    void recordingWanted(const QString& path);
+
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -57,6 +69,8 @@ protected:
 private:
     void showDetails();
     void showNothingFound();
+    void add(Severity severity, const QString& text, Origin origin, const QString& detail,
+             const QString& recording);
     QString textOf(const QList<int>& rows) const;
 
     std::function<QDateTime()> now_;
@@ -64,6 +78,7 @@ private:
     LogFilter* filter_;
     SegmentedControl* severity_;
     QLineEdit* search_;
+    QToolButton* open_;
     QTableView* table_;
     NothingFound* nothing_;
     QLabel* details_;

@@ -80,6 +80,13 @@ void AxisRange::zoom(double factor, double about) {
     held_ = true;
 }
 
+void AxisRange::hold(double low, double high) {
+    if (usable(low, high) && low < high) {
+        set({low, high, niceStep((high - low) / mostLines_)});
+        held_ = true;
+    }
+}
+
 bool AxisRange::reset(double low, double high) {
     return !held_ && usable(low, high) && set(best(low, high));
 }

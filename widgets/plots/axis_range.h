@@ -24,7 +24,9 @@ public:
 
     /// Comes nearer (factor < 1) to this value; the scale stays as it is from then on, whatever the curves do.
     void zoom(double factor, double about);
-    /// True between zoom() and release().
+    /// Shows low ... high, low < high, and stays.
+    void hold(double low, double high);
+    /// True between zoom() or hold() and release().
     bool isHeld() const { return held_; }
     /// The curves decide again, with the next fit() or reset().
     void release() { held_ = false; }

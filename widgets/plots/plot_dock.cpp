@@ -2,6 +2,8 @@
 #include "widgets/plots/plot_dock.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QDateTime>
 #include <QDesktopServices>
 #include <QDir>
@@ -9,15 +11,21 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFrame>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
-#include <QPixmap>
+#include <QSaveFile>
+#include <QSplitter>
 #include <QStandardPaths>
 #include <QToolButton>
 #include <QUrl>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "robot/recording/formats/open_recording.h"
 #include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/format.h"
@@ -25,18 +33,26 @@
 #include "widgets/plots/lane_text.h"
 #include "widgets/plots/plot_export.h"
 #include "widgets/plots/plot_feed.h"
+#include "widgets/plots/plot_marks.h"
+#include "widgets/plots/plot_pages.h"
+#include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_picture.h"
+#include "widgets/plots/plot_values.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/series_buffer.h"
 #include "widgets/plots/state_lane.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/texts.h"
+#include "widgets/signals/signal_store.h"
+#include "widgets/signals/signal_tree.h"
 
 namespace tiller {
 
 namespace {
 
 constexpr int kLeastReadout = 1;  // [px]
+constexpr int kLeastSide = 150;
+constexpr int kUsualSide = 230;
+constexpr int kFramesPerHistoryText = 60;
 
 struct SpanChoice {
     double seconds;
@@ -72,6 +88,31 @@ void keepWidth(QToolButton* key, const QStringList& texts) {
     key->setFixedWidth(width);
 }
 
+/// What a table's time is called in recordings of all kinds.
+bool isTime(const QString& column) {
+    static const QStringList kNames{QStringLiteral("timestamp"), QStringLiteral("time"),
+                                    QStringLiteral("seconds"), QStringLiteral("t")};
+    return kNames.contains(column, Qt::CaseInsensitive);
+}
+
+/// All that is shown on the page in front, plot by plot, then the lanes.
+std::vector<int> shownInOrder(const SignalStore& store, const PlotPages& pages) {
+    std::vector<int> all;
+    const PageLayout page = pages.view().page();
+    const auto add = [&](const QStringList& keys) {
+        for (const QString& key : keys) {
+            if (const int signal = store.find(key); std::find(all.begin(), all.end(), signal) == all.end()) {
+                all.push_back(signal);
+            }
+        }
+    };
+    for (const PaneLayout& pane : page.panes) {
+        add(pane.shown);
+    }
+    add(page.lanes);
+    return all;
+}
+
 void setTextIfNew(QToolButton* button, const QString& text) {
     if (button->text() != text) {
         button->setText(text);
@@ -83,29 +124,384 @@ void setTextIfNew(QToolButton* button, const QString& text) {
 PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     : Panel(QString(), parent)
     , session_(session)
-    , history_(std::make_unique<SeriesBuffer>(kPlotSignalCount))
+    , store_(std::make_unique<SignalStore>())
     , lane_(std::make_unique<StateLane>())
-    , feed_(std::make_unique<PlotFeed>(*history_)) {
+    , marks_(std::make_unique<PlotMarks>(*store_))
+    , feed_(std::make_unique<PlotFeed>(*store_)) {
     setObjectName(QStringLiteral("plots"));
     setTitle(tr("Plots"));
-    setSubtitle(tr("TCP force [N] · joint current [A]"));
-    view_ = new PlotView(*history_, *lane_);
-    setContent(view_);
+    pages_ = new PlotPages(*store_, *lane_, *marks_);
+    tree_ = new SignalTree(*store_);
+    historyLabel_ = new QLabel;
+    historyLabel_->setObjectName(QStringLiteral("plots.history"));
+    historyLabel_->setFont(textFont(12));
+    historyLabel_->setProperty("role", "secondary");
+    historyLabel_->setContentsMargins(10, 0, 4, 6);
+    historyLabel_->setWordWrap(true);
+    side_ = new QWidget;
+    auto* sideLayout = new QVBoxLayout(side_);
+    sideLayout->setContentsMargins(0, 0, 0, 0);
+    sideLayout->setSpacing(0);
+    sideLayout->addWidget(tree_, 1);
+    sideLayout->addWidget(historyLabel_);
+    side_->setMinimumWidth(kLeastSide);
+    side_->hide();
+    auto* splitter = new QSplitter(Qt::Horizontal);
+    splitter->setObjectName(QStringLiteral("plots.splitter"));
+    splitter->setChildrenCollapsible(false);
+    splitter->addWidget(side_);
+    values_ = new PlotValues(*store_);
+    values_->hide();
+    auto* beneath = new QSplitter(Qt::Vertical);
+    beneath->setObjectName(QStringLiteral("plots.beneath"));
+    beneath->setChildrenCollapsible(false);
+    beneath->addWidget(pages_);
+    beneath->addWidget(values_);
+    beneath->setStretchFactor(0, 1);
+    splitter->addWidget(beneath);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({kUsualSide, kUsualSide * 5});
+    setContent(splitter);
     buildHeader();
 
-    connect(view_, &PlotView::windowChanged, this, &PlotDock::updateHeader);
-    connect(view_, &PlotView::readoutChanged, this, &PlotDock::updateHeader);
-    connect(view_, &PlotView::zeroChanged, this, &PlotDock::updateHeader);
+    connect(pages_, &PlotPages::windowChanged, this, &PlotDock::updateHeader);
+    connect(pages_, &PlotPages::readoutChanged, this, [this] {
+        updateHeader();
+        values_->follow(view());
+    });
+    connect(pages_, &PlotPages::noteWanted, this, &PlotDock::askForNote);
+    connect(marks_.get(), &PlotMarks::thresholdsChanged, this, &PlotDock::arrangementChanged);
+    connect(marks_.get(), &PlotMarks::crossed, this, [this](const Threshold& threshold, double time) {
+        Q_EMIT session_.message(
+            Severity::Warning,
+            tr("%1, at %2 s of the plots' time").arg(marks_->words(threshold), format::number(time, 3)));
+    });
+    connect(pages_, &PlotPages::zeroChanged, this, &PlotDock::updateHeader);
+    connect(pages_, &PlotPages::arrangementChanged, this, [this] {
+        sayWhatIsShown();
+        updateHeader();
+        values_->follow(view());
+        Q_EMIT arrangementChanged();
+    });
+    connect(pages_, &PlotPages::tooManySignals, this,
+            [this] { Q_EMIT session_.message(Severity::Warning, store_->problem()); });
+    connect(tree_, &SignalTree::chosen, this, [this](const QStringList& keys) { view().addSignals(keys); });
+    connect(tree_, &SignalTree::derivationEntered, this, [this](const QString& text) {
+        const Result<int> made = store_->derive(text);
+        tree_->tellDerivation(made ? QString() : made.error().controllerMessage);
+        if (made) {
+            view().addSignals({store_->info(*made).key});
+        }
+    });
+    connect(store_.get(), &SignalStore::furtherFieldsChanged, &session_, &RobotSession::followFurther);
+    connect(&session_, &RobotSession::furtherSamplesReceived, this, &PlotDock::takeFurther);
+    connect(&session_, &RobotSession::connected, this, &PlotDock::followAbsent);
+    sayWhatIsShown();
     connect(&session_, &RobotSession::linkBegan, this, [this] {
         feed_->beginLink();
-        view_->clearZero();  // another robot, another tool
+        pages_->clearZero();  // another robot, another tool
     });
     connect(&session_, &RobotSession::samplesReceived, this, &PlotDock::take);
     connect(&session_, &RobotSession::stateChanged, this, &PlotDock::onState);
     onState(session_.state());
 }
 
-PlotDock::~PlotDock() = default;
+PlotDock::~PlotDock() {
+    // The views let go of their signals: before the store goes.
+    delete content();
+}
+
+PlotView& PlotDock::view() {
+    return pages_->view();
+}
+
+const SeriesBuffer& PlotDock::history() const {
+    return store_->live();
+}
+
+QByteArray PlotDock::arrangement() const {
+    return pages_->arrangement().toJson();
+}
+
+void PlotDock::arrange(const QByteArray& json) {
+    if (const Result<PlotLayout> layout = PlotLayout::fromJson(json); layout && json != arrangement()) {
+        pages_->arrange(*layout);
+    }
+}
+
+std::size_t PlotDock::budget() const {
+    return store_->limits().bytes;
+}
+
+void PlotDock::setBudget(std::size_t bytes) {
+    HistoryLimits limits = store_->limits();
+    if (limits.bytes != bytes) {
+        limits.bytes = bytes;
+        store_->setLimits(limits);
+        Q_EMIT arrangementChanged();
+    }
+}
+
+void PlotDock::addPage() {
+    pages_->addPage();
+}
+
+void PlotDock::setSignalsShown(bool shown) {
+    framesToHistoryText_ = 0;
+    historyLabel_->setText(historyText());
+    followAbsent();
+    side_->setVisible(shown);
+    signalsKey_->setChecked(shown);
+}
+
+void PlotDock::setValuesShown(bool shown) {
+    values_->follow(view());
+    values_->setVisible(shown);
+    valuesKey_->setChecked(shown);
+}
+
+void PlotDock::addNote(double time, const QString& text) {
+    if (text.simplified().isEmpty()) {
+        return;
+    }
+    marks_->addNote(time, text);
+    Q_EMIT session_.message(Severity::Info, tr("Note: %1").arg(text.simplified()), Origin::Operator);
+}
+
+void PlotDock::askForNote(double time) {
+    bool done = false;
+    const QString text = QInputDialog::getText(this, tr("Note"), tr("What happened at this moment?"),
+                                               QLineEdit::Normal, {}, &done);
+    if (done) {
+        addNote(time, text);
+    }
+}
+
+void PlotDock::copyPicture() {
+    QApplication::clipboard()->setImage(pages_->grab().toImage());
+    Q_EMIT session_.message(Severity::Info, tr("The plots are in the clipboard as a picture."),
+                            Origin::Operator);
+}
+
+void PlotDock::searchSignals() {
+    setSignalsShown(true);
+    tree_->focusFilter();
+}
+
+void PlotDock::followAbsent() {
+    tree_->setAbsent(session_.absentFields());
+}
+
+QString PlotDock::historyText() const {
+    const SeriesBuffer& all = history();
+    const QString size = tr("%1 of %2")
+                             .arg(format::bytes(static_cast<std::int64_t>(store_->memoryBytes())),
+                                  format::bytes(static_cast<std::int64_t>(budget())));
+    return tr("History %1 · %2").arg(format::duration(all.lastTime() - all.firstTime()), size);
+}
+
+void PlotDock::buildPagesMenu() {
+    QMenu* menu = pagesKey_->menu();
+    menu->clear();
+    // These two have keys of their own where the title bar has room for them.
+    const auto addSwitch = [this, menu](const char* name, const QString& text, const QWidget* shown,
+                                        void (PlotDock::*set)(bool)) {
+        QAction* action = menu->addAction(text);
+        action->setObjectName(QLatin1String(name));
+        action->setCheckable(true);
+        action->setChecked(!shown->isHidden());
+        connect(action, &QAction::triggered, this, set);
+    };
+    addSwitch("plots.layout.signals", tr("List of signals"), side_, &PlotDock::setSignalsShown);
+    addSwitch("plots.layout.values", tr("Values at the cursors"), values_, &PlotDock::setValuesShown);
+    menu->addSeparator();
+    const auto add = [this](QMenu* into, const char* name, const QString& text, auto todo) {
+        QAction* action = into->addAction(text);
+        action->setObjectName(QLatin1String(name));
+        connect(action, &QAction::triggered, this, todo);
+        return action;
+    };
+    add(menu, "plots.layout.addPage", tr("New page"), [this] {
+        addPage();
+    })->setEnabled(pages_->count() < PlotLayout::kMostPages);
+    add(menu, "plots.layout.removePage", tr("Take this page away"), [this] {
+        pages_->removePage(pages_->current());
+    })->setEnabled(pages_->count() > 1);
+    add(menu, "plots.layout.standard", tr("Standard plots"), [this] { pages_->arrange({}); });
+    menu->addSeparator();
+    add(menu, "plots.layout.openRecording", tr("Open a recording…"), [this] { askForRecording(); });
+    add(menu, "plots.layout.closeRecordings", tr("Close the recordings"), [this] {
+        closeRecordings();
+    })->setEnabled(store_->hasRecordings());
+    menu->addSeparator();
+    add(menu, "plots.layout.copy", tr("Copy the plots as a picture"), [this] { copyPicture(); });
+    menu->addSeparator();
+    add(menu, "plots.layout.save", tr("Save this arrangement…"), [this] { askToSaveArrangement(); });
+    add(menu, "plots.layout.open", tr("Open an arrangement…"), [this] { askToOpenArrangement(); });
+    menu->addSeparator();
+    QMenu* budgets = menu->addMenu(tr("Memory for the history"));
+    budgets->setObjectName(QStringLiteral("plots.layout.budget"));
+    for (const int megabytes : {256, 512, 1024, 2048, 4096}) {
+        const std::size_t bytes = static_cast<std::size_t>(megabytes) << 20;
+        QAction* action =
+            add(budgets, "plots.layout.budget.choice", format::bytes(static_cast<std::int64_t>(bytes)),
+                [this, bytes] { setBudget(bytes); });
+        action->setCheckable(true);
+        action->setChecked(bytes == budget());
+        action->setData(megabytes);
+    }
+}
+
+Result<void> PlotDock::saveArrangement(const QString& path) const {
+    QSaveFile file(path);
+    const QByteArray json = arrangement();
+    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
+        return Error{ErrorCode::FileNotWritable, tr("save the arrangement to %1").arg(path),
+                     file.errorString()};
+    }
+    return {};
+}
+
+Result<void> PlotDock::openArrangement(const QString& path) {
+    constexpr qint64 kLongest = 1 << 20;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return Error{ErrorCode::FileNotReadable, tr("open the arrangement %1").arg(path), file.errorString()};
+    }
+    const Result<PlotLayout> layout = PlotLayout::fromJson(file.read(kLongest));
+    if (!layout) {
+        return layout.error();
+    }
+    pages_->arrange(*layout);
+    return {};
+}
+
+void PlotDock::openRecording(const QString& path) {
+    files_.post(this, [this, path](const CancelToken&) {
+        auto opened =
+            std::make_shared<Result<std::unique_ptr<recording::Recording>>>(recording::openRecording(path));
+        return std::function<void()>([this, opened] {
+            if (*opened) {
+                showRecording(std::move(**opened));
+            } else {
+                Q_EMIT session_.message(Severity::Error, texts::errorText(opened->error()));
+            }
+        });
+    });
+}
+
+void PlotDock::showRecording(std::unique_ptr<recording::Recording> file) {
+    const QStringList problems = file->problems();
+    const std::uint64_t rows = file->rows();
+    const Result<std::vector<double>> last =
+        rows == 0 ? Result<std::vector<double>>(std::vector<double>()) : file->times({rows - 1, 1});
+    const double length = last && !last->empty() ? last->front() : 0;
+    const double begin =
+        view().cursor(PlotView::Cursor::A).value_or(history().isEmpty() ? 0 : history().lastTime() - length);
+    const Result<QString> opened = store_->open(std::move(file), begin);
+    if (!opened) {
+        Q_EMIT session_.message(Severity::Error, texts::errorText(opened.error()));
+        return;
+    }
+    // The standard plots of it where it has them, or else what comes first.
+    PageLayout page;
+    page.name = *opened;
+    const QVector<PaneLayout> standard = PageLayout::standard().panes;
+    for (const PaneLayout& pane : standard) {
+        PaneLayout own{{}, {}, pane.column, pane.share};
+        for (const QString& key : pane.shown) {
+            const QString recorded = *opened + QLatin1Char('/') + key;
+            own.shown << (store_->find(recorded) >= 0 ? QStringList(recorded) : QStringList());
+        }
+        if (!own.shown.isEmpty()) {
+            page.panes.append(own);
+        }
+    }
+    if (page.panes.isEmpty()) {
+        constexpr qsizetype kFirst = 4;
+        page.panes.append(PaneLayout{});
+        for (const int signal : store_->signalsOf(*opened)) {
+            const SignalInfo& info = store_->info(signal);
+            if (!info.isState() && !isTime(info.field) && page.panes[0].shown.size() < kFirst) {
+                page.panes[0].shown.append(info.key);
+            }
+        }
+    }
+    pages_->addPage(page);
+    view().showRange(begin, begin + std::max(length, TimeWindow::kShortest));
+    Q_EMIT session_.message(problems.isEmpty() ? Severity::Info : Severity::Warning,
+                            tr("Opened the recording %1").arg(*opened), Origin::Operator,
+                            problems.join(QLatin1Char(' ')));
+}
+
+void PlotDock::closeRecordings() {
+    pages_->dropRecordings();
+    store_->closeRecordings();
+    sayWhatIsShown();
+}
+
+void PlotDock::askForRecording() {
+    const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open a recording"), folder, tr("Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)"));
+    if (!path.isEmpty()) {
+        openRecording(path);
+    }
+}
+
+void PlotDock::askToSaveArrangement() {
+    QString path = QFileDialog::getSaveFileName(this, tr("Save the arrangement of the plots"), QString(),
+                                                tr("Arrangement of plots (*.json)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (QFileInfo(path).suffix().isEmpty()) {
+        path += QStringLiteral(".json");
+    }
+    if (const Result<void> saved = saveArrangement(path); !saved) {
+        Q_EMIT session_.message(Severity::Error, texts::errorText(saved.error()));
+    }
+}
+
+void PlotDock::askToOpenArrangement() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open an arrangement of plots"), QString(),
+                                                      tr("Arrangement of plots (*.json)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (const Result<void> opened = openArrangement(path); !opened) {
+        Q_EMIT session_.message(Severity::Error, texts::errorText(opened.error()));
+    }
+}
+
+QString PlotDock::picturesTitle() const {
+    QStringList families;
+    for (const auto& pane : pages_->view().panes()) {
+        for (const int signal : pane->shown()) {
+            const QString family = store_->info(signal).family;
+            families << (families.contains(family) ? QStringList() : QStringList(family));
+        }
+    }
+    return families.isEmpty() ? tr("Plots") : families.mid(0, 4).join(QStringLiteral(", "));
+}
+
+void PlotDock::sayWhatIsShown() {
+    QStringList parts;
+    for (const auto& pane : pages_->view().panes()) {
+        QStringList families;
+        for (const int signal : pane->shown()) {
+            const QString family = store_->info(signal).family;
+            families << (families.contains(family) ? QStringList() : QStringList(family));
+        }
+        if (!families.isEmpty()) {
+            const QString unit = pane->unit();
+            const QString words =
+                families.size() > 1 ? tr("%1 and more").arg(families.first()) : families.first();
+            parts << (unit.isEmpty() ? words : QStringLiteral("%1 [%2]").arg(words, unit));
+        }
+    }
+    setHint(parts.size() > 2 ? tr("%1 and more").arg(parts.first()) : parts.join(QStringLiteral(" · ")));
+}
 
 void PlotDock::buildHeader() {
     readout_ = new ElidedLabel({}, this);
@@ -119,6 +515,28 @@ void PlotDock::buildHeader() {
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the keys A, B "
            "and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal."));
+    signalsKey_ = quietButton(QStringLiteral("plots.signals"), tr("List of signals"), this);
+    signalsKey_->setText(tr("Signals"));
+    signalsKey_->setToolTip(
+        tr("Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double "
+           "click"));
+    signalsKey_->setCheckable(true);
+    connect(signalsKey_, &QToolButton::clicked, this, &PlotDock::setSignalsShown);
+    valuesKey_ = quietButton(QStringLiteral("plots.valuesKey"), tr("Values at the cursors"), this);
+    valuesKey_->setText(tr("Values"));
+    valuesKey_->setToolTip(
+        tr("What every signal has at the cursors A and B, and what lies between them: smallest, "
+           "largest, mean, RMS, deviation, slope"));
+    valuesKey_->setCheckable(true);
+    connect(valuesKey_, &QToolButton::clicked, this, &PlotDock::setValuesShown);
+    pagesKey_ = quietButton(QStringLiteral("plots.layout"), tr("Pages and arrangement of the plots"), this);
+    pagesKey_->setText(tr("Layout ▾"));
+    pagesKey_->setPopupMode(QToolButton::InstantPopup);
+    auto* pagesMenu = new QMenu(pagesKey_);
+    pagesMenu->setObjectName(QStringLiteral("plots.layout.menu"));
+    connect(pagesMenu, &QMenu::aboutToShow, this, &PlotDock::buildPagesMenu);
+    pagesKey_->setMenu(pagesMenu);
+    buildPagesMenu();
     auto* line = new QFrame(this);
     line->setObjectName(QStringLiteral("plots.separator"));
     line->setFixedSize(1, 16);
@@ -134,12 +552,12 @@ void PlotDock::buildHeader() {
         QAction* action = menu->addAction(choice.text);
         action->setData(choice.seconds);
         connect(action, &QAction::triggered, this,
-                [this, seconds = choice.seconds] { view_->setSpan(seconds); });
+                [this, seconds = choice.seconds] { view().setSpan(seconds); });
     }
     span_->setMenu(menu);
 
     pause_ = quietButton(QStringLiteral("plots.pause"), tr("Pause the plots"), this);
-    connect(pause_, &QToolButton::clicked, this, [this] { setPaused(view_->window().follows()); });
+    connect(pause_, &QToolButton::clicked, this, [this] { setPaused(view().window().follows()); });
     zero_ = quietButton(QStringLiteral("plots.zero"), tr("Zero the force shown"), this);
     zero_->setText(tr("Zero"));
     zero_->setCheckable(true);
@@ -155,6 +573,9 @@ void PlotDock::buildHeader() {
 
     addHeaderWidget(readout_);
     addHeaderWidget(line);
+    addFoldingHeaderWidget(valuesKey_);
+    addFoldingHeaderWidget(signalsKey_);
+    addHeaderWidget(pagesKey_);
     addHeaderWidget(span_);
     addHeaderWidget(pause_);
     addHeaderWidget(zero_);
@@ -176,16 +597,16 @@ QVector<PlotDock::Span> PlotDock::spans() {
 
 void PlotDock::setPaused(bool paused) {
     if (paused) {
-        view_->pause();
+        view().pause();
     } else {
-        view_->follow();
+        view().follow();
     }
 }
 
 void PlotDock::setForceZeroed(bool zeroed) {
     if (!zeroed) {
-        view_->clearZero();
-    } else if (!view_->zeroForce()) {
+        view().clearZero();
+    } else if (!view().zeroForce()) {
         Q_EMIT session_.message(Severity::Warning,
                                 tr("The force was not zeroed: the plots show no samples. Connect to a robot, "
                                    "or scroll to a time with samples."));
@@ -199,12 +620,17 @@ void PlotDock::setJogLabel(const QString& label) {
 
 void PlotDock::take(const SampleBatch& batch) {
     feed_->take(batch);
+    marks_->check();
     const LaneEntry none = noDataEntry();
     for (const PlotFeed::Silence& silence : feed_->takeSilences()) {
         lane_->add(silence.from, none.kind, none.label);
         lane_->add(silence.to, none.kind, none.label);
         backAt_ = silence.to;
     }
+}
+
+void PlotDock::takeFurther(const SampleBatch& batch) {
+    feed_->takeFurther(batch);
 }
 
 void PlotDock::followLane(const SessionState& state) {
@@ -223,10 +649,17 @@ void PlotDock::followLane(const SessionState& state) {
 
 void PlotDock::onState(const SessionState& state) {
     followLane(state);
-    if (!history_->isEmpty()) {
-        lane_->forgetBefore(history_->firstTime());
+    if (!history().isEmpty()) {
+        lane_->forgetBefore(history().firstTime());
+        marks_->forgetBefore(history().firstTime());
     }
-    view_->refresh(RobotSession::kFrameMs / 1000.0);
+    pages_->refresh(RobotSession::kFrameMs / 1000.0);
+    if (side_->isVisible() && --framesToHistoryText_ <= 0) {
+        framesToHistoryText_ = kFramesPerHistoryText;
+        if (const QString text = historyText(); historyLabel_->text() != text) {
+            historyLabel_->setText(text);
+        }
+    }
     if (state.recording.active != recording_ || recording_) {
         recording_ = state.recording.active;
         recordingSeconds_ = state.recording.seconds;
@@ -235,8 +668,9 @@ void PlotDock::onState(const SessionState& state) {
 }
 
 void PlotDock::updateHeader() {
-    const TimeWindow& window = view_->window();
-    QString words = view_->readout();
+    const PlotView& shown = view();
+    const TimeWindow& window = shown.window();
+    QString words = view().readout();
     if (!window.follows()) {
         const QString behind = window.behind() >= 0.05
                                    ? tr("Paused · %1 s back").arg(format::number(window.behind(), 1))
@@ -259,9 +693,9 @@ void PlotDock::updateHeader() {
     setTextIfNew(pause_, window.follows() ? tr("Pause") : tr("Resume"));
     pause_->setToolTip(window.follows() ? tr("Hold the plots still; data and recording go on")
                                         : tr("Back to the newest samples"));
-    zero_->setChecked(view_->isForceZeroed());
-    zero_->setToolTip(view_->isForceZeroed()
-                          ? tr("Show the force as the robot measures it again. %1").arg(view_->zeroText())
+    zero_->setChecked(view().isForceZeroed());
+    zero_->setToolTip(view().isForceZeroed()
+                          ? tr("Show the force as the robot measures it again. %1").arg(view().zeroText())
                           : tr("Count the force from what it is now. Only what the plots show: the robot, "
                                "recordings and exported values keep what was measured."));
     const QString record =
@@ -289,7 +723,8 @@ void PlotDock::styleHeader() {
     for (QWidget* widget :
          {static_cast<QWidget*>(span_), static_cast<QWidget*>(pause_), static_cast<QWidget*>(zero_),
           static_cast<QWidget*>(export_), static_cast<QWidget*>(record_), static_cast<QWidget*>(recordMenu_),
-          findChild<QWidget*>(QStringLiteral("plots.separator"))}) {
+          static_cast<QWidget*>(signalsKey_), static_cast<QWidget*>(pagesKey_),
+          static_cast<QWidget*>(valuesKey_), findChild<QWidget*>(QStringLiteral("plots.separator"))}) {
         widget->setStyleSheet(sheet);
     }
     QStringList spans{tr("%1 s").arg(format::number(88.8, 1)), tr("%1 min").arg(format::number(88, 0))};
@@ -316,30 +751,31 @@ void PlotDock::changeEvent(QEvent* event) {
 
 Result<void> PlotDock::exportCsv(const QString& path) const {
     const Result<std::int64_t> rows =
-        tiller::exportCsv(*history_, view_->window().start(), view_->window().end(), path);
+        tiller::exportCsv(*store_, shownInOrder(*store_, *pages_), pages_->view().window().start(),
+                          pages_->view().window().end(), path);
     return rows ? Result<void>() : Result<void>(rows.error());
 }
 
 Result<void> PlotDock::exportPicture(const QString& path) const {
     PictureText text;
     const SessionState& state = session_.state();
-    text.title = state.robotName.isEmpty() ? tr("Tiller · TCP force and joint currents")
-                                           : tr("%1 · TCP force and joint currents").arg(state.robotName);
-    const TimeWindow& window = view_->window();
+    text.title = QStringLiteral("%1 · %2").arg(
+        state.robotName.isEmpty() ? QStringLiteral("Tiller") : state.robotName, picturesTitle());
+    const TimeWindow& window = pages_->view().window();
     QStringList details{QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat),
                         tr("controller time %1 … %2 s")
                             .arg(format::number(window.start(), 3), format::number(window.end(), 3))};
     if (state.simulated) {
         details << tr("simulated");
     }
-    if (const QString words = view_->readout(); !words.isEmpty()) {
+    if (const QString words = pages_->view().readout(); !words.isEmpty()) {
         details << words;
     }
-    if (const QString zero = view_->zeroText(); !zero.isEmpty()) {
+    if (const QString zero = pages_->view().zeroText(); !zero.isEmpty()) {
         details << zero;
     }
     text.detail = details.join(QStringLiteral("   "));
-    return tiller::exportPicture(*view_, *history_, *lane_, text, path);
+    return tiller::exportPicture(pages_->view(), *store_, *lane_, text, path);
 }
 
 void PlotDock::sayNothingToExport() {
@@ -350,7 +786,7 @@ void PlotDock::sayNothingToExport() {
 
 bool PlotDock::exportTo(const QString& path) {
     const bool csv = path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
-    if (history_->isEmpty()) {
+    if (history().isEmpty()) {
         sayNothingToExport();
         return false;
     }

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The panel "Plots": TCP force above, joint currents below, what the robot did in a lane underneath, and the
+// The panel "Plots": the list of signals at its left, pages of plots, what the robot did in a lane underneath, and the
 // controls in its title bar. It takes from the session, once a frame, every sample since the last one and the state.
 
+#include <QByteArray>
 #include <QString>
 #include <QVector>
 #include <memory>
 #include <optional>
 
 #include "robot/core/result.h"
+#include "robot/recording/recording.h"
 #include "widgets/common/panel.h"
 #include "widgets/session/recording_choice.h"
 #include "widgets/session/session_state.h"
+#include "widgets/session/session_worker.h"
 
 class QLabel;
 class QToolButton;
@@ -21,10 +24,15 @@ namespace tiller {
 
 class ElidedLabel;
 class PlotFeed;
+class PlotMarks;
+class PlotPages;
+class PlotValues;
 class PlotView;
 class RobotSession;
 struct SampleBatch;
 class SeriesBuffer;
+class SignalStore;
+class SignalTree;
 class StateLane;
 
 class PlotDock : public Panel {
@@ -34,8 +42,11 @@ public:
     explicit PlotDock(RobotSession& session, QWidget* parent = nullptr);
     ~PlotDock() override;
 
-    PlotView& view() { return *view_; }
-    const SeriesBuffer& history() const { return *history_; }
+    PlotView& view();  ///< Of the page in front.
+    PlotPages& pages() { return *pages_; }
+    PlotMarks& marks() { return *marks_; }
+    SignalStore& store() { return *store_; }
+    const SeriesBuffer& history() const;
     const StateLane& lane() const { return *lane_; }
 
     /// What "Record" makes: holds for the next recording.
@@ -47,6 +58,20 @@ public:
     Result<void> exportPicture(const QString& path) const;
     /// By the ending of the name; tells the operator how it went.
     bool exportTo(const QString& path);
+
+    /// Opens a recording of any format on a page of its own, beside what is live: it ends where the history does, or
+    /// begins at the cursor A where there is one. Reads the file elsewhere; tells the operator how it went.
+    void openRecording(const QString& path);
+    void closeRecordings();
+    /// Into and from a file of its own; tells nobody.
+    Result<void> saveArrangement(const QString& path) const;
+    Result<void> openArrangement(const QString& path);
+    // Which plots there are, as text for the settings. What cannot be read changes nothing.
+    QByteArray arrangement() const;
+    void arrange(const QByteArray& json);
+    /// How much of the past is kept at most [bytes].
+    std::size_t budget() const;
+    void setBudget(std::size_t bytes);
 
     /// How much time the plots can show, as the menu offers it.
     struct Span {
@@ -61,6 +86,18 @@ public Q_SLOTS:
     void setPaused(bool paused);
     /// Counts the force shown from what it is now; what is recorded and exported stays as measured.
     void setForceZeroed(bool zeroed);
+    /// The list of signals at the left.
+    void setSignalsShown(bool shown);
+    /// Shows the list, ready for the words to look for.
+    void searchSignals();
+    void addPage();
+    /// The table of what lies at the cursors and between them.
+    void setValuesShown(bool shown);
+    /// Asks for the words of a note at this moment of the plots' time.
+    void askForNote(double time);
+    void addNote(double time, const QString& text);
+    /// What is shown as a picture, to be pasted elsewhere.
+    void copyPicture();
     /// Begins a recording, or ends the one that runs.
     void toggleRecording();
     /// Asks where the shown range shall be saved.
@@ -71,6 +108,8 @@ Q_SIGNALS:
     void recordingChosen(const tiller::RecordingChoice& choice);
     /// What the menu has no room for is to be shown: signals, folder, file name.
     void recordingOptionsWanted();
+    /// Pages, plots, their signals or the budget are others.
+    void arrangementChanged();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -79,6 +118,16 @@ private:
     void buildHeader();
     void styleHeader();
     void take(const SampleBatch& batch);
+    void takeFurther(const SampleBatch& batch);
+    void followAbsent();
+    void buildPagesMenu();
+    void sayWhatIsShown();
+    QString picturesTitle() const;
+    QString historyText() const;
+    void askForRecording();
+    void showRecording(std::unique_ptr<recording::Recording> file);
+    void askToSaveArrangement();
+    void askToOpenArrangement();
     void onState(const SessionState& state);
     void followLane(const SessionState& state);
     void updateHeader();
@@ -88,10 +137,18 @@ private:
     void askForFolder();
 
     RobotSession& session_;
-    std::unique_ptr<SeriesBuffer> history_;
+    std::unique_ptr<SignalStore> store_;
     std::unique_ptr<StateLane> lane_;
+    std::unique_ptr<PlotMarks> marks_;
     std::unique_ptr<PlotFeed> feed_;
-    PlotView* view_ = nullptr;
+    PlotPages* pages_ = nullptr;
+    SignalTree* tree_ = nullptr;
+    PlotValues* values_ = nullptr;
+    QToolButton* valuesKey_ = nullptr;
+    QLabel* historyLabel_ = nullptr;
+    QWidget* side_ = nullptr;  // the list and what stands under it
+    QToolButton* signalsKey_ = nullptr;
+    QToolButton* pagesKey_ = nullptr;
     ElidedLabel* readout_ = nullptr;
     QToolButton* span_ = nullptr;
     QToolButton* pause_ = nullptr;
@@ -104,6 +161,8 @@ private:
     RecordingChoice choice_;
     bool recording_ = false;
     double recordingSeconds_ = 0;
+    int framesToHistoryText_ = 0;
+    SessionWorker files_;  // last: its jobs end before the rest
 };
 
 }  // namespace tiller

@@ -3,11 +3,10 @@
 
 #include <QCoreApplication>
 #include <QSaveFile>
-#include <array>
 #include <cmath>
+#include <optional>
 
-#include "widgets/plots/plot_signals.h"
-#include "widgets/plots/series_buffer.h"
+#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 
@@ -22,7 +21,9 @@ Error writeError(const QSaveFile& file, const QString& path) {
 
 }  // namespace
 
-Result<std::int64_t> exportCsv(const SeriesBuffer& history, double t0, double t1, const QString& path) {
+Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
+                               const QString& path) {
+    const SeriesBuffer& history = store.live();
     const std::int64_t begin = history.lowerBound(t0);
     std::int64_t end = history.lowerBound(t1);
     while (end < history.end() && history.time(end) <= t1) {
@@ -39,9 +40,9 @@ Result<std::int64_t> exportCsv(const SeriesBuffer& history, double t0, double t1
         return writeError(file, path);
     }
     QByteArray line = "timestamp";
-    for (int i = 0; i < history.signalCount() && i < kPlotSignalCount; ++i) {
+    for (const int signal : shown) {
         line += ',';
-        line += plot_signals::column(static_cast<PlotSignal>(i));
+        line += store.info(signal).key.toUtf8();
     }
     line += '\n';
     for (std::int64_t sample = begin; sample <= end; ++sample) {
@@ -52,11 +53,14 @@ Result<std::int64_t> exportCsv(const SeriesBuffer& history, double t0, double t1
             break;
         }
         line = QByteArray::number(history.time(sample), 'f', 4);
-        for (int i = 0; i < history.signalCount() && i < kPlotSignalCount; ++i) {
-            const auto value = static_cast<double>(history.value(i, sample));
+        for (const int signal : shown) {
+            const std::optional<double> value = store.buffer(signal) == &history
+                                                    ? store.value(signal, sample)
+                                                    : store.valueAt(signal, history.time(sample));
             line += ',';
-            if (!std::isnan(value)) {
-                line += QByteArray::number(value, 'g', 7);
+            if (value && !std::isnan(*value)) {
+                const bool exact = store.info(signal).precision() == Precision::Exact;
+                line += QByteArray::number(*value, 'g', exact ? 17 : 7);
             }
         }
         line += '\n';

@@ -2,7 +2,6 @@
 #include "widgets/plots/plot_feed.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,24 +18,26 @@ constexpr double kHole = 3.5;
 
 }  // namespace
 
-/// Where in a sample the plots' values are; what a layout does not have reads as NaN.
-struct PlotFeed::Places {
-    std::size_t timestamp = kNone;
-    std::array<std::size_t, kPlotSignalCount> values{};
+constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
 
-    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-
-    explicit Places(const receive::SampleLayout& layout)
-        : timestamp(layout.indexOfComponent("timestamp").value_or(kNone)) {
-        for (int i = 0; i < kPlotSignalCount; ++i) {
-            values[static_cast<std::size_t>(i)] =
-                layout.indexOfComponent(plot_signals::column(static_cast<PlotSignal>(i))).value_or(kNone);
-        }
+void PlotFeed::Intake::follow(const std::shared_ptr<const receive::SampleLayout>& now,
+                              const std::vector<std::string>& columns) {
+    rows.clear();
+    samples.clear();
+    if (now == layout && places.size() == columns.size()) {
+        return;
     }
-};
+    layout = now;
+    timestamp = now->indexOfComponent("timestamp").value_or(kNoPlace);
+    places.clear();
+    for (const std::string& column : columns) {
+        places.push_back(now->indexOfComponent(column).value_or(kNoPlace));
+    }
+}
 
 void PlotFeed::beginLink() {
     gapPending_ = any_;
+    furtherGap_ = true;
     lastSequence_ = 0;
     connection_ = 0;
 }
@@ -46,16 +47,22 @@ int PlotFeed::take(const SampleBatch& batch) {
     if (batch.samples.empty()) {
         return 0;
     }
-    const Places places(*batch.samples.front().layout);
-    int added = 0;
+    const SeriesBuffer& history = store_.live();
+    live_.follow(batch.samples.front().layout, store_.liveColumns());
+    double newest = history.lastTime();
     for (const receive::Sample& sample : batch.samples) {
-        added += take(sample, places) ? 1 : 0;
+        const double robotTime = sample.at(live_.timestamp);
+        if (place(sample, robotTime, newest)) {
+            newest = live_.rows.back().time;
+            live_.samples.push_back(&sample);
+        }
     }
-    return added;
+    store_.appendLive(live_.rows,
+                      [this](std::size_t column, std::size_t row) { return live_.value(column, row); });
+    return static_cast<int>(live_.rows.size());
 }
 
-bool PlotFeed::take(const receive::Sample& sample, const Places& places) {
-    const double robotTime = sample.at(places.timestamp);
+bool PlotFeed::place(const receive::Sample& sample, double robotTime, double newest) {
     bool gap = gapPending_ || sample.lostBefore > 0 || (connection_ != 0 && sample.connection != connection_);
     connection_ = sample.connection;
     if (!std::isfinite(robotTime)) {
@@ -72,7 +79,7 @@ bool PlotFeed::take(const receive::Sample& sample, const Places& places) {
             // computer knows how long nothing came.
             const double silence =
                 static_cast<double>(sample.hostTimeNs - lastHostNs_) / static_cast<double>(kNsPerSecond);
-            offset_ = history_.lastTime() + std::max(kRestartDistance, silence) - robotTime;
+            offset_ = newest + std::max(kRestartDistance, silence) - robotTime;
             gap = true;
         } else if (lastStep_ > 0 && forward > kHole * lastStep_) {
             gap = true;
@@ -84,21 +91,47 @@ bool PlotFeed::take(const receive::Sample& sample, const Places& places) {
     lastRobotTime_ = robotTime;
     lastSequence_ = sample.sequence;
     lastHostNs_ = sample.hostTimeNs;
-    const double before = history_.lastTime();
-    const auto valueOf = [&](std::size_t signal) {
-        return signal < places.values.size() ? static_cast<float>(sample.at(places.values[signal]))
-                                             : std::numeric_limits<float>::quiet_NaN();
-    };
-    if (!history_.appendEach(plotTime(robotTime), valueOf, gap)) {
+    const double time = plotTime(robotTime);
+    if (any_ && !(time > newest)) {
         return false;
     }
-    if (any_ && plotTime(robotTime) - before > kNoticeableSilence) {
-        silences_.push_back({before, plotTime(robotTime)});
+    live_.rows.push_back({time, gap});
+    if (any_ && time - newest > kNoticeableSilence) {
+        silences_.push_back({newest, time});
     }
     any_ = true;
     gapPending_ = false;
     gaps_ += gap ? 1 : 0;
     return true;
+}
+
+int PlotFeed::takeFurther(const SampleBatch& batch) {
+    // Its time is placed by the stream that comes anyway: before that has begun, nothing can be.
+    if (batch.samples.empty() || !any_ || gapPending_) {
+        return 0;
+    }
+    const SeriesBuffer& history = store_.further();
+    further_.follow(batch.samples.front().layout, store_.furtherColumns());
+    double newest = history.lastTime();
+    bool any = !history.isEmpty();
+    for (const receive::Sample& sample : batch.samples) {
+        const double time = plotTime(sample.at(further_.timestamp));
+        if (!std::isfinite(time) || (any && !(time > newest))) {
+            continue;
+        }
+        const bool hole = any && lastStep_ > 0 && time - newest > kHole * lastStep_;
+        const bool gap = furtherGap_ || hole || sample.lostBefore > 0 ||
+                         (furtherSequence_ != 0 && sample.sequence != furtherSequence_ + 1);
+        further_.rows.push_back({time, gap});
+        further_.samples.push_back(&sample);
+        furtherSequence_ = sample.sequence;
+        furtherGap_ = false;
+        newest = time;
+        any = true;
+    }
+    store_.appendFurther(further_.rows,
+                         [this](std::size_t column, std::size_t row) { return further_.value(column, row); });
+    return static_cast<int>(further_.rows.size());
 }
 
 }  // namespace tiller

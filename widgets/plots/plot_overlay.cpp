@@ -25,6 +25,10 @@ LaneColors colorsOf(LaneKind kind, const Theme& theme) {
         case LaneKind::Idle:
         case LaneKind::Off:
             return {theme.border, theme.text};
+        case LaneKind::High:
+            return {theme.secondary, theme.panel};
+        case LaneKind::Low:
+        case LaneKind::Varied:
         case LaneKind::NoData:
             break;
     }
@@ -66,8 +70,12 @@ void CursorItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     painter->drawLine(QPointF(0, 0), QPointF(0, height_));
 }
 
-LaneItem::LaneItem() {
+LaneItem::LaneItem(const QString& name) : name_(name) {
     setAcceptedMouseButtons(Qt::NoButton);
+}
+
+QRectF LaneItem::boundingRect() const {
+    return area_.adjusted(name_.isEmpty() ? 0 : -kNameWidth, 0, 0, 0);
 }
 
 void LaneItem::setView(const QRectF& area, double t0, double t1) {
@@ -89,6 +97,13 @@ void LaneItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     const Theme& theme = Theme::current();
     const double perSecond = area_.width() / (t1_ - t0_);
     painter->setFont(textFont(11));
+    if (!name_.isEmpty()) {
+        painter->setPen(theme.secondary);
+        const QRectF place(area_.left() - kNameWidth, area_.top(), kNameWidth - 4, area_.height());
+        painter->drawText(place, Qt::AlignRight | Qt::AlignVCenter,
+                          painter->fontMetrics().elidedText(name_, Qt::ElideRight, kNameWidth - 4));
+        painter->setClipRect(area_, Qt::IntersectClip);
+    }
     for (const LaneSegment& segment : segments_) {
         const LaneColors colors = colorsOf(segment.kind, theme);
         const double left = area_.left() + (segment.start - t0_) * perSecond;
@@ -96,6 +111,13 @@ void LaneItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
         painter->fillRect(box, colors.surface);
         if (segment.kind == LaneKind::NoData) {
             painter->fillRect(box, QBrush(theme.border, Qt::BDiagPattern));
+        } else if (segment.kind == LaneKind::Varied) {
+            painter->fillRect(box, QBrush(theme.text, Qt::Dense4Pattern));
+        } else if (segment.kind == LaneKind::Low) {
+            painter->fillRect(QRectF(box.left(), box.bottom() - 1, box.width(), 1), theme.secondary);
+        } else if (!name_.isEmpty()) {
+            // Two states of one colour are told apart by the edge between them.
+            painter->fillRect(QRectF(box.left(), box.top(), 1, box.height()), theme.text);
         }
         const QRectF text = box.adjusted(8, 0, -4, 0);
         if (text.width() > 22) {

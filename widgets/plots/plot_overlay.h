@@ -34,17 +34,21 @@ private:
 /// The states as a strip: blue where the arm moved, a word in each stretch that has room for it.
 class LaneItem : public QGraphicsItem {
 public:
-    LaneItem();
+    /// name  drawn at its left; empty: none
+    explicit LaneItem(const QString& name = {});
+
+    static constexpr int kNameWidth = 54;  ///< [px]
 
     void setView(const QRectF& area, double t0, double t1);
     void setSegments(std::vector<LaneSegment> segments);
     const std::vector<LaneSegment>& segments() const { return segments_; }
     const QRectF& area() const { return area_; }
 
-    QRectF boundingRect() const override { return area_; }
+    QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
 private:
+    QString name_;
     QRectF area_;
     double t0_ = 0;
     double t1_ = 1;

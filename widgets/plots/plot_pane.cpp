@@ -16,7 +16,10 @@
 
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
-#include "widgets/plots/curve_item.h"
+#include "widgets/plots/curve.h"
+#include "widgets/plots/curve_look.h"
+#include "widgets/plots/curve_sheet.h"
+#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 
@@ -46,18 +49,27 @@ void setTicks(QCategoryAxis& axis, double from, double to, const std::vector<Axi
     }
 }
 
+/// The finest grid that does justice to all of them.
+double finestStep(const SignalStore& store, const std::vector<int>& shown) {
+    double step = shown.empty() ? 0.5 : store.info(shown.front()).step;
+    for (const int signal : shown) {
+        step = std::min(step, store.info(signal).step);
+    }
+    return step;
+}
+
 }  // namespace
 
-PlotPane::PlotPane(QGraphicsScene& scene, const QString& name, std::span<const PlotSignal> shown,
-                   double smallestStep)
-    : shown_(shown)
+PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<int> shown)
+    : store_(store)
+    , shown_(std::move(shown))
     , chart_(std::make_unique<QChart>())
     , grid_(new QValueAxis(chart_.get()))
     , values_(makeAxis(*chart_, Qt::AlignLeft))
     , times_(makeAxis(*chart_, Qt::AlignBottom))
-    , range_(smallestStep)
-    , emphasis_(shown.back()) {
-    chart_->setObjectName(QStringLiteral("plots.") + name);
+    , range_(finestStep(store, shown_))
+    , emphasis_(shown_.empty() ? -1 : shown_.back()) {
+    chart_->setObjectName(QStringLiteral("plots.pane"));
     chart_->setBackgroundVisible(false);
     chart_->setMargins({});
     chart_->layout()->setContentsMargins(0, 0, 0, 0);
@@ -70,20 +82,20 @@ PlotPane::PlotPane(QGraphicsScene& scene, const QString& name, std::span<const P
     chart_->addAxis(grid_, Qt::AlignLeft);
     values_->setGridLineVisible(false);
     times_->setGridLineVisible(false);
-    for (const PlotSignal signal : shown_) {
+    for (const int signal : shown_) {
         auto* series = new QLineSeries(chart_.get());
-        series->setName(plot_signals::label(signal));
+        series->setName(curveLabel(store_, shown_, signal));
         chart_->addSeries(series);
         series->attachAxis(grid_);
         series->attachAxis(times_);
         legend_.push_back(series);
-        curves_.push_back(new CurveItem(static_cast<int>(signal), chart_.get()));
-        curves_.back()->setZValue(10);
+        curves_.push_back(std::make_unique<Curve>(signal));
     }
+    sheet_ = new CurveSheet(curves_, chart_.get());
+    sheet_->setZValue(10);
     chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     chart_->legend()->detachFromChart();
     chart_->legend()->setBackgroundVisible(false);
-    looks_.resize(shown_.size());
     scene.addItem(chart_.get());
     applyTheme();
     updateValueAxis();
@@ -104,10 +116,10 @@ void PlotPane::applyTheme() {
     chart_->legend()->setFont(textFont(kLegendPixels));
     chart_->legend()->setLabelColor(theme.secondary);
     const auto markers = chart_->legend()->markers();
+    const std::vector<QPen> pens = curvePens(store_, shown_, theme);
     for (std::size_t i = 0; i < curves_.size(); ++i) {
-        QPen pen = plot_signals::pen(shown_[i], theme);
-        const bool hidden = looks_[i].hidden;
-        curves_[i]->setVisible(!hidden);
+        QPen pen = pens[i];
+        const bool hidden = !curves_[i]->isVisible();
         legend_[i]->setPen(hidden ? QPen(theme.border, pen.widthF()) : pen);
         // The legend hands its own look on only when it changes: each entry gets what it needs.
         if (const auto at = static_cast<qsizetype>(i); at < markers.size()) {
@@ -123,39 +135,40 @@ void PlotPane::applyTheme() {
         }
         curves_[i]->setPen(pen);
     }
+    sheet_->forget();
     placeLegend();
 }
 
-void PlotPane::setEmphasis(PlotSignal signal) {
+void PlotPane::setEmphasis(int signal) {
     emphasis_ = signal;
     applyTheme();
 }
 
-std::size_t PlotPane::indexOf(PlotSignal signal) const {
+std::size_t PlotPane::indexOf(int signal) const {
     return static_cast<std::size_t>(std::find(shown_.begin(), shown_.end(), signal) - shown_.begin());
 }
 
-void PlotPane::setHidden(PlotSignal signal, bool hidden) {
-    if (const std::size_t i = indexOf(signal); i < looks_.size() && looks_[i].hidden != hidden) {
-        looks_[i].hidden = hidden;
+void PlotPane::setHidden(int signal, bool hidden) {
+    if (const std::size_t i = indexOf(signal); i < curves_.size() && curves_[i]->isVisible() == hidden) {
+        curves_[i]->setVisible(!hidden);
         applyTheme();
     }
 }
 
-bool PlotPane::isHidden(PlotSignal signal) const {
+bool PlotPane::isHidden(int signal) const {
     const std::size_t i = indexOf(signal);
-    return i < looks_.size() && looks_[i].hidden;
+    return i < curves_.size() && !curves_[i]->isVisible();
 }
 
-void PlotPane::setOffset(PlotSignal signal, double offset) {
-    if (const std::size_t i = indexOf(signal); i < looks_.size()) {
-        looks_[i].offset = offset;
+void PlotPane::setOffset(int signal, double offset) {
+    if (const std::size_t i = indexOf(signal); i < curves_.size()) {
+        curves_[i]->setOffset(offset);
     }
 }
 
-double PlotPane::offset(PlotSignal signal) const {
+double PlotPane::offset(int signal) const {
     const std::size_t i = indexOf(signal);
-    return i < looks_.size() ? looks_[i].offset : 0;
+    return i < curves_.size() ? curves_[i]->offset() : 0;
 }
 
 // The chart does not tell where its entries are: an entry is what holds a text, and they stand in their order.
@@ -183,7 +196,7 @@ std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
     return entries.size() == shown_.size() ? entries : std::vector<QGraphicsItem*>();
 }
 
-std::optional<PlotSignal> PlotPane::legendAt(const QPointF& place) const {
+std::optional<int> PlotPane::legendAt(const QPointF& place) const {
     // The chart's own margins put the names half over the upper edge of the plot area. Elsewhere none is looked for.
     if (std::abs(place.y() - area_.top()) > kLegendHeight) {
         return std::nullopt;
@@ -197,20 +210,46 @@ std::optional<PlotSignal> PlotPane::legendAt(const QPointF& place) const {
     return std::nullopt;
 }
 
-QRectF PlotPane::legendEntry(PlotSignal signal) const {
+QRectF PlotPane::legendEntry(int signal) const {
     const std::vector<QGraphicsItem*> entries = legendEntries();
     const std::size_t i = indexOf(signal);
     return i < entries.size() ? entries[i]->sceneBoundingRect() : QRectF();
 }
 
-void PlotPane::zoomValues(double factor, double y) {
+double PlotPane::valueAt(double y) const {
     const double share = std::clamp((area_.bottom() - y) / std::max(1.0, area_.height()), 0.0, 1.0);
-    range_.zoom(factor, range_.min() + share * (range_.max() - range_.min()));
+    return range_.min() + share * (range_.max() - range_.min());
+}
+
+double PlotPane::yAt(double value) const {
+    return area_.bottom() - (value - range_.min()) / (range_.max() - range_.min()) * area_.height();
+}
+
+void PlotPane::zoomValues(double factor, double y) {
+    range_.zoom(factor, valueAt(y));
     updateValueAxis();
 }
 
+void PlotPane::holdValues(double low, double high) {
+    range_.hold(low, high);
+    updateValueAxis();
+}
+
+QString PlotPane::unit() const {
+    if (shown_.empty()) {
+        return {};
+    }
+    const QString unit = store_.info(shown_.front()).unit;
+    const bool same = std::all_of(shown_.begin(), shown_.end(),
+                                  [&](int signal) { return store_.info(signal).unit == unit; });
+    return same ? unit : QString();
+}
+
 void PlotPane::showLike(const PlotPane& other) {
-    looks_ = other.looks_;
+    for (std::size_t i = 0; i < std::min(curves_.size(), other.curves_.size()); ++i) {
+        curves_[i]->setVisible(other.curves_[i]->isVisible());
+        curves_[i]->setOffset(other.curves_[i]->offset());
+    }
     if (other.isZoomed()) {
         range_ = other.range_;
         updateValueAxis();
@@ -250,7 +289,9 @@ void PlotPane::updateValueAxis() {
     for (auto i = first; i <= last; ++i) {
         QString label = format::number(static_cast<double>(i) * step, digits);
         if (i == last) {
-            label += QLatin1Char(' ') + plot_signals::unit(shown_.front());
+            if (const QString unit = this->unit(); !unit.isEmpty()) {
+                label += QLatin1Char(' ') + unit;
+            }
         }
         ticks.push_back({static_cast<double>(i) * step, label});
     }
@@ -259,26 +300,21 @@ void PlotPane::updateValueAxis() {
     setTicks(*values_, range_.min(), range_.max(), ticks);
 }
 
-void PlotPane::show(const SeriesBuffer& history, const ColumnGrid& grid, double t0, double t1,
-                    double seconds) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    double low = kNone;
-    double high = -kNone;
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-        if (looks_[i].hidden) {
-            continue;
+void PlotPane::show(const GridOf& grids, double t0, double t1, double seconds) {
+    MinMax all;
+    for (const auto& curve : curves_) {
+        // Hidden ones are fetched too: the sheet draws all of them by one raster.
+        if (const SeriesBuffer* history = store_.buffer(curve->signal())) {
+            curve->sample(*history, store_.column(curve->signal()), grids(*history));
         }
-        curves_[i]->sample(history, grid);
-        low = std::min(low, static_cast<double>(curves_[i]->range().min) - looks_[i].offset);
-        high = std::max(high, static_cast<double>(curves_[i]->range().max) - looks_[i].offset);
+        if (curve->isVisible() && !curve->range().isEmpty()) {
+            all.add(MinMax{curve->range().min - curve->offset(), curve->range().max - curve->offset()});
+        }
     }
-    if (seconds < 0 ? range_.reset(low, high) : range_.fit(low, high, seconds)) {
+    if (seconds < 0 ? range_.reset(all.min, all.max) : range_.fit(all.min, all.max, seconds)) {
         updateValueAxis();
     }
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-        const double offset = looks_[i].offset;
-        curves_[i]->setView(area_, t0, t1, range_.min() + offset, range_.max() + offset);
-    }
+    sheet_->setView(area_, t0, t1, range_.min(), range_.max());
 }
 
 }  // namespace tiller

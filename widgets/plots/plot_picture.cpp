@@ -28,13 +28,13 @@ constexpr QSize kPage(kPlots.width() + 2 * kMargin, kPlots.height() + kTitleHeig
 /// What is on the page, in its pixels.
 class Page {
 public:
-    Page(const PlotView& view, const SeriesBuffer& history, const StateLane& lane, PictureText text)
-        : plots_(history, lane), text_(std::move(text)) {
+    Page(const PlotView& view, SignalStore& store, const StateLane& lane, PictureText text)
+        : plots_(store, lane, view.marks()), text_(std::move(text)) {
         // Laid out like any other window, but never on a screen.
         plots_.setAttribute(Qt::WA_DontShowOnScreen);
         plots_.resize(kPlots);
         plots_.setVisible(true);
-        plots_.showLike(view);
+        plots_.showLike(view, true);
         // The charts place their labels when they are laid out, which otherwise waits for the event loop.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     }
@@ -107,7 +107,7 @@ QByteArray pdf(Page& page, const QString& title) {
 
 }  // namespace
 
-Result<void> exportPicture(const PlotView& view, const SeriesBuffer& history, const StateLane& lane,
+Result<void> exportPicture(const PlotView& view, SignalStore& store, const StateLane& lane,
                            const PictureText& text, const QString& path) {
     const QString context = QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path);
     const QString ending = QFileInfo(path).suffix().toLower();
@@ -121,7 +121,7 @@ Result<void> exportPicture(const PlotView& view, const SeriesBuffer& history, co
     if (!file.open(QIODevice::WriteOnly)) {
         return Error{ErrorCode::FileNotWritable, context, file.errorString()};
     }
-    Page page(view, history, lane, text);
+    Page page(view, store, lane, text);
     const QByteArray bytes = ending == QLatin1String("png")   ? png(page)
                              : ending == QLatin1String("svg") ? svg(page, text.title)
                                                               : pdf(page, text.title);

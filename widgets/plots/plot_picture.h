@@ -10,7 +10,7 @@
 namespace tiller {
 
 class PlotView;
-class SeriesBuffer;
+class SignalStore;
 class StateLane;
 
 struct PictureText {
@@ -21,10 +21,10 @@ struct PictureText {
 /// On a white page, whatever the application's colours: title, date, legend, axes, curves, cursors and lane, and
 /// no controls. The ending of the path decides: .png (twice as fine as the screen), .svg and .pdf (lines, not
 /// pixels).
-/// view, history, lane  what the view shows, and shows it from
+/// view, store, lane  what the view shows, and shows it from
 /// Errors   InvalidArgument (another ending), FileNotWritable, DiskFull; the file that was there before stays
 /// Threads  GUI
-Result<void> exportPicture(const PlotView& view, const SeriesBuffer& history, const StateLane& lane,
+Result<void> exportPicture(const PlotView& view, SignalStore& store, const StateLane& lane,
                            const PictureText& text, const QString& path);
 
 }  // namespace tiller

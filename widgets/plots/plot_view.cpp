@@ -2,8 +2,11 @@
 #include "widgets/plots/plot_view.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QGraphicsScene>
 #include <QKeyEvent>
+#include <QMenu>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QResizeEvent>
 #include <QWheelEvent>
@@ -12,9 +15,15 @@
 
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/curve_look.h"
+#include "widgets/plots/plot_marks.h"
+#include "widgets/plots/plot_menu.h"
 #include "widgets/plots/plot_overlay.h"
 #include "widgets/plots/plot_pane.h"
+#include "widgets/plots/signal_lane.h"
 #include "widgets/plots/state_lane.h"
+#include "widgets/signals/signal_store.h"
+#include "widgets/signals/signal_tree.h"
 
 namespace tiller {
 
@@ -26,19 +35,20 @@ constexpr double kTop = 22;         // the cursors' letters, the legend
 constexpr double kBetween = 24;     // two plots: the lower one's legend
 constexpr double kTimeLabels = 20;  // under the lowest plot
 constexpr double kLaneHeight = 14;
+constexpr double kLaneGap = 2;
 constexpr double kBottom = 10;
-constexpr double kUpperShare = 0.54;
+constexpr double kLeastHeight = 24;  // of a plot
 
 double niceTickStep(double span, double width) {
     const double least = span / std::max(1.0, width / 110.0);  // labels want this many pixels each
-    static constexpr double kSteps[] = {0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1,   2,   5,
-                                        10,    20,   30,   60,   120, 300, 600, 900, 1800};
+    static constexpr double kSteps[] = {0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1,    2,    5,    10,
+                                        20,    30,   60,   120,  300, 600, 900, 1800, 3600, 7200, 14400};
     for (const double step : kSteps) {
         if (step >= least) {
             return step;
         }
     }
-    return 1800;
+    return 28800;
 }
 
 // A curve that goes on by less than this many pixels is drawn anew at most 30 times a second: more is not seen.
@@ -50,18 +60,24 @@ constexpr int kCoarse = 10;  // arrow keys with Shift
 
 }  // namespace
 
-PlotView::PlotView(const SeriesBuffer& history, const StateLane& lane, QWidget* parent)
+PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, QWidget* parent)
     : QGraphicsView(parent)
-    , history_(history)
+    , store_(store)
     , lane_(lane)
+    , marks_(marks)
     , scene_(std::make_unique<QGraphicsScene>())
-    , laneItem_(new LaneItem) {
+    , laneItem_(new LaneItem)
+    , readoutSignal_(store.find(QStringLiteral("actual_TCP_force_2"))) {
     setObjectName(QStringLiteral("plots.view"));
-    setAccessibleName(tr("Plots of TCP force and joint current over time"));
-    setAccessibleDescription(tr(
-        "A and B place the cursors, the arrow keys move them, up and down choose the signal they read; "
-        "H hides its curve; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 "
-        "lets the curves decide about it again; End goes back to the newest samples"));
+    setAccessibleName(tr("Plots over time"));
+    setAccessibleDescription(
+        tr("A and B place the cursors, the arrow keys move them, up and down choose the signal they read; "
+           "H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl "
+           "the scale "
+           "of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End "
+           "goes back to the "
+           "newest "
+           "samples"));
     setScene(scene_.get());
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -69,87 +85,362 @@ PlotView::PlotView(const SeriesBuffer& history, const StateLane& lane, QWidget* 
     setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    setAcceptDrops(true);
     setBackgroundBrush(Qt::NoBrush);
     setStyleSheet(QStringLiteral("background: transparent;"));
     scene_->setItemIndexMethod(QGraphicsScene::NoIndex);
-    panes_.push_back(
-        std::make_unique<PlotPane>(*scene_, QStringLiteral("force"), plot_signals::tcpForce(), 5));
-    panes_.push_back(
-        std::make_unique<PlotPane>(*scene_, QStringLiteral("current"), plot_signals::jointCurrent(), 0.5));
     scene_->addItem(laneItem_);
-    for (const Cursor which : {Cursor::A, Cursor::B}) {
-        auto*& item = cursorItems_[index(which)];
-        item = new CursorItem(which == Cursor::A ? QStringLiteral("A") : QStringLiteral("B"));
-        item->hide();
-        scene_->addItem(item);
-    }
-    setReadoutSignal(readoutSignal_);
-    layOut();
+    connect(&marks_, &PlotMarks::marksChanged, viewport(), qOverload<>(&QWidget::update));
+    connect(&marks_, &PlotMarks::thresholdsChanged, viewport(), qOverload<>(&QWidget::update));
+    build(PageLayout::standard());
 }
 
 PlotView::~PlotView() {
+    store_.want(this, {});
     // The charts are items of the scene and belong to the panes: they must go before it.
     panes_.clear();
     setScene(nullptr);
 }
 
+// ---- what is shown
+
+void PlotView::build(const PageLayout& page) {
+    name_ = page.name;
+    panes_.clear();
+    for (const SignalLane& lane : lanes_) {
+        delete lane.item;
+    }
+    lanes_.clear();
+    grids_.clear();
+    columns_ = 1;
+    for (const PaneLayout& wanted : page.panes) {
+        std::vector<int> shown;
+        for (const QString& key : wanted.shown) {
+            if (const int signal = store_.findOrDerive(key);
+                signal >= 0 && store_.buffer(signal) != nullptr) {
+                shown.push_back(signal);
+            }
+        }
+        auto& pane = panes_.emplace_back(std::make_unique<PlotPane>(*scene_, store_, std::move(shown)));
+        pane->setColumn(wanted.column);
+        pane->setShare(wanted.share);
+        columns_ = std::max(columns_, wanted.column + 1);
+        for (const int signal : pane->shown()) {
+            pane->setHidden(signal, wanted.hidden.contains(store_.info(signal).key));
+            pane->setOffset(signal, offsets_.value(signal, 0));
+        }
+    }
+    if (panes_.empty()) {
+        panes_.push_back(std::make_unique<PlotPane>(*scene_, store_, std::vector<int>()));
+    }
+    for (const QString& key : page.lanes) {
+        if (const int signal = store_.find(key); signal >= 0 && store_.buffer(signal) != nullptr) {
+            auto* item = new LaneItem(store_.info(signal).longLabel);
+            item->setToolTip(store_.info(signal).family + QStringLiteral(" · ") +
+                             store_.info(signal).longLabel);
+            scene_->addItem(item);
+            lanes_.push_back({signal, item});
+        }
+    }
+    for (const Cursor which : {Cursor::A, Cursor::B}) {
+        auto& items = cursorItems_[index(which)];
+        qDeleteAll(items);
+        items.clear();
+        for (int column = 0; column < columns_; ++column) {
+            auto* item = new CursorItem(which == Cursor::A ? QStringLiteral("A") : QStringLiteral("B"));
+            item->hide();
+            scene_->addItem(item);
+            items.push_back(item);
+        }
+    }
+    if (const std::vector<int> curves = curvesShown();
+        !curves.empty() && std::find(curves.begin(), curves.end(), readoutSignal_) == curves.end()) {
+        readoutSignal_ = curves.front();
+    }
+    setReadoutSignal(readoutSignal_);
+    layOut();
+}
+
+PageLayout PlotView::page() const {
+    PageLayout page;
+    page.name = name_;
+    for (const auto& pane : panes_) {
+        PaneLayout one{{}, {}, pane->column(), pane->share()};
+        for (const int signal : pane->shown()) {
+            one.shown.append(store_.info(signal).key);
+            if (pane->isHidden(signal)) {
+                one.hidden.append(store_.info(signal).key);
+            }
+        }
+        page.panes.append(one);
+    }
+    for (const SignalLane& lane : lanes_) {
+        page.lanes.append(store_.info(lane.signal).key);
+    }
+    return page;
+}
+
+bool PlotView::setPage(const PageLayout& wanted) {
+    PageLayout page = wanted;
+    // Columns are counted without holes.
+    std::map<int, int> columns;
+    for (const PaneLayout& pane : page.panes) {
+        columns[pane.column] = 0;
+    }
+    int next = 0;
+    for (auto& [column, place] : columns) {
+        place = next++;
+    }
+    for (PaneLayout& pane : page.panes) {
+        pane.column = columns[pane.column];
+    }
+    QSet<int> shown;
+    const auto add = [&](const QStringList& keys) {
+        for (const QString& key : keys) {
+            if (const int signal = store_.findOrDerive(key); signal >= 0) {
+                shown.insert(signal);
+            }
+        }
+    };
+    for (const PaneLayout& pane : page.panes) {
+        add(pane.shown);
+    }
+    add(page.lanes);
+    if (!store_.want(this, shown)) {
+        Q_EMIT tooManySignals();
+        return false;
+    }
+    build(page);
+    show(-1);
+    viewport()->update();
+    Q_EMIT pageChanged();
+    return true;
+}
+
+bool PlotView::addSignals(const QStringList& keys, int pane, Place place) {
+    PageLayout page = this->page();
+    QStringList curves;
+    for (const QString& key : keys) {
+        const int signal = store_.findOrDerive(key);
+        if (signal < 0) {
+            continue;
+        }
+        QStringList& into = store_.info(signal).isState() ? page.lanes : curves;
+        const int most = store_.info(signal).isState() ? PlotLayout::kMostLanes : PlotLayout::kMostSignals;
+        if (!into.contains(key) && into.size() < most) {
+            into.append(key);
+        }
+    }
+    const int at = std::clamp(pane, 0, static_cast<int>(page.panes.size()) - 1);
+    PaneLayout& target = page.panes[at];
+    if (!curves.isEmpty() && place == Place::Into) {
+        for (const QString& key : std::as_const(curves)) {
+            if (!target.shown.contains(key) && target.shown.size() < PlotLayout::kMostSignals) {
+                target.shown.append(key);
+            }
+        }
+    } else if (!curves.isEmpty() && page.panes.size() < PlotLayout::kMostPanes) {
+        PaneLayout added{curves, {}, target.column, 1};
+        if (place == Place::Beside) {
+            added.column = std::min(target.column + 1, PlotLayout::kMostColumns - 1);
+            for (PaneLayout& other : page.panes) {
+                const bool moves = other.column > target.column && columns_ < PlotLayout::kMostColumns;
+                other.column += moves ? 1 : 0;
+            }
+            page.panes.append(added);
+            std::stable_sort(page.panes.begin(), page.panes.end(),
+                             [](const PaneLayout& a, const PaneLayout& b) { return a.column < b.column; });
+        } else {
+            // As high as it would be among equals; the others keep their proportions.
+            double shares = 0;
+            int count = 0;
+            for (const PaneLayout& other : std::as_const(page.panes)) {
+                shares += other.column == target.column ? other.share : 0;
+                count += other.column == target.column ? 1 : 0;
+            }
+            added.share = shares / count;
+            page.panes.insert(place == Place::Below ? at + 1 : at, added);
+        }
+    }
+    if (page == this->page()) {
+        return true;
+    }
+    const bool done = setPage(page);
+    if (done && !curves.isEmpty()) {
+        setReadoutSignal(store_.find(curves.first()));
+    }
+    return done;
+}
+
+bool PlotView::addSignals(const QStringList& keys) {
+    const PlotPane* pane = paneOf(readoutSignal_);
+    return addSignals(keys, pane == nullptr ? 0 : paneIndex(*pane));
+}
+
+void PlotView::removeSignal(int pane, int signal) {
+    PageLayout page = this->page();
+    page.panes[pane].shown.removeAll(store_.info(signal).key);
+    setPage(page);
+}
+
+void PlotView::removePane(int pane) {
+    PageLayout page = this->page();
+    if (page.panes.size() > 1) {
+        page.panes.remove(pane);
+    } else {
+        page.panes[pane].shown.clear();
+    }
+    setPage(page);
+}
+
+void PlotView::removeLane(int signal) {
+    PageLayout page = this->page();
+    page.lanes.removeAll(store_.info(signal).key);
+    setPage(page);
+}
+
+std::vector<int> PlotView::curvesShown() const {
+    std::vector<int> out;
+    for (const auto& pane : panes_) {
+        out.insert(out.end(), pane->shown().begin(), pane->shown().end());
+    }
+    return out;
+}
+
+QSet<int> PlotView::signalsShown() const {
+    const std::vector<int> curves = curvesShown();
+    QSet<int> all(curves.begin(), curves.end());
+    for (const SignalLane& lane : lanes_) {
+        all.insert(lane.signal);
+    }
+    return all;
+}
+
+const LaneItem* PlotView::signalLane(int signal) const {
+    const auto found = std::find_if(lanes_.begin(), lanes_.end(),
+                                    [signal](const SignalLane& lane) { return lane.signal == signal; });
+    return found == lanes_.end() ? nullptr : found->item;
+}
+
+// ---- places
+
 void PlotView::layOut() {
     const QSizeF size = viewport()->size();
     scene_->setSceneRect(QRectF(QPointF(0, 0), size));
-    const double width = std::max(40.0, size.width() - kLeft - kRight);
-    const double plots =
-        std::max(60.0, size.height() - kTop - kBetween - kTimeLabels - kLaneHeight - kBottom);
-    const double upper = std::round(plots * kUpperShare);
-    panes_[0]->setArea({kLeft, kTop, width, upper});
-    panes_[1]->setArea({kLeft, kTop + upper + kBetween, width, plots - upper});
-    laneItem_->setView({kLeft, kTop + plots + kBetween + kTimeLabels, width, kLaneHeight}, window_.start(),
-                       window_.end());
+    const double width = std::max(40.0, std::floor((size.width() - kRight) / columns_ - kLeft));
+    const double lanes = kLaneHeight + static_cast<double>(lanes_.size()) * (kLaneHeight + kLaneGap);
+    const double bottom = size.height() - kBottom - lanes - kTimeLabels;
+    for (int column = 0; column < columns_; ++column) {
+        double shares = 0;
+        int count = 0;
+        for (const auto& pane : panes_) {
+            shares += pane->column() == column ? pane->share() : 0;
+            count += pane->column() == column ? 1 : 0;
+        }
+        const double heights = std::max(count * kLeastHeight, bottom - kTop - (count - 1) * kBetween);
+        const double left = kLeft + column * (width + kLeft);
+        double top = kTop;
+        for (const auto& pane : panes_) {
+            if (pane->column() == column) {
+                const double height = --count == 0 ? std::max(kLeastHeight, bottom - top)
+                                                   : std::round(heights * pane->share() / shares);
+                pane->setArea({left, top, width, height});
+                top += height + kBetween;
+            }
+        }
+    }
+    double top = bottom + kTimeLabels;
+    laneItem_->setView({kLeft, top, width, kLaneHeight}, window_.start(), window_.end());
+    for (const SignalLane& lane : lanes_) {
+        top += kLaneHeight + kLaneGap;
+        lane.item->setView({kLeft, top, width, kLaneHeight}, window_.start(), window_.end());
+    }
     tickSpan_ = -1;
 }
 
+const QRectF& PlotView::areaAt(double x) const {
+    const PlotPane* found = panes_.front().get();
+    for (const auto& pane : panes_) {
+        if (x >= pane->area().left() - kLeft && pane->area().left() > found->area().left()) {
+            found = pane.get();
+        }
+    }
+    return found->area();
+}
+
 double PlotView::timeAt(double x) const {
-    const QRectF& area = panes_[0]->area();
+    const QRectF& area = areaAt(x);
     return window_.start() + (x - area.left()) / area.width() * window_.span();
 }
 
 double PlotView::xAt(double time) const {
-    const QRectF& area = panes_[0]->area();
+    const QRectF& area = panes_.front()->area();
     return area.left() + (time - window_.start()) / window_.span() * area.width();
 }
 
+// ---- time
+
 void PlotView::measure() {
     // While no data come the lane goes on alone: the outage is as long as it lasts.
-    window_.setHistory(history_.firstTime(), std::max(history_.lastTime(), lane_.endTime()));
+    const SeriesBuffer& history = store_.live();
+    double oldest = history.firstTime();
+    double newest = std::max(history.lastTime(), lane_.endTime());
+    bool any = !history.isEmpty();
+    for (const auto& [shown, grid] : grids_) {
+        if (shown != &history && !shown->isEmpty()) {
+            oldest = any ? std::min(oldest, shown->firstTime()) : shown->firstTime();
+            newest = any ? std::max(newest, shown->lastTime()) : shown->lastTime();
+            any = true;
+        }
+    }
+    window_.setHistory(oldest, newest);
 }
 
 void PlotView::refresh(double seconds) {
     measure();
     sinceShown_ += seconds;
     // What is frozen stays as it is on the screen; only its oldest samples may fall out of the history.
-    if (window_.follows() && (shownEnd_ != history_.end() || shownNewest_ != window_.newest()) && isDue()) {
+    if (window_.follows() && (shownEnd_ != store_.live().end() || shownNewest_ != window_.newest()) &&
+        isDue()) {
         show(sinceShown_);
     }
 }
 
 bool PlotView::isDue() const {
-    if (QWidget::window()->isMinimized()) {
+    if (!isVisible() || QWidget::window()->isMinimized()) {
         return false;
     }
     const double columns =
-        std::abs(window_.newest() - shownNewest_) / window_.span() * panes_[0]->area().width();
+        std::abs(window_.newest() - shownNewest_) / window_.span() * panes_.front()->area().width();
     return sinceShown_ >= kCalmFrame || columns >= kQuickColumns || shownEnd_ <= 0 ||
-           shownEnd_ == history_.end();  // an outage: nothing else is drawn
+           shownEnd_ == store_.live().end();  // an outage: nothing else is drawn
 }
 
-void PlotView::showLike(const PlotView& other) {
+void PlotView::showEvent(QShowEvent* event) {
+    QGraphicsView::showEvent(event);
+    measure();
+    show(-1);
+}
+
+void PlotView::showLike(const PlotView& other, bool page) {
+    offsets_ = other.offsets_;
+    if (page) {
+        setPage(other.page());
+    }
     window_ = other.window_;
     reference_ = other.reference_;
     cursors_ = other.cursors_;
-    forceZeroed_ = other.forceZeroed_;
-    for (std::size_t i = 0; i < panes_.size(); ++i) {
-        panes_[i]->showLike(*other.panes_[i]);
+    for (const auto& pane : panes_) {
+        for (const int signal : pane->shown()) {
+            pane->setOffset(signal, offsets_.value(signal, 0));
+        }
     }
-    setReadoutSignal(other.readoutSignal_);
+    if (page) {
+        for (std::size_t i = 0; i < std::min(panes_.size(), other.panes_.size()); ++i) {
+            panes_[i]->showLike(*other.panes_[i]);
+        }
+        setReadoutSignal(other.readoutSignal_);
+    }
     rewind();
 }
 
@@ -158,8 +449,12 @@ void PlotView::rewind() {
     Q_EMIT windowChanged();
 }
 
+const ColumnGrid& PlotView::gridOf(const SeriesBuffer& history) const {
+    return grids_.at(&history);
+}
+
 void PlotView::show(double seconds) {
-    shownEnd_ = history_.end();
+    shownEnd_ = store_.live().end();
     shownNewest_ = window_.newest();
     sinceShown_ = 0;
     if (window_.follows()) {
@@ -168,15 +463,26 @@ void PlotView::show(double seconds) {
     const double t0 = window_.start();
     const double t1 = window_.end();
     // Columns lie on a fixed raster of time, so that a moving curve moves as a whole and does not shimmer.
-    const QRectF& area = panes_[0]->area();
+    const QRectF& area = panes_.front()->area();
     const int columns = std::max(1, static_cast<int>(std::ceil(area.width() * devicePixelRatioF())));
     const double width = window_.span() / columns;
-    history_.cut(std::floor(t0 / width) * width, width, columns + 1, grid_);
+    std::map<const SeriesBuffer*, bool> cut;
+    const auto grids = [&](const SeriesBuffer& history) -> const ColumnGrid& {
+        ColumnGrid& grid = grids_[&history];
+        if (!std::exchange(cut[&history], true)) {
+            history.cut(std::floor(t0 / width) * width, width, columns + 1, grid);
+        }
+        return grid;
+    };
     for (const auto& pane : panes_) {
-        pane->show(history_, grid_, t0, t1, seconds);
+        pane->show(grids, t0, t1, seconds);
     }
     laneItem_->setView(laneItem_->area(), t0, t1);
     laneItem_->setSegments(lane_.visible(t0, t1, width * 2));
+    for (const SignalLane& lane : lanes_) {
+        lane.item->setView(lane.item->area(), t0, t1);
+        lane.item->setSegments(signalSegments(store_, lane.signal, grids(*store_.buffer(lane.signal))));
+    }
     placeTicks();
     placeCursors();
 }
@@ -189,7 +495,8 @@ void PlotView::placeTicks() {
     tickSpan_ = window_.span();
     tickEnd_ = end;
     const double start = end - tickSpan_;
-    const double step = niceTickStep(tickSpan_, panes_[0]->area().width());
+    const double width = panes_.front()->area().width();
+    const double step = niceTickStep(tickSpan_, width);
     const bool minutes = step >= 60;
     const double unit = minutes ? 60 : 1;
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step / unit) - 1e-9)));
@@ -197,27 +504,39 @@ void PlotView::placeTicks() {
     for (auto i = std::llround(std::ceil(start / step)); i <= std::llround(std::floor(end / step)); ++i) {
         const double value = static_cast<double>(i) * step;
         // A label at the very edge would be cut off.
-        const double room = (value - start) / tickSpan_ * panes_[0]->area().width();
-        if (i == 0 || room < 24 || (end - value) / tickSpan_ * panes_[0]->area().width() < 24) {
+        const double room = (value - start) / tickSpan_ * width;
+        if (i == 0 || room < 24 || (end - value) / tickSpan_ * width < 24) {
             continue;
         }
         ticks.push_back({value, format::number(value / unit, digits) + (minutes ? tr(" min") : tr(" s"))});
     }
-    panes_[0]->setTimeTicks(start, end, {});
-    panes_[1]->setTimeTicks(start, end, ticks);
+    for (const auto& pane : panes_) {
+        const bool lowest = std::none_of(panes_.begin(), panes_.end(), [&pane](const auto& other) {
+            return other->column() == pane->column() && other->area().top() > pane->area().top();
+        });
+        pane->setTimeTicks(start, end, lowest ? ticks : std::vector<AxisTick>());
+    }
 }
 
 void PlotView::placeCursors() {
-    const QRectF top = panes_.front()->area();
-    const QRectF bottom = panes_.back()->area();
+    double top = panes_.front()->area().top();
+    double bottom = panes_.front()->area().bottom();
+    for (const auto& pane : panes_) {
+        top = std::min(top, pane->area().top());
+        bottom = std::max(bottom, pane->area().bottom());
+    }
+    const double pitch = panes_.front()->area().width() + kLeft;
     for (const Cursor which : {Cursor::A, Cursor::B}) {
-        CursorItem* item = cursorItems_[index(which)];
         const auto& time = cursors_[index(which)];
         const bool inside = time && *time >= window_.start() && *time <= window_.end();
-        item->setVisible(inside);
-        if (inside) {
-            item->setLine(xAt(*time), top.top() - 2, bottom.bottom());
-            item->setActive(hasFocus() && which == active_);
+        int column = 0;
+        for (CursorItem* item : cursorItems_[index(which)]) {
+            item->setVisible(inside);
+            if (inside) {
+                item->setLine(xAt(*time) + column * pitch, top - 2, bottom);
+                item->setActive(hasFocus() && which == active_);
+            }
+            ++column;
         }
     }
 }
@@ -225,6 +544,23 @@ void PlotView::placeCursors() {
 void PlotView::setSpan(double seconds) {
     window_.setSpan(seconds);
     rewind();
+}
+
+void PlotView::showRange(double from, double to) {
+    measure();
+    window_.showRange(from, to);
+    rewind();
+}
+
+void PlotView::fit() {
+    measure();
+    for (const auto& pane : panes_) {
+        pane->releaseValues();
+    }
+    if (window_.newest() > window_.oldest()) {
+        window_.setSpan(window_.newest() - window_.oldest());
+    }
+    follow();
 }
 
 void PlotView::pause() {
@@ -255,31 +591,12 @@ void PlotView::setCursor(Cursor which, std::optional<double> time) {
     Q_EMIT readoutChanged();
 }
 
-void PlotView::setReadoutSignal(PlotSignal signal) {
+void PlotView::setReadoutSignal(int signal) {
     readoutSignal_ = signal;
     for (const auto& pane : panes_) {
         pane->setEmphasis(signal);
     }
     Q_EMIT readoutChanged();
-}
-
-std::optional<double> PlotView::valueAt(PlotSignal signal, double time) const {
-    // A sample is near enough if the neighbours of this moment are its neighbours: across a gap there is
-    // none.
-    const std::int64_t after = history_.lowerBound(time);
-    const std::int64_t nearest = history_.nearest(time, 0.25);
-    if (nearest < 0) {
-        return std::nullopt;
-    }
-    const bool insideGap = after < history_.end() && after > history_.first() && history_.gapBefore(after) &&
-                           history_.time(after) != time;
-    const bool outside = after == history_.first() && history_.time(after) != time;
-    const bool beyond = after == history_.end() && time > history_.lastTime() + 0.05;
-    if (insideGap || outside || beyond) {
-        return std::nullopt;
-    }
-    const float value = history_.value(static_cast<int>(signal), nearest);
-    return std::isnan(value) ? std::nullopt : std::optional<double>(static_cast<double>(value));
 }
 
 QString PlotView::readout() const {
@@ -288,15 +605,20 @@ QString PlotView::readout() const {
     if (!a && !b) {
         return {};
     }
-    QString name = plot_signals::label(readoutSignal_);
-    const int digits = plot_signals::digits(readoutSignal_);
+    const PlotPane* pane = paneOf(readoutSignal_);
+    if (pane == nullptr) {
+        return a && b ? tr("A–B Δt %1 s").arg(format::number(*b - *a, 3)) : QString();
+    }
+    const SignalInfo& info = store_.info(readoutSignal_);
+    QString name = curveLabel(store_, pane->shown(), readoutSignal_);
     const auto valueText = [&](std::optional<double> value) {
-        return (value ? format::signedNumber(*value, digits) : QStringLiteral("–")) + QLatin1Char(' ') +
-               plot_signals::unit(readoutSignal_);
+        return value                 ? info.valueText(*value, true)
+               : info.unit.isEmpty() ? QStringLiteral("–")
+                                     : QStringLiteral("– ") + info.unit;
     };
     if (a && b) {
-        const auto va = valueAt(readoutSignal_, *a);
-        const auto vb = valueAt(readoutSignal_, *b);
+        const auto va = store_.valueAt(readoutSignal_, *a);
+        const auto vb = store_.valueAt(readoutSignal_, *b);
         std::optional<double> difference;
         if (va && vb) {
             difference = *vb - *va;
@@ -304,12 +626,11 @@ QString PlotView::readout() const {
         return tr("A–B Δt %1 s · Δ%2 %3").arg(format::number(*b - *a, 3), name, valueText(difference));
     }
     const double time = a ? *a : *b;
-    const PlotPane& pane = paneOf(readoutSignal_);
-    std::optional<double> value = valueAt(readoutSignal_, time);
+    std::optional<double> value = store_.valueAt(readoutSignal_, time);
     if (value) {
-        *value -= pane.offset(readoutSignal_);
+        *value -= offsets_.value(readoutSignal_, 0);
     }
-    if (forceZeroed_ && &pane == panes_.front().get()) {
+    if (offsets_.contains(readoutSignal_)) {
         name = tr("%1 (zeroed)").arg(name);
     }
     return tr("%1 %2 s · %3 %4")
@@ -317,16 +638,11 @@ QString PlotView::readout() const {
              valueText(value));
 }
 
-std::vector<PlotSignal> PlotView::signalsShown() const {
-    std::vector<PlotSignal> out;
-    for (const auto& pane : panes_) {
-        out.insert(out.end(), pane->shown().begin(), pane->shown().end());
-    }
-    return out;
-}
-
 void PlotView::cycleReadout(int by) {
-    const std::vector<PlotSignal> shown = signalsShown();
+    const std::vector<int> shown = curvesShown();
+    if (shown.empty()) {
+        return;
+    }
     const auto at = std::find(shown.begin(), shown.end(), readoutSignal_) - shown.begin();
     const auto count = static_cast<std::ptrdiff_t>(shown.size());
     setReadoutSignal(shown[static_cast<std::size_t>((at + by + count) % count)]);
@@ -356,20 +672,91 @@ void PlotView::drawForeground(QPainter* painter, const QRectF&) {
     }
     for (const auto& pane : panes_) {
         QStringList marks;
-        if (pane == panes_.front() && forceZeroed_) {
+        const std::vector<int>& shown = pane->shown();
+        if (std::any_of(shown.begin(), shown.end(),
+                        [this](int signal) { return offsets_.contains(signal); })) {
             marks << zeroText();
         }
         if (pane->isZoomed()) {
             marks << tr("Scale held · double click the axis to let it go");
         }
         drawMark(*painter, *pane, marks.join(QStringLiteral("   ")));
+        drawThresholds(*painter, *pane);
     }
-    if (!history_.isEmpty()) {
-        return;
-    }
+    drawMarks(*painter);
     painter->setPen(Theme::current().secondary);
     painter->setFont(textFont(15));
-    painter->drawText(panes_[0]->area(), Qt::AlignCenter, tr("No samples yet: connect to a robot"));
+    for (const auto& pane : panes_) {
+        if (pane->shown().empty()) {
+            painter->drawText(pane->area(), Qt::AlignCenter, tr("Drop signals here"));
+        } else if (pane == panes_.front() && store_.live().isEmpty() && !store_.hasRecordings()) {
+            painter->drawText(pane->area(), Qt::AlignCenter, tr("No samples yet: connect to a robot"));
+        }
+    }
+    const Theme& theme = Theme::current();
+    if (dropTarget_.pane >= 0 || drag_ == Drag::Frame) {
+        painter->setPen(QPen(theme.moving, 2));
+        painter->setBrush(theme.movingTint);
+        painter->setOpacity(0.5);
+        painter->drawRect(drag_ == Drag::Frame ? frameRect() : dropTarget_.mark);
+        painter->setOpacity(1);
+    }
+}
+
+void PlotView::drawMarks(QPainter& painter) const {
+    const Theme& theme = Theme::current();
+    painter.setFont(textFont(11));
+    const QFontMetricsF metrics(painter.font());
+    const double pitch = panes_.front()->area().width() + kLeft;
+    double bottom = 0;
+    for (const auto& pane : panes_) {
+        bottom = std::max(bottom, pane->area().bottom());
+    }
+    const auto& all = marks_.marks();
+    const auto first = std::lower_bound(all.begin(), all.end(), window_.start(),
+                                        [](const PlotMark& mark, double time) { return mark.time < time; });
+    for (int column = 0; column < columns_; ++column) {
+        double free = 0;  // where the words before end
+        for (auto mark = first; mark != all.end() && mark->time <= window_.end(); ++mark) {
+            const double x = std::floor(xAt(mark->time) + column * pitch) + 0.5;
+            const QColor color = mark->alarm ? theme.alarm : theme.secondary;
+            painter.setPen(QPen(color, 1));
+            painter.drawLine(QPointF(x, kTop), QPointF(x, bottom));
+            // A flag, and words where there is room for them.
+            const std::array<QPointF, 3> flag = {QPointF(x, kTop), QPointF(x + 7, kTop + 4),
+                                                 QPointF(x, kTop + 8)};
+            painter.setBrush(color);
+            painter.drawPolygon(flag.data(), static_cast<int>(flag.size()));
+            const double width = std::min(metrics.horizontalAdvance(mark->text) + 2, 180.0);
+            if (x + 9 > free) {
+                painter.setPen(mark->alarm ? theme.alarm : theme.text);
+                painter.drawText(QRectF(x + 9, kTop - 2, width, metrics.height()),
+                                 Qt::AlignLeft | Qt::AlignVCenter,
+                                 metrics.elidedText(mark->text, Qt::ElideRight, width));
+                free = x + 9 + width + 6;
+            }
+        }
+    }
+}
+
+void PlotView::drawThresholds(QPainter& painter, const PlotPane& pane) const {
+    const Theme& theme = Theme::current();
+    for (const Threshold& threshold : marks_.thresholds()) {
+        const int signal = store_.find(threshold.key);
+        const double y = std::floor(pane.yAt(threshold.limit - pane.offset(signal))) + 0.5;
+        if (!pane.shows(signal) || pane.isHidden(signal) || y < pane.area().top() ||
+            y > pane.area().bottom()) {
+            continue;
+        }
+        QPen pen(theme.alarm, 1);
+        pen.setDashPattern({5, 4});
+        painter.setPen(pen);
+        painter.drawLine(QPointF(pane.area().left(), y), QPointF(pane.area().right(), y));
+        painter.setFont(textFont(11));
+        const QRectF words(pane.area().left() + 4, threshold.above ? y - 15 : y + 1, pane.area().width() - 8,
+                           14);
+        painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, marks_.words(threshold));
+    }
 }
 
 void PlotView::drawMark(QPainter& painter, const PlotPane& pane, const QString& text) const {
@@ -389,17 +776,35 @@ void PlotView::drawMark(QPainter& painter, const PlotPane& pane, const QString& 
     painter.drawText(box, Qt::AlignCenter, metrics.elidedText(text, Qt::ElideRight, width - 8));
 }
 
-PlotPane& PlotView::paneAt(double y) const {
-    const bool upper = y < panes_.back()->area().top() - PlotPane::kLegendHeight;
-    return upper ? *panes_.front() : *panes_.back();
+PlotPane& PlotView::paneAt(const QPointF& place) const {
+    const double left = areaAt(place.x()).left();
+    PlotPane* found = nullptr;
+    for (const auto& pane : panes_) {
+        const bool below = place.y() >= pane->area().top() - PlotPane::kLegendHeight;
+        if (pane->area().left() == left && (found == nullptr || below)) {
+            found = pane.get();
+        }
+    }
+    return *found;
 }
 
-PlotPane& PlotView::paneOf(PlotSignal signal) const {
-    const auto upper = panes_.front()->shown();
-    return std::find(upper.begin(), upper.end(), signal) != upper.end() ? *panes_.front() : *panes_.back();
+int PlotView::paneIndex(const PlotPane& pane) const {
+    return static_cast<int>(
+        std::find_if(panes_.begin(), panes_.end(), [&pane](const auto& one) { return one.get() == &pane; }) -
+        panes_.begin());
 }
 
-std::optional<PlotSignal> PlotView::legendAt(const QPointF& place) const {
+PlotPane* PlotView::paneOf(int signal) const {
+    const auto found = std::find_if(panes_.begin(), panes_.end(),
+                                    [signal](const auto& pane) { return pane->shows(signal); });
+    return found == panes_.end() ? nullptr : found->get();
+}
+
+bool PlotView::isOverValues(const QPointF& place) const {
+    return place.x() < areaAt(place.x()).left();
+}
+
+std::optional<int> PlotView::legendAt(const QPointF& place) const {
     for (const auto& pane : panes_) {
         if (const auto signal = pane->legendAt(place)) {
             return signal;
@@ -408,7 +813,16 @@ std::optional<PlotSignal> PlotView::legendAt(const QPointF& place) const {
     return std::nullopt;
 }
 
-void PlotView::legendClicked(PlotSignal signal, Qt::KeyboardModifiers modifiers) {
+std::optional<int> PlotView::laneAt(const QPointF& place) const {
+    for (const SignalLane& lane : lanes_) {
+        if (lane.item->boundingRect().contains(place)) {
+            return lane.signal;
+        }
+    }
+    return std::nullopt;
+}
+
+void PlotView::legendClicked(int signal, Qt::KeyboardModifiers modifiers) {
     if ((modifiers & Qt::ControlModifier) != 0) {
         setReadoutSignal(signal);
     } else {
@@ -416,14 +830,18 @@ void PlotView::legendClicked(PlotSignal signal, Qt::KeyboardModifiers modifiers)
     }
 }
 
-bool PlotView::isHidden(PlotSignal signal) const {
-    return paneOf(signal).isHidden(signal);
+bool PlotView::isHidden(int signal) const {
+    const PlotPane* pane = paneOf(signal);
+    return pane != nullptr && pane->isHidden(signal);
 }
 
-void PlotView::setHidden(PlotSignal signal, bool hidden) {
-    paneOf(signal).setHidden(signal, hidden);
+void PlotView::setHidden(int signal, bool hidden) {
+    for (const auto& pane : panes_) {
+        pane->setHidden(signal, hidden);
+    }
     show(-1);
     viewport()->update();
+    Q_EMIT pageChanged();
 }
 
 void PlotView::zoomValues(PlotPane& pane, double factor, double y) {
@@ -438,14 +856,15 @@ void PlotView::releaseValues(PlotPane& pane) {
     viewport()->update();
 }
 
-std::optional<double> PlotView::forceAtTheEnd(PlotSignal signal) const {
+std::optional<double> PlotView::meanAtTheEnd(int signal) const {
     constexpr double kSeconds = 0.25;  // long enough for the noise
+    const SeriesBuffer& history = *store_.buffer(signal);
     const double end = window_.end();
     double sum = 0;
     int count = 0;
-    for (std::int64_t i = history_.lowerBound(end - kSeconds); i < history_.end() && history_.time(i) <= end;
+    for (std::int64_t i = history.lowerBound(end - kSeconds); i < history.end() && history.time(i) <= end;
          ++i) {
-        const auto value = static_cast<double>(history_.value(static_cast<int>(signal), i));
+        const double value = store_.value(signal, i);
         if (std::isfinite(value)) {
             sum += value;
             ++count;
@@ -454,20 +873,29 @@ std::optional<double> PlotView::forceAtTheEnd(PlotSignal signal) const {
     return count == 0 ? std::nullopt : std::optional<double>(sum / count);
 }
 
+std::vector<int> PlotView::forces() const {
+    std::vector<int> all;
+    for (int i = 0; i < 3; ++i) {
+        all.push_back(store_.find(QStringLiteral("actual_TCP_force_%1").arg(i)));
+    }
+    return all;
+}
+
 bool PlotView::zeroForce() {
-    PlotPane& pane = *panes_.front();
-    std::vector<double> offsets;
-    for (const PlotSignal signal : pane.shown()) {
-        const auto force = forceAtTheEnd(signal);
+    QHash<int, double> offsets;
+    for (const int signal : forces()) {
+        const auto force = meanAtTheEnd(signal);
         if (!force) {
             return false;
         }
-        offsets.push_back(*force);
+        offsets.insert(signal, *force);
     }
-    for (std::size_t i = 0; i < offsets.size(); ++i) {
-        pane.setOffset(pane.shown()[i], offsets[i]);
+    offsets_ = offsets;
+    for (const auto& pane : panes_) {
+        for (const int signal : forces()) {
+            pane->setOffset(signal, offsets_.value(signal));
+        }
     }
-    forceZeroed_ = true;
     show(-1);
     viewport()->update();
     Q_EMIT readoutChanged();
@@ -476,13 +904,15 @@ bool PlotView::zeroForce() {
 }
 
 void PlotView::clearZero() {
-    if (!forceZeroed_) {
+    if (offsets_.isEmpty()) {
         return;
     }
-    for (const PlotSignal signal : panes_.front()->shown()) {
-        panes_.front()->setOffset(signal, 0);
+    offsets_.clear();
+    for (const auto& pane : panes_) {
+        for (const int signal : forces()) {
+            pane->setOffset(signal, 0);
+        }
     }
-    forceZeroed_ = false;
     show(-1);
     viewport()->update();
     Q_EMIT readoutChanged();
@@ -490,16 +920,16 @@ void PlotView::clearZero() {
 }
 
 QString PlotView::zeroText() const {
-    if (!forceZeroed_) {
+    if (offsets_.isEmpty()) {
         return {};
     }
     QStringList parts;
-    for (const PlotSignal signal : panes_.front()->shown()) {
-        parts << plot_signals::label(signal) + QLatin1Char(' ') +
-                     format::signedNumber(panes_.front()->offset(signal), plot_signals::digits(signal));
+    for (const int signal : forces()) {
+        const SignalInfo& info = store_.info(signal);
+        parts << info.label + QLatin1Char(' ') + format::signedNumber(offsets_.value(signal), info.digits);
     }
     return tr("Zeroed: %1 %2 taken off")
-        .arg(parts.join(QStringLiteral(" · ")), plot_signals::unit(panes_.front()->shown().front()));
+        .arg(parts.join(QStringLiteral(" · ")), store_.info(forces().front()).unit);
 }
 
 std::optional<PlotView::Cursor> PlotView::cursorNear(double x) const {
@@ -507,17 +937,28 @@ std::optional<PlotView::Cursor> PlotView::cursorNear(double x) const {
     double nearest = kGrab;
     for (const Cursor which : {Cursor::A, Cursor::B}) {
         const auto& time = cursors_[index(which)];
-        if (time && std::abs(xAt(*time) - x) <= nearest) {
-            nearest = std::abs(xAt(*time) - x);
+        const double offset = areaAt(x).left() - panes_.front()->area().left();
+        if (time && std::abs(xAt(*time) + offset - x) <= nearest) {
+            nearest = std::abs(xAt(*time) + offset - x);
             found = which;
         }
     }
     return found;
 }
 
+QRectF PlotView::frameRect() const {
+    const QRectF& area = paneAt(pressAt_).area();
+    return QRectF(pressAt_, lastAt_).normalized().intersected(area);
+}
+
 void PlotView::mousePressEvent(QMouseEvent* event) {
     event->accept();
-    if (event->button() != Qt::LeftButton) {
+    if (event->button() == Qt::MiddleButton && drag_ == Drag::None) {
+        pressAt_ = lastAt_ = event->position();
+        drag_ = Drag::Pan;
+        return;
+    }
+    if (event->button() != Qt::LeftButton || drag_ != Drag::None) {
         return;
     }
     legendPressed_ = legendAt(event->position());
@@ -531,6 +972,10 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
         return;
     }
     pressAt_ = lastAt_ = event->position();
+    if ((event->modifiers() & Qt::ShiftModifier) != 0 && paneAt(pressAt_).area().contains(pressAt_)) {
+        drag_ = Drag::Frame;
+        return;
+    }
     drag_ = Drag::Undecided;
     if (const auto near = cursorNear(pressAt_.x())) {
         drag_ = Drag::Cursor;
@@ -547,23 +992,33 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
         lastAt_ = pressAt_;
     }
     if (drag_ == Drag::Cursor) {
-        const QRectF& area = panes_[0]->area();
-        setCursor(active_, timeAt(std::clamp(at.x(), area.left(), area.right())));
+        const QRectF& area = areaAt(pressAt_.x());
+        setCursor(active_, window_.start() + (std::clamp(at.x(), area.left(), area.right()) - area.left()) /
+                                                 area.width() * window_.span());
     } else if (drag_ == Drag::Pan) {
-        const double seconds = timeAt(lastAt_.x()) - timeAt(at.x());
+        const double seconds = (lastAt_.x() - at.x()) / panes_.front()->area().width() * window_.span();
         lastAt_ = at;
         scrollBy(seconds);
+    } else if (drag_ == Drag::Frame) {
+        lastAt_ = at;
+        viewport()->update();
     }
     const bool overCursor = drag_ == Drag::Cursor || (drag_ == Drag::None && cursorNear(at.x()));
     const bool overLegend = drag_ == Drag::Legend || (drag_ == Drag::None && legendAt(at));
-    viewport()->setCursor(overCursor           ? Qt::SplitHCursor
-                          : drag_ == Drag::Pan ? Qt::ClosedHandCursor
-                          : overLegend         ? Qt::PointingHandCursor
-                                               : Qt::ArrowCursor);
+    viewport()->setCursor(overCursor             ? Qt::SplitHCursor
+                          : drag_ == Drag::Pan   ? Qt::ClosedHandCursor
+                          : drag_ == Drag::Frame ? Qt::CrossCursor
+                          : overLegend           ? Qt::PointingHandCursor
+                                                 : Qt::ArrowCursor);
 }
 
 void PlotView::mouseReleaseEvent(QMouseEvent* event) {
     event->accept();
+    if (event->button() == Qt::MiddleButton && drag_ == Drag::Pan) {
+        drag_ = Drag::None;
+        viewport()->setCursor(Qt::ArrowCursor);
+        return;
+    }
     if (event->button() != Qt::LeftButton) {
         return;
     }
@@ -571,11 +1026,24 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
         if (legendAt(event->position()) == legendPressed_) {
             legendClicked(*legendPressed_, event->modifiers());
         }
+    } else if (drag_ == Drag::Frame) {
+        lastAt_ = event->position();
+        const QRectF frame = frameRect();
+        PlotPane& pane = paneAt(pressAt_);
+        drag_ = Drag::None;
+        if (frame.width() >= QApplication::startDragDistance() &&
+            frame.height() >= QApplication::startDragDistance()) {
+            const double low = pane.valueAt(frame.bottom());
+            pane.holdValues(low, pane.valueAt(frame.top()));
+            showRange(timeAt(frame.left()), timeAt(frame.right()));
+        }
+        viewport()->update();
     } else {
         QGraphicsView::mouseReleaseEvent(event);
         event->accept();
     }
     if (drag_ == Drag::Undecided) {
+        cursorsBefore_ = cursors_;
         click(event->position());
     }
     drag_ = Drag::None;
@@ -583,19 +1051,31 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && event->position().x() < kLeft && !legendAt(event->position())) {
-        event->accept();
-        releaseValues(paneAt(event->position().y()));
+    const QPointF at = event->position();
+    if (event->button() != Qt::LeftButton || legendAt(at)) {
+        // The second press of a quick pair is a press like any other.
+        mousePressEvent(event);
         return;
     }
-    // The second press of a quick pair is a press like any other.
-    mousePressEvent(event);
+    event->accept();
+    if (isOverValues(at)) {
+        releaseValues(paneAt(at));
+        return;
+    }
+    if (paneAt(at).area().contains(at)) {
+        // Its first click has placed a cursor.
+        cursors_ = cursorsBefore_;
+        Q_EMIT readoutChanged();
+        fit();
+    }
 }
 
 void PlotView::click(const QPointF& point) {
-    const QRectF area = panes_.front()->area().united(panes_.back()->area());
-    if (!area.contains(point)) {
+    if (!paneAt(point).area().contains(point)) {
         return;
+    }
+    if (const PlotPane& pane = paneAt(point); !pane.shown().empty() && !pane.shows(readoutSignal_)) {
+        setReadoutSignal(pane.shown().back());
     }
     const double time = timeAt(point.x());
     // First A, then B, then whichever is nearer.
@@ -619,27 +1099,105 @@ void PlotView::wheelEvent(QWheelEvent* event) {
     }
     const double factor = std::pow(kZoomPerNotch, angle.y() / 120.0);
     const QPointF at = event->position();
-    if (at.x() < kLeft || (event->modifiers() & Qt::ControlModifier) != 0) {
-        zoomValues(paneAt(at.y()), factor, at.y());
+    if (isOverValues(at) || (event->modifiers() & Qt::ControlModifier) != 0) {
+        zoomValues(paneAt(at), factor, at.y());
         return;
     }
     window_.zoom(factor, timeAt(at.x()));
     rewind();
 }
 
+// ---- drag and drop, menu
+
+PlotView::Target PlotView::targetAt(const QPointF& place) const {
+    constexpr double kEdge = 0.2;  // of a plot's height and width
+    PlotPane& pane = paneAt(place);
+    const QRectF& area = pane.area();
+    Target target{paneIndex(pane), Place::Into, area};
+    const double down = (place.y() - area.top()) / area.height();
+    const double along = (place.x() - area.left()) / area.width();
+    if (pane.shown().empty()) {
+        return target;
+    }
+    if (along > 1 - kEdge / 2 && columns_ < PlotLayout::kMostColumns) {
+        target.place = Place::Beside;
+        target.mark.setLeft(area.center().x());
+    } else if (down > 1 - kEdge) {
+        target.place = Place::Below;
+        target.mark.setTop(area.center().y());
+    } else if (down < kEdge) {
+        target.place = Place::Above;
+        target.mark.setBottom(area.center().y());
+    }
+    return target;
+}
+
+void PlotView::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasFormat(QLatin1String(SignalTree::kMime))) {
+        event->acceptProposedAction();
+    }
+}
+
+void PlotView::dragMoveEvent(QDragMoveEvent* event) {
+    if (event->mimeData()->hasFormat(QLatin1String(SignalTree::kMime))) {
+        dropTarget_ = targetAt(event->position());
+        viewport()->update();
+        event->acceptProposedAction();
+    }
+}
+
+void PlotView::dragLeaveEvent(QDragLeaveEvent* event) {
+    dropTarget_ = {};
+    viewport()->update();
+    event->accept();
+}
+
+void PlotView::dropEvent(QDropEvent* event) {
+    const Target target = targetAt(event->position());
+    dropTarget_ = {};
+    viewport()->update();
+    const QStringList keys = SignalTree::keysIn(event->mimeData());
+    if (!keys.isEmpty()) {
+        addSignals(keys, target.pane, target.place);
+        event->acceptProposedAction();
+    }
+}
+
+void PlotView::contextMenuEvent(QContextMenuEvent* event) {
+    event->accept();
+    QPointF place = event->pos();
+    if (event->reason() == QContextMenuEvent::Keyboard) {
+        const PlotPane* pane = paneOf(readoutSignal_);
+        place = (pane == nullptr ? *panes_.front() : *pane).area().center();
+    }
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("plots.menu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    PlotMenu(*this, store_).fill(*menu, place);
+    menu->popup(viewport()->mapToGlobal(place.toPoint()));
+}
+
+// ---- keys
+
 bool PlotView::moveActiveCursor(int pixels) {
     const auto& time = cursors_[index(active_)];
     if (!time) {
         return false;
     }
-    const double moved = *time + pixels * window_.span() / panes_[0]->area().width();
+    const double moved = *time + pixels * window_.span() / panes_.front()->area().width();
     setCursor(active_, std::clamp(moved, window_.start(), window_.end()));
     return true;
 }
 
 bool PlotView::keyWithControl(int key) {
-    PlotPane& pane = paneOf(readoutSignal_);
+    PlotPane* const shown = paneOf(readoutSignal_);
+    PlotPane& pane = shown == nullptr ? *panes_.front() : *shown;
     switch (key) {
+        case Qt::Key_Delete:
+            if (shown != nullptr) {
+                removeSignal(paneIndex(pane), readoutSignal_);
+            }
+            return true;
         case Qt::Key_Plus:
         case Qt::Key_Equal:
             zoomValues(pane, kZoomPerNotch, pane.area().center().y());
@@ -683,6 +1241,12 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
             }
             break;
         }
+        case Qt::Key_F:
+            fit();
+            break;
+        case Qt::Key_N:
+            Q_EMIT noteWanted(cursors_[index(active_)].value_or(window_.end()));
+            break;
         case Qt::Key_H:
             setHidden(readoutSignal_, !isHidden(readoutSignal_));
             break;
@@ -699,7 +1263,7 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
             scrollBy(window_.span() / 2);
             break;
         case Qt::Key_Home:
-            scrollBy(history_.firstTime() - window_.newest());
+            scrollBy(window_.oldest() - window_.newest());
             break;
         case Qt::Key_End:
             follow();

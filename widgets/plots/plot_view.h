@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The plots themselves: two stacked charts, the lane of states and two cursors over one time axis. Dragging
-// and the wheel move through time; nothing done here reaches the robot.
+// One page of plots: charts stacked in columns, lanes of states under them, and two cursors over one time axis.
+// Dragging and the wheel move through time, signals are dropped onto it; nothing done here reaches the robot.
 
 #include <QGraphicsView>
+#include <QHash>
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "widgets/plots/plot_signals.h"
-#include "widgets/plots/series_buffer.h"
+#include "widgets/plots/plot_layout.h"
 #include "widgets/plots/time_window.h"
+#include "widgets/signals/series_buffer.h"
 
 namespace tiller {
 
 class CursorItem;
 class LaneItem;
+class PlotMarks;
 class PlotPane;
+class SignalStore;
 class StateLane;
 
 class PlotView : public QGraphicsView {
@@ -25,17 +30,36 @@ class PlotView : public QGraphicsView {
 
 public:
     enum class Cursor { A, B };
+    /// Where a signal goes that is dropped onto a plot.
+    enum class Place { Into, Above, Below, Beside };
 
-    /// history, lane  must outlive the view
-    PlotView(const SeriesBuffer& history, const StateLane& lane, QWidget* parent = nullptr);
+    /// store, lane, marks  must outlive the view
+    PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, QWidget* parent = nullptr);
     ~PlotView() override;
 
-    /// Data came or the time went on, with or without data: shows the newest. Cheap when nothing changed.
+    /// Data came or the time went on, with or without data: shows the newest. Cheap when nothing changed or
+    /// nobody sees it.
     /// seconds  since the last call; paces the calm of the scales
     void refresh(double seconds);
 
-    /// The range, cursors and signal that another view of the same history shows.
-    void showLike(const PlotView& other);
+    /// The range, cursors and signal that another view of the same history shows, and its page if asked for.
+    void showLike(const PlotView& other, bool page);
+
+    // What is shown.
+    PageLayout page() const;
+    /// Returns  false, and changes nothing, if the robot cannot be asked for so many signals
+    bool setPage(const PageLayout& page);
+    /// States become lanes, wherever they are put. What is there already, or does not exist, is passed over.
+    /// Returns  false if the robot cannot be asked for so many
+    bool addSignals(const QStringList& keys, int pane, Place place = Place::Into);
+    /// Into the plot whose signal the cursors read.
+    bool addSignals(const QStringList& keys);
+    void removeSignal(int pane, int signal);
+    void removePane(int pane);
+    void removeLane(int signal);
+    PlotMarks& marks() const { return marks_; }
+    /// All that is shown, lanes too.
+    QSet<int> signalsShown() const;
 
     const TimeWindow& window() const { return window_; }
     void setSpan(double seconds);
@@ -43,28 +67,40 @@ public:
     /// Back to the newest samples.
     void follow();
     void scrollBy(double seconds);
+    void showRange(double from, double to);
+    /// All that is known, each plot at its best scale.
+    void fit();
 
     std::optional<double> cursor(Cursor which) const { return cursors_[index(which)]; }
     /// A moment on the time axis [s]; nothing takes the cursor away.
     void setCursor(Cursor which, std::optional<double> time);
-    PlotSignal readoutSignal() const { return readoutSignal_; }
-    void setReadoutSignal(PlotSignal signal);
+    int readoutSignal() const { return readoutSignal_; }
+    void setReadoutSignal(int signal);
     /// "A–B Δt 1.200 s · ΔFz −9.8 N", "A −12.300 s · Fz −4.1 N", or empty.
     QString readout() const;
-    bool isHidden(PlotSignal signal) const;
-    void setHidden(PlotSignal signal, bool hidden);
+    bool isHidden(int signal) const;
+    void setHidden(int signal, bool hidden);
     /// Counts the TCP force from what it is at the end of the range shown; false: there is none.
     bool zeroForce();
     /// Shows it as the robot measures it again.
     void clearZero();
-    bool isForceZeroed() const { return forceZeroed_; }
+    bool isForceZeroed() const { return !offsets_.isEmpty(); }
     /// "Zeroed: Fx −0.3 · Fy +1.2 · Fz −9.8 N taken off"; empty unless it is.
     QString zeroText() const;
-    /// The value of a signal at a moment, as the robot measured it; nothing in a gap or where there are no data.
-    std::optional<double> valueAt(PlotSignal signal, double time) const;
-
     const std::vector<std::unique_ptr<PlotPane>>& panes() const { return panes_; }
     const LaneItem& laneItem() const { return *laneItem_; }
+    /// Null: there is no lane of that signal.
+    const LaneItem* signalLane(int signal) const;
+    /// The samples behind a picture are shown as they fall into these columns.
+    const ColumnGrid& gridOf(const SeriesBuffer& history) const;
+    /// The plot over which a place of the view is, labels included.
+    PlotPane& paneAt(const QPointF& place) const;
+    int paneIndex(const PlotPane& pane) const;
+    /// The signal whose name in a legend, or lane, is at this place.
+    std::optional<int> legendAt(const QPointF& place) const;
+    std::optional<int> laneAt(const QPointF& place) const;
+    /// The curves decide about its scale again.
+    void releaseValues(PlotPane& pane);
     double timeAt(double x) const;
     double xAt(double time) const;
 
@@ -76,6 +112,12 @@ Q_SIGNALS:
     void windowChanged();
     void readoutChanged();
     void zeroChanged();
+    /// Plots, their signals or lanes are others.
+    void pageChanged();
+    /// More signals were asked for than a robot takes.
+    void tooManySignals();
+    /// A note for this moment is wanted.
+    void noteWanted(double time);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -86,13 +128,29 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
     void drawForeground(QPainter* painter, const QRectF& rect) override;
 
 private:
     static std::size_t index(Cursor which) { return which == Cursor::A ? 0 : 1; }
-    enum class Drag { None, Undecided, Pan, Cursor, Legend };
+    enum class Drag { None, Undecided, Pan, Cursor, Legend, Frame };
+    struct SignalLane {
+        int signal;
+        LaneItem* item;
+    };
+    struct Target {
+        int pane = -1;
+        Place place = Place::Into;
+        QRectF mark;
+    };
 
     void layOut();
+    void build(const PageLayout& page);
     /// Tells the window how far history and lane reach.
     void measure();
     /// The window changed by hand: shows it at once, with the best scales.
@@ -106,37 +164,48 @@ private:
     std::optional<Cursor> cursorNear(double x) const;
     bool moveActiveCursor(int pixels);
     void cycleReadout(int by);
-    PlotPane& paneAt(double y) const;
-    PlotPane& paneOf(PlotSignal signal) const;
-    std::optional<PlotSignal> legendAt(const QPointF& place) const;
-    void legendClicked(PlotSignal signal, Qt::KeyboardModifiers modifiers);
+    /// The plots' area over which x is.
+    const QRectF& areaAt(double x) const;
+    PlotPane* paneOf(int signal) const;
+    bool isOverValues(const QPointF& place) const;
+    void legendClicked(int signal, Qt::KeyboardModifiers modifiers);
     void zoomValues(PlotPane& pane, double factor, double y);
-    void releaseValues(PlotPane& pane);
     bool keyWithControl(int key);
-    std::optional<double> forceAtTheEnd(PlotSignal signal) const;
+    std::optional<double> meanAtTheEnd(int signal) const;
+    std::vector<int> forces() const;
     void drawMark(QPainter& painter, const PlotPane& pane, const QString& text) const;
-    std::vector<PlotSignal> signalsShown() const;
+    std::vector<int> curvesShown() const;
+    Target targetAt(const QPointF& place) const;
+    QRectF frameRect() const;
+    void drawMarks(QPainter& painter) const;
+    void drawThresholds(QPainter& painter, const PlotPane& pane) const;
 
-    const SeriesBuffer& history_;
+    SignalStore& store_;
     const StateLane& lane_;
+    PlotMarks& marks_;
     TimeWindow window_;
     std::unique_ptr<QGraphicsScene> scene_;
     std::vector<std::unique_ptr<PlotPane>> panes_;
+    int columns_ = 1;
     LaneItem* laneItem_;
-    std::array<CursorItem*, 2> cursorItems_{};
+    std::vector<SignalLane> lanes_;
+    std::array<std::vector<CursorItem*>, 2> cursorItems_;  // one in each column
     std::array<std::optional<double>, 2> cursors_;
+    std::array<std::optional<double>, 2> cursorsBefore_;  // the last click
     Cursor active_ = Cursor::A;
-    PlotSignal readoutSignal_ = PlotSignal::ForceZ;
-    ColumnGrid grid_;
+    int readoutSignal_;
+    std::map<const SeriesBuffer*, ColumnGrid> grids_;
     std::int64_t shownEnd_ = -1;
     double shownNewest_ = 0;
     double sinceShown_ = 0;  // [s]
     double reference_ = 0;   // what the time labels count from [s]
     double tickSpan_ = -1;
     double tickEnd_ = 0;
-    bool forceZeroed_ = false;
+    QHash<int, double> offsets_;  // by signal; empty: none is zeroed
+    QString name_;                // of the page
     Drag drag_ = Drag::None;
-    std::optional<PlotSignal> legendPressed_;
+    std::optional<int> legendPressed_;
+    Target dropTarget_;
     QPointF pressAt_;
     QPointF lastAt_;
 };

@@ -9,7 +9,16 @@
 
 namespace tiller {
 
-enum class LaneKind { NoData, Off, Idle, Moving, Stopped };
+enum class LaneKind {
+    NoData,
+    Off,
+    Idle,
+    Moving,
+    Stopped,
+    High,    ///< a bit that is set
+    Low,     ///< one that is not
+    Varied,  ///< more than one state in what a pixel shows
+};
 
 struct LaneSegment {
     double start = 0;  ///< [s]

@@ -29,6 +29,13 @@ void TimeWindow::follow() {
     end_ = newest_;
 }
 
+void TimeWindow::showRange(double from, double to) {
+    follows_ = false;
+    span_ = std::clamp(to - from, kShortest, kLongest);
+    end_ = (from + to) / 2 + span_ / 2;
+    keepInside();
+}
+
 void TimeWindow::scrollBy(double seconds) {
     follows_ = false;
     end_ += seconds;

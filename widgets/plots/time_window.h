@@ -8,8 +8,8 @@ namespace tiller {
 
 class TimeWindow {
 public:
-    static constexpr double kShortest = 0.05;   ///< [s]
-    static constexpr double kLongest = 1800.0;  ///< [s]
+    static constexpr double kShortest = 0.05;    ///< [s]
+    static constexpr double kLongest = 86400.0;  ///< [s]
 
     double span() const { return span_; }
     double end() const { return end_; }
@@ -26,6 +26,9 @@ public:
     void setSpan(double seconds);
     void pause() { follows_ = false; }
     void follow();
+    /// Exactly this stretch, where it lies within the history.
+    void showRange(double from, double to);
+    double oldest() const { return oldest_; }
     /// Negative goes back. Coming back to the newest sample does not start following: a pause stays one.
     void scrollBy(double seconds);
     /// factor < 1 zooms in. The moment `anchor` keeps its place on the screen, unless following.

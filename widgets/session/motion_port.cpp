@@ -14,6 +14,10 @@ MotionPort motionPort(RobotSession& session) {
         .beginFreedrive = [&session](const control::Freedrive& f) { return session.beginFreedrive(f); },
         .holdWith = [&session](RobotSession::MotionId id,
                                const control::JogTarget& target) { return session.hold(id, target); },
+        .beginPath = [&session](control::MotionPath path,
+                                std::uint64_t stops) { return session.beginPath(std::move(path), stops); },
+        .stops = [&session] { return session.stops(); },
+        .progress = [&session](RobotSession::MotionId id) { return session.motionProgress(id); },
     };
 }
 

@@ -4,9 +4,13 @@
 // The one way through which every panel moves the arm, so that each can be tried without a robot. What a single key
 // does with it while it is held is a HoldMotion (widgets/common/hold_guard.h).
 
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "robot/control/compliance.h"
+#include "robot/control/motion.h"
+#include "robot/control/motion_path.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller {
@@ -23,6 +27,10 @@ struct MotionPort {
     std::function<Result<Id>(const control::Freedrive&)> beginFreedrive = {};
     /// Keeps a jog alive with another target; false once it has been stopped.
     std::function<bool(Id, const control::JogTarget&)> holdWith = {};
+    /// As those of RobotSession: for what goes on from one motion to the next under one press.
+    std::function<Result<Id>(std::vector<control::PathEntry>, std::uint64_t stops)> beginPath = {};
+    std::function<std::uint64_t()> stops = {};
+    std::function<Result<control::MotionProgress>(Id)> progress = {};
 };
 
 /// The port of a session, which must outlive it.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/robot_session.h"
 
+#include <algorithm>
+
 #include "robot/control/compliance.h"
 #include "robot/control/motions.h"
+#include "robot/receive/field_info.h"
 #include "widgets/common/notation.h"
 #include "widgets/session/controller_codes.h"
 #include "widgets/session/session_backend.h"
@@ -14,6 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTakeControlTime{5000};
+constexpr milliseconds kSendPathTime{5000};
 
 QString stopSentence(const control::StopMeasurement& stop) {
     return RobotSession::tr("Stopped: %1 (%2 ms, %3)")
@@ -70,6 +74,14 @@ const SessionState& RobotSession::state() const {
 
 receive::Receiver* RobotSession::receiver() const {
     return d_->link ? d_->link->receiver.get() : nullptr;
+}
+
+std::shared_ptr<const receive::Receiver> RobotSession::sharedReceiver() const {
+    return d_->link ? d_->link->receiver : nullptr;
+}
+
+const RobotAddress& RobotSession::address() const {
+    return d_->address;
 }
 
 const control::MotionLimits& RobotSession::limits() const {
@@ -131,6 +143,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
 
     d_->link = std::move(link);
     d_->sample = receive::Sample(d_->link->receiver->layout());
+    d_->followFurther();
     Q_EMIT linkBegan();
     Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host),
                    Origin::Operator);
@@ -154,6 +167,7 @@ void RobotSession::disconnectFromRobot() {
         link.reset();
     });
     d_->link.reset();
+    d_->followFurther();
     d_->takingControl = false;
     d_->refusal.clear();
     outputs_.forget();
@@ -171,6 +185,29 @@ void RobotSession::disconnectFromRobot() {
 void RobotSession::shutDown() {
     d_->frameClock.stop();
     disconnectFromRobot();
+}
+
+void RobotSession::followFurther(const QStringList& fields) {
+    if (fields != d_->furtherFields) {
+        d_->furtherFields = fields;
+        d_->followFurther();
+    }
+}
+
+QSet<QString> RobotSession::absentFields() const {
+    QSet<QString> fields = d_->further.absent();
+    if (!d_->link || d_->state.version.major == 0) {
+        return fields;
+    }
+    for (const std::string& field : d_->link->receiver->absentFields()) {
+        fields.insert(QString::fromStdString(field));
+    }
+    for (const receive::FieldInfo& field : receive::fieldInfos()) {
+        if (!field.isAvailableOn(d_->state.version)) {
+            fields.insert(QString::fromUtf8(field.name.data(), static_cast<qsizetype>(field.name.size())));
+        }
+    }
+    return fields;
 }
 
 // ---- control
@@ -259,7 +296,8 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
         return notMovable(d_->state);
     }
     const control::MoveParameters parameters{request.speed, request.acceleration, control::Holding::Held};
-    control::Motions motions(*d_->link->controller);
+    control::Controller& controller = *d_->link->controller;
+    control::Motions motions(controller, request.stops.value_or(controller.stops()));
     const Result<control::Motion> move = request.kind == MoveRequest::Kind::MoveJ
                                              ? motions.moveJ(request.q, parameters)
                                              : motions.moveL(request.pose, parameters);
@@ -268,6 +306,95 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
     }
     d_->link->move = *move;
     return move->id();
+}
+
+Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path, std::uint64_t stops) {
+    if (!d_->link || !d_->state.canMove()) {
+        return notMovable(d_->state);
+    }
+    PathStart& start = d_->link->path;
+    start.ticket = std::max(start.ticket + 1, PathStart::kFirstTicket);
+    start.phase = PathStart::Phase::Sending;
+    ++start.sending;
+    d_->controlling.post(
+        this, [this, ticket = start.ticket, generation = d_->generation, stops, path = std::move(path),
+               controller = d_->link->controller](const CancelToken& token) {
+            const Result<control::PreparedPath> prepared =
+                control::Motions(*controller, stops).preparePath(path, Deadline::after(kSendPathTime, token));
+            return std::function<void()>([this, ticket, generation, prepared] {
+                if (generation == d_->generation) {
+                    startPath(ticket, prepared);
+                }
+            });
+        });
+    refresh();
+    return start.ticket;
+}
+
+void RobotSession::startPath(MotionId ticket, const Result<control::PreparedPath>& prepared) {
+    PathStart& start = d_->link->path;
+    --start.sending;
+    if (ticket == start.ticket && start.phase == PathStart::Phase::Sending) {
+        start.phase = prepared ? PathStart::Phase::Ready : PathStart::Phase::Failed;
+        start.prepared = prepared ? *prepared : control::PreparedPath();
+        start.error = prepared ? Error{} : prepared.error();
+    }
+    refresh();
+}
+
+namespace {
+
+/// Begins it where it is held, once it is there, and keeps it alive from then on.
+bool holdPath(RobotLink& link) {
+    PathStart& path = link.path;
+    if (path.phase == PathStart::Phase::Ready) {
+        const Result<control::Motion> motion =
+            control::Motions(*link.controller).startPath(path.prepared, control::Holding::Held);
+        path.phase = motion ? PathStart::Phase::Begun : PathStart::Phase::Failed;
+        path.motion = motion ? *motion : control::Motion();
+        path.error = motion ? Error{} : motion.error();
+    }
+    return path.phase == PathStart::Phase::Sending ||
+           (path.phase == PathStart::Phase::Begun && path.motion.refresh());
+}
+
+}  // namespace
+
+std::uint64_t RobotSession::stops() const {
+    return d_->link ? d_->link->controller->stops() : 0;
+}
+
+Result<control::MotionProgress> RobotSession::motionProgress(MotionId motion) const {
+    control::MotionProgress progress;
+    if (!d_->link) {
+        progress.cause = control::StopCause::ControlLost;
+        return progress;
+    }
+    const RobotLink& link = *d_->link;
+    if (motion < PathStart::kFirstTicket) {
+        if (motion == link.move.id()) {
+            return link.move.progress();
+        }
+        const control::MotionState state = link.controller->motionState(motion);
+        progress.phase = state.phase;
+        progress.cause = state.cause;
+        return progress;
+    }
+    if (motion != link.path.ticket) {
+        progress.cause = control::StopCause::Superseded;
+        return progress;
+    }
+    switch (link.path.phase) {
+        case PathStart::Phase::Sending:
+        case PathStart::Phase::Ready:
+            progress.phase = control::MotionPhase::Active;
+            return progress;
+        case PathStart::Phase::Begun:
+            return link.path.motion.progress();
+        case PathStart::Phase::Failed:
+            break;
+    }
+    return link.path.error;
 }
 
 Result<RobotSession::MotionId> RobotSession::beginFreedrive(const control::Freedrive& freedrive) {
@@ -288,7 +415,10 @@ bool RobotSession::hold(MotionId motion) {
     if (!d_->link || motion == control::kNoMotion) {
         return false;
     }
-    const RobotLink& link = *d_->link;
+    RobotLink& link = *d_->link;
+    if (motion >= PathStart::kFirstTicket) {
+        return motion == link.path.ticket && holdPath(link);
+    }
     return motion == link.move.id() ? link.move.refresh() : motion == link.jog.id() && link.jog.refresh();
 }
 
@@ -298,8 +428,20 @@ bool RobotSession::hold(MotionId motion, const control::JogTarget& target) {
 }
 
 void RobotSession::endMotion(MotionId motion, control::StopCause cause) {
-    if (d_->link) {
-        d_->link->controller->end(motion, cause);
+    if (!d_->link) {
+        return;
+    }
+    RobotLink& link = *d_->link;
+    if (motion < PathStart::kFirstTicket) {
+        link.controller->end(motion, cause);
+    } else if (motion == link.path.ticket &&
+               (link.path.phase == PathStart::Phase::Sending || link.path.phase == PathStart::Phase::Ready)) {
+        // What has no number yet only a stop reaches: it does not begin any more.
+        link.controller->stop(cause);
+        link.path.phase = PathStart::Phase::Failed;
+        link.path.error = {ErrorCode::Stopped, QStringLiteral("start a path"), {}};
+    } else if (motion == link.path.ticket && link.path.phase == PathStart::Phase::Begun) {
+        link.controller->end(link.path.motion.id(), cause);
     }
 }
 
@@ -324,6 +466,12 @@ void RobotSession::refresh() {
     if (!batch.samples.empty() || batch.lost > 0) {
         Q_EMIT samplesReceived(batch);
     }
+    std::vector<receive::Sample> furtherRoom = std::move(d_->furtherRoom);
+    if (const SampleBatch further = d_->further.drain(furtherRoom);
+        !further.samples.empty() || further.lost > 0) {
+        Q_EMIT furtherSamplesReceived(further);
+    }
+    d_->furtherRoom = std::move(furtherRoom);
     reportChanges();
     if (d_->link) {
         services_.followForeignStop(batch);

@@ -6,9 +6,14 @@
 // are parts of it. Widgets hold it by reference and never talk to the backend themselves.
 
 #include <QObject>
+#include <QSet>
 #include <QString>
+#include <QStringList>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
@@ -28,7 +33,10 @@ class Receiver;
 }
 namespace control {
 struct Freedrive;
-}
+struct MotionProgress;
+struct PathEntry;
+class PreparedPath;
+}  // namespace control
 
 struct RobotAddress {
     QString name;  ///< shown in the robot selector
@@ -49,6 +57,8 @@ struct MoveRequest {
     Pose pose;                  ///< MoveL: target TCP pose in the base frame
     double speed = 0.25;        ///< MoveJ [rad/s], MoveL [m/s]
     double acceleration = 1.2;  ///< MoveJ [rad/s2], MoveL [m/s2]
+    /// Of what one press goes on with: it begins only if there were no more stops than these since.
+    std::optional<std::uint64_t> stops = {};
 };
 
 class RobotSession : public QObject {
@@ -63,10 +73,20 @@ public:
     /// For whoever follows the robot at a pace of his own; null while disconnected. What is shown comes with
     /// samplesReceived and stateChanged.
     receive::Receiver* receiver() const;
+    /// The same for a thread of its own, which may keep it a moment longer than the link.
+    std::shared_ptr<const receive::Receiver> sharedReceiver() const;
+    /// Connected to last.
+    const RobotAddress& address() const;
 
     // Connection. Never blocks; the outcome comes through stateChanged and message.
     void connectTo(const RobotAddress& address);
     void disconnectFromRobot();
+
+    /// Fields of the robot that somebody wants to see besides those that every part of the window needs, here and on
+    /// the robots to come; replaces those wanted before. They come with furtherSamplesReceived.
+    void followFurther(const QStringList& fields);
+    /// Fields that this robot does not send, of those it was asked for or by its software.
+    QSet<QString> absentFields() const;
 
     /// Outputs, registers and the speed slider.
     RobotOutputs& outputs() { return outputs_; }
@@ -88,6 +108,16 @@ public:
     using MotionId = std::uint64_t;
     Result<MotionId> beginJog(const control::JogTarget& target);
     Result<MotionId> beginMove(const MoveRequest& request);
+    /// Several moves, blended into each other by the controller. They are sent to it first, which takes some tenths
+    /// of a second, in which the motion counts as under way: it can be held, ended and stopped, and then nothing
+    /// moves. What keeps it from beginning is told by motionProgress().
+    /// stops  as MoveRequest::stops
+    Result<MotionId> beginPath(std::vector<control::PathEntry> path, std::uint64_t stops);
+    /// How many stops there were on this link, by whomever: see MoveRequest::stops.
+    std::uint64_t stops() const;
+    /// How far a move or a path is, or how it ended.
+    /// Errors  why a path could not begin: those of control::Motions::movePath()
+    Result<control::MotionProgress> motionProgress(MotionId motion) const;
     /// The arm follows the hand.
     Result<MotionId> beginFreedrive(const control::Freedrive& freedrive);
     /// Keeps the motion alive; a jog may change its target on the way.
@@ -120,6 +150,8 @@ Q_SIGNALS:
     void connected();
     /// In each frame with new samples, before the stateChanged that shows the last of them.
     void samplesReceived(const tiller::SampleBatch& batch);
+    /// The same for the fields of followFurther().
+    void furtherSamplesReceived(const tiller::SampleBatch& batch);
     void stateChanged(const tiller::SessionState& state);
     /// A motion ended and its stop was measured.
     void motionStopped(const tiller::control::StopMeasurement& measurement);
@@ -133,6 +165,7 @@ Q_SIGNALS:
     void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:
+    void startPath(MotionId ticket, const Result<control::PreparedPath>& prepared);
     void reportChanges();
     void reportControllerMessages();
 

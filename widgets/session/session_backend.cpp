@@ -35,6 +35,15 @@ SampleBatch SessionBackend::drain(std::vector<receive::Sample>& into) {
     return {std::span(into).first(count), link->lost - lostBefore};
 }
 
+void SessionBackend::followFurther() {
+    if (link != nullptr) {
+        further.follow(address.host, static_cast<std::uint16_t>(rtde::kPort + address.portOffset),
+                       furtherFields);
+    } else {
+        further.end();
+    }
+}
+
 void SessionBackend::read() {
     if (link == nullptr) {
         const RecordingState recordingState = state.recording;
@@ -149,7 +158,8 @@ void SessionBackend::readControl() {
                    (status.inControl ? status.moving : state.qd.values.cwiseAbs().maxCoeff() > kStandstill);
     if (takingControl) {
         state.control = ControlState::Taking;
-    } else if (status.inControl) {
+    } else if (status.inControl || (link->path.sending > 0 && status.loss == control::ControlLoss::Taking)) {
+        // The control program is sent anew with a path in it: that is no loss.
         state.control = ControlState::InControl;
         refusal.clear();
     } else {

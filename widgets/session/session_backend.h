@@ -12,6 +12,7 @@
 
 #include "robot/control/controller.h"
 #include "robot/control/jog.h"
+#include "robot/control/motions.h"
 #include "robot/dashboard/service_worker.h"
 #include "robot/io/outputs.h"
 #include "robot/receive/receiver.h"
@@ -19,11 +20,31 @@
 #include "robot/script/primary_client.h"
 #include "robot/script/script_client.h"
 #include "widgets/session/foreign_stop.h"
+#include "widgets/session/further_stream.h"
 #include "widgets/session/link_history.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/session_worker.h"
 
 namespace tiller {
+
+/// A path on its way to the robot. Its motion is known only once it is there; until then, and after that, it goes by
+/// a number of its own.
+struct PathStart {
+    enum class Phase {
+        Sending,
+        Ready,  ///< it begins with the next hold(): whoever holds it is still there then
+        Begun,
+        Failed
+    };
+    control::MotionId ticket = control::kNoMotion;  ///< of the newest; above all that the controller gives
+    Phase phase = Phase::Failed;
+    control::PreparedPath prepared;
+    control::Motion motion;  ///< once it has begun
+    Error error;             ///< why it did not begin
+    int sending = 0;         ///< how many are on their way, those included that were ended meanwhile
+
+    static constexpr control::MotionId kFirstTicket = control::MotionId(1) << 62;
+};
 
 /// Everything that talks to one robot. Torn down on the worker, because joining threads takes a moment.
 struct RobotLink {
@@ -34,6 +55,7 @@ struct RobotLink {
     control::Jog jog;      ///< the newest one
     control::Motion move;  ///< the newest motion that is none: a move or freedrive
     control::MotionId freedrive = control::kNoMotion;  ///< the newest freedrive
+    PathStart path;                                    ///< the newest path
     std::shared_ptr<io::Outputs> outputs;
     std::unique_ptr<dashboard::ServiceWorker> service;
     std::unique_ptr<dashboard::ServiceWorker> watch;  ///< only looks: never behind a command
@@ -71,10 +93,17 @@ struct SessionBackend {
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;
 
+    QStringList furtherFields;                 ///< asked for besides what comes anyway
+    std::vector<receive::Sample> furtherRoom;  ///< as `room`
+
     // Last: their jobs use what stands above.
     SessionWorker files;
     SessionWorker controlling;  ///< takes control and gives it back
     SessionWorker worker;
+    FurtherStream further{*clock, worker};
+
+    /// Asks the robot for furtherFields, where there is one.
+    void followFurther();
 
     /// Fetches what came since the last frame, and the last of it into `sample`.
     SampleBatch drain(std::vector<receive::Sample>& into);

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/project/waypoint_uses.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/notation.h"
@@ -141,6 +142,20 @@ void WaypointDetails::refresh() {
         facts << tr("%1 from the live pose").arg(format::difference(away.distance, away.angle));
     } else {
         facts << (joints ? tr("joints rule") : tr("pose rules"));
+    }
+    if (!point.group.isEmpty()) {
+        facts << point.group;
+    }
+    for (const project::WaypointUse& use : project::usesOf(document_.project(), point)) {
+        using Kind = project::WaypointUse::Kind;
+        facts << (use.kind == Kind::PatternPlace    ? tr("place of “%1”")
+                  : use.kind == Kind::PatternCorner ? tr("corner of “%1”")
+                  : use.kind == Kind::Home          ? tr("home, “%1”")
+                                                    : tr("position “%1”"))
+                     .arg(use.name);
+    }
+    if (!point.note.isEmpty()) {
+        facts << QString(point.note).replace(QLatin1Char('\n'), QLatin1Char(' '));
     }
     name_->setText(point.name);
     showFrame();

@@ -29,6 +29,8 @@ void WaypointEditing::duplicate() {
         project::Waypoint copy = document_.waypoints().at(row);
         copy.id = QUuid::createUuid();
         copy.name = names.uniqueName(copy.name);
+        copy.place = {};
+        copy.history = {};
         names.append(copy);
         copies.push_back(std::move(copy));
     }

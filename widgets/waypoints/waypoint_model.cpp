@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/waypoints/waypoint_model.h"
 
+#include <QColor>
 #include <QDataStream>
 #include <QIODevice>
 #include <QMimeData>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "robot/core/angles.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
+#include "widgets/waypoints/waypoint_properties.h"
 
 namespace tiller {
 namespace {
@@ -20,6 +23,12 @@ constexpr char kRowsMime[] = "application/x-tiller-waypoint-rows";
 constexpr double kLeastToolSpeed = 0.001;  ///< [m/s]
 constexpr double kMostToolSpeed = 1.0;     ///< [m/s]
 constexpr double kMostBlend = 1.0;         ///< [m]
+
+/// The palette of the curves: it can be told apart with every kind of sight.
+QColor colourOf(project::WaypointColour colour) {
+    static constexpr QRgb kColours[] = {0x000000, 0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9};
+    return QColor(kColours[static_cast<int>(colour)]);
+}
 
 /// "250", "250,5", "250 mm/s" -> 250; nothing when there is no number in front.
 std::optional<double> leadingNumber(const QString& text) {
@@ -77,6 +86,18 @@ void WaypointModel::followDocument() {
     });
 }
 
+void WaypointModel::setComing(const QUuid& id) {
+    const QUuid before = std::exchange(coming_, id);
+    if (before == id) {
+        return;
+    }
+    for (const QUuid& changed : {before, id}) {
+        if (const int row = document_.waypoints().indexOf(changed); row >= 0) {
+            Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+        }
+    }
+}
+
 QString WaypointModel::reachText(const project::Reach& reach) {
     switch (reach.obstacle) {
         case project::Reach::Obstacle::None:
@@ -124,7 +145,7 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
         case Number:
             return QString::number(row + 1);
         case Name:
-            return point.name;
+            return point.id == coming_ ? QStringLiteral("▶ ") + point.name : point.name;
         case Move:
             return point.move == project::MoveKind::Joint ? QStringLiteral("J") : QStringLiteral("L");
         case Frame: {
@@ -148,8 +169,20 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
 
 QString WaypointModel::toolTip(const project::Waypoint& point, int row, int column) const {
     switch (column) {
-        case Name:
-            return point.name;
+        case Name: {
+            QStringList lines{point.name};
+            if (!point.group.isEmpty()) {
+                lines << tr("Group: %1").arg(point.group);
+            }
+            if (point.colour != project::WaypointColour::None) {
+                lines << tr("Colour: %1")
+                             .arg(WaypointProperties::colourNames().value(static_cast<int>(point.colour)));
+            }
+            if (!point.note.isEmpty()) {
+                lines << point.note;
+            }
+            return lines.join(QLatin1Char('\n'));
+        }
         case Move:
             return point.move == project::MoveKind::Joint ? tr("MoveJ: all joints start and stop together")
                                                           : tr("MoveL: the TCP goes along a straight line");
@@ -181,18 +214,25 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
                                            : point.toolSpeed / format::metresPerUnit(),
                                        'g', 8);
             }
-            return display(point, index.row(), index.column());
+            return index.column() == Name ? point.name : display(point, index.row(), index.column());
         case Qt::ToolTipRole:
             return toolTip(point, index.row(), index.column());
         case Qt::AccessibleTextRole:
+            if (index.column() == Name && point.id == coming_) {
+                return tr("Name %1, the coming one").arg(point.name);
+            }
             return QStringLiteral("%1 %2").arg(
                 headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString(),
                 display(point, index.row(), index.column()));
         case Qt::FontRole: {
             QFont font = index.column() == Speed ? figureFont(14) : textFont(15);
-            font.setBold(unreachable);
+            font.setBold(unreachable || (index.column() == Name && point.id == coming_));
             return font;
         }
+        case Qt::DecorationRole:
+            return index.column() == Name && point.colour != project::WaypointColour::None
+                       ? QVariant(colourOf(point.colour))
+                       : QVariant();
         case Qt::ForegroundRole:
             return unreachable ? QVariant(Theme::current().warning) : QVariant();
         default:

@@ -32,6 +32,9 @@ public:
     /// where the joints do.
     void setPose(int row, const Pose& pose);
 
+    /// The waypoint that the arm goes to next, to be seen as such; null for none.
+    void setComing(const QUuid& id);
+
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -61,6 +64,7 @@ private:
     const project::Waypoint& waypointAt(int row) const { return document_.waypoints().at(row); }
 
     ProjectDocument& document_;
+    QUuid coming_;
     QVector<QUuid> orderBefore_;  ///< of the persistent indexes, while the order changes
 };
 

@@ -17,11 +17,16 @@
 #include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/project/project_document.h"
+#include "widgets/waypoints/folding_row.h"
+#include "widgets/waypoints/go_through_bar.h"
 #include "widgets/waypoints/go_to_button.h"
+#include "widgets/waypoints/path_controls.h"
 #include "widgets/waypoints/waypoint_details.h"
+#include "widgets/waypoints/waypoint_dialogs.h"
 #include "widgets/waypoints/waypoint_editing.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoint_motion.h"
+#include "widgets/waypoints/waypoint_search.h"
 #include "widgets/waypoints/waypoint_table.h"
 
 namespace tiller {
@@ -47,6 +52,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
     connect(&detailsTimer_, &QTimer::timeout, this, [this] {
         details_->setLive(state_);
         showSpeed();
+        goThrough_->showSpeed();
     });
 
     connect(&session_, &RobotSession::stateChanged, this, &WaypointsTab::onState);
@@ -60,6 +66,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
     connect(&document_, &ProjectDocument::documentChanged, this, [this] {
         pages_->setCurrentIndex(model_->rowCount() == 0 ? 0 : 1);
         goTo_->stop(control::StopCause::SelectionChanged);
+        goThrough_->followDocument(currentRow(), table_->selectedRows());
         onSelection();
         updateAvailability();
         Q_EMIT marksChanged();
@@ -71,6 +78,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
 
 WaypointsTab::~WaypointsTab() {
     goTo_->stop(control::StopCause::WindowClosed);
+    goThrough_->stop(control::StopCause::WindowClosed);
 }
 
 void WaypointsTab::buildLayout(MotionPort port) {
@@ -81,6 +89,9 @@ void WaypointsTab::buildLayout(MotionPort port) {
     touchUp_ = new QPushButton(tr("Touch up  U"));
     touchUp_->setObjectName(QStringLiteral("waypoint.touchUp"));
     touchUp_->setAccessibleName(tr("Touch up"));
+    goThrough_ = new GoThroughBar(port, document_, heldSpeed_);
+    paths_ = new PathControls(session_, document_,
+                              {[this] { return currentRow(); }, [this] { return table_->selectedRows(); }});
     goTo_ = new GoToButton(std::move(port), [this] { return goToRequest(); });
     goTo_->setState(state_);
     more_ = new QPushButton;
@@ -113,6 +124,13 @@ void WaypointsTab::buildLayout(MotionPort port) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(keys);
+    routes_ = new FoldingRow;
+    auto* routes = new QHBoxLayout(routes_);
+    routes->setContentsMargins(0, 0, 0, 0);
+    routes->setSpacing(0);
+    routes->addWidget(goThrough_, 1);
+    routes->addWidget(paths_);
+    layout->addWidget(routes_);
     layout->addWidget(pages_, 1);
     layout->addWidget(details_);
     notice_ = new NoticeBar;
@@ -120,10 +138,22 @@ void WaypointsTab::buildLayout(MotionPort port) {
 
     connect(teach_, &QPushButton::clicked, this, &WaypointsTab::teach);
     connect(touchUp_, &QPushButton::clicked, this, &WaypointsTab::touchUp);
-    connect(goTo_, &GoToButton::refused, this, [this](const QString& reason) {
+    const auto refuse = [this](const QString& reason) {
         showProblem(reason);
         Q_EMIT message(Severity::Warning, reason);
+    };
+    connect(goTo_, &GoToButton::refused, this, refuse);
+    connect(goThrough_, &GoThroughBar::refused, this, refuse);
+    connect(paths_, &PathControls::refused, this, &WaypointsTab::showProblem);
+    connect(paths_, &PathControls::kept, this, [this](const QString& summary) {
+        notice_->show(NoticeBar::Kind::Question, tr("Path recorded"), summary);
+        Q_EMIT message(Severity::Info, summary);
     });
+    connect(paths_, &PathControls::exported, this,
+            [this](const QString& summary) { Q_EMIT message(Severity::Info, summary); });
+    connect(goThrough_, &GoThroughBar::comingChanged, this, &WaypointsTab::onComing);
+    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            [this] { goThrough_->setSelection(currentRow(), table_->selectedRows()); });
     connect(
         &goTo_->guard(), &HoldGuard::ended, this,
         [this] {
@@ -135,6 +165,13 @@ void WaypointsTab::buildLayout(MotionPort port) {
     editing_ = new WaypointEditing(document_, *table_, this);
     connect(editing_, &WaypointEditing::refused, this, &WaypointsTab::showProblem);
     connect(editing_, &WaypointEditing::rowWanted, this, &WaypointsTab::selectRow);
+    dialogs_ = new WaypointDialogs(document_, *table_, this);
+    connect(dialogs_, &WaypointDialogs::refused, this, &WaypointsTab::showProblem);
+    connect(dialogs_, &WaypointDialogs::done, this,
+            [this](const QString& text) { Q_EMIT message(Severity::Info, text); });
+    search_ = new WaypointSearch(document_, *table_);
+    new LowerEdge(*search_, *this, {pages_});
+    connect(search_, &WaypointSearch::rowWanted, this, &WaypointsTab::selectRow);
 }
 
 void WaypointsTab::onState(const SessionState& state) {
@@ -148,9 +185,27 @@ void WaypointsTab::onState(const SessionState& state) {
     }
     if (state.hasData()) {
         editing_->setLive(state.q, state.tcpOffset);
+        dialogs_->setLive(state.q, state.tcpOffset);
     }
     goTo_->setState(state);
+    goThrough_->setState(state);
+    paths_->setState(state);
     updateAvailability();
+}
+
+void WaypointsTab::onComing() {
+    const int row = goThrough_->comingRow();
+    model_->setComing(row < 0 ? QUuid() : document_.waypoints().at(row).id);
+    if (row >= 0 && goThrough_->isHolding()) {
+        table_->scrollTo(model_->index(row, WaypointModel::Name));
+    }
+    Q_EMIT ghostChanged();
+    Q_EMIT marksChanged();
+}
+
+void WaypointsTab::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    routes_->fitInto({width(), height() - minimumSizeHint().height()});
 }
 
 QSize WaypointsTab::minimumSizeHint() const {
@@ -172,6 +227,7 @@ void WaypointsTab::onSelection() {
     }
     lastSelected_ = id;
     goTo_->stop(control::StopCause::SelectionChanged);
+    goThrough_->setSelection(row, table_->selectedRows());
     notice_->dismiss();
     updateAvailability();
     showSpeed();
@@ -203,14 +259,16 @@ void WaypointsTab::selectRow(int row) {
 }
 
 std::optional<Ghost> WaypointsTab::ghost() const {
-    const int row = currentRow();
+    // While the arm goes through the waypoints, the one it goes to.
+    const int row =
+        goThrough_->isHolding() && goThrough_->comingRow() >= 0 ? goThrough_->comingRow() : currentRow();
     if (row < 0) {
         return std::nullopt;
     }
     const project::Waypoint& point = document_.waypoints().at(row);
     const project::Reach& reach = document_.reach(row);
     const Result<MoveRequest> move =
-        reach.ok() && state_.hasData() ? moveToSelected() : Error{ErrorCode::NoSolution, {}, {}};
+        reach.ok() && state_.hasData() ? moveTo(row) : Error{ErrorCode::NoSolution, {}, {}};
     return Ghost{point.name, reach.ok() ? reach.q : point.joints, point.move == project::MoveKind::Linear,
                  reach.ok(), move ? move->speed : point.speed(),  point.acceleration()};
 }
@@ -224,7 +282,9 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
             pose = kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset);
         }
         if (pose) {
-            result.push_back({point.name, pose->position, row == currentRow()});
+            const bool coming = row == goThrough_->comingRow();
+            result.push_back({coming ? QStringLiteral("▶ ") + point.name : point.name, pose->position,
+                              coming || row == currentRow()});
         }
     }
     return result;
@@ -278,11 +338,11 @@ Result<MoveRequest> WaypointsTab::goToRequest() {
         return Error{ErrorCode::NoSolution, obstacle, {}};
     }
     notice_->dismiss();
-    return moveToSelected();
+    return moveTo(currentRow());
 }
 
-Result<MoveRequest> WaypointsTab::moveToSelected() const {
-    Result<MoveRequest> move = moveRequestFor(document_.robot(), document_.waypoints().at(currentRow()),
+Result<MoveRequest> WaypointsTab::moveTo(int row) const {
+    Result<MoveRequest> move = moveRequestFor(document_.robot(), document_.waypoints().at(row),
                                               document_.frames(), state_.q, state_.tcpOffset, limits_());
     return move ? slowedTo(heldSpeed_(), *move, state_) : move;
 }
@@ -297,7 +357,9 @@ void WaypointsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {
 }
 
 void WaypointsTab::followSpeed() {
+    goThrough_->stop(control::StopCause::SelectionChanged);  // under way it would take the new speed half way
     showSpeed();
+    goThrough_->showSpeed();
     Q_EMIT ghostChanged();
 }
 
@@ -308,7 +370,7 @@ void WaypointsTab::showSpeed() {
     }
     const Result<MoveRequest> move =
         currentRow() >= 0 && state_.hasData() && document_.reach(currentRow()).ok()
-            ? moveToSelected()
+            ? moveTo(currentRow())
             : Error{ErrorCode::NoSolution, {}, {}};
     goTo_->setDetail(move ? moveSpeedText(*move, state_) : QString());
 }
@@ -359,6 +421,31 @@ void WaypointsTab::buildActions() {
                               [this] { editing_->copy(); })));
     add(addCommand("waypoint.action.paste", tr("Paste"), QKeySequence(QKeySequence::Paste),
                    [this] { editing_->paste(); }));
+    add(addCommand("waypoint.action.import", tr("Import waypoints…"), {},
+                   [this] { dialogs_->importFile(); }));
+    add(addCommand("waypoint.action.export", tr("Export waypoints…"), {},
+                   [this] { dialogs_->exportFile(); }));
+    menu->addSeparator();
+    add(addCommand("waypoint.action.find", tr("Find waypoints"), QKeySequence(QKeySequence::Find),
+                   [this] { search_->open(); }));
+    add(onSelected(addCommand("waypoint.action.properties", tr("Group, colour, note, speeds…"),
+                              QKeySequence(Qt::ALT | Qt::Key_Return), [this] { dialogs_->properties(); })));
+    add(onSelected(addCommand("waypoint.action.shift", tr("Offset, turn or mirror…"), {},
+                              [this] { dialogs_->moveSelection(); })));
+    add(onSelected(addCommand("waypoint.action.history", tr("History…"), QKeySequence(Qt::ALT | Qt::Key_H),
+                              [this] { dialogs_->history(); })));
+    menu->addSeparator();
+    add(addCommand("waypoint.action.pattern", tr("Pattern…"), {}, [this] { dialogs_->pattern(); }));
+    add(onSelected(addCommand("waypoint.action.dissolve", tr("Make the pattern's places ordinary waypoints"),
+                              {}, [this] { dialogs_->dissolvePattern(); })));
+    add(onSelected(addCommand("waypoint.action.removePattern", tr("Delete the pattern and its waypoints"), {},
+                              [this] { dialogs_->removePattern(); })));
+    menu->addSeparator();
+    for (QAction* action : paths_->actions()) {
+        menu->addAction(action);
+        actions_.append(action);
+    }
+    menu->addMenu(paths_->toleranceMenu());
     menu->addSeparator();
     QUndoStack& undo = document_.undoStack();
     for (QAction* action :
@@ -396,6 +483,10 @@ void WaypointsTab::teach() {
         // A neighbour usually wants the same kind of move, frame and speed.
         point = document_.waypoints().at(row);
         point.extra = {};
+        point.note.clear();
+        point.actions.clear();
+        point.place = {};
+        point.history = {};
     }
     point.id = QUuid::createUuid();
     point.name = document_.waypoints().nextName(tr("waypoint"));

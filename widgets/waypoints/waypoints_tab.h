@@ -23,12 +23,17 @@ class QStackedWidget;
 
 namespace tiller {
 
+class FoldingRow;
+class GoThroughBar;
 class GoToButton;
 class NoticeBar;
+class PathControls;
 class ProjectDocument;
 class WaypointDetails;
+class WaypointDialogs;
 class WaypointEditing;
 class WaypointModel;
+class WaypointSearch;
 class WaypointTable;
 
 class WaypointsTab : public QWidget {
@@ -43,6 +48,7 @@ public:
     ~WaypointsTab() override;
 
     WaypointModel& model() { return *model_; }
+    WaypointDialogs& dialogs() { return *dialogs_; }
 
     /// Every action with its shortcut, for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
@@ -63,6 +69,9 @@ public:
 
     /// With room for the details, shown or not.
     QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 public Q_SLOTS:
     /// Adds the live place after the selection.
@@ -96,7 +105,8 @@ private:
     void updateAvailability();
     QString goToObstacle() const;
     Result<MoveRequest> goToRequest();
-    Result<MoveRequest> moveToSelected() const;
+    Result<MoveRequest> moveTo(int row) const;
+    void onComing();
     void replaceByTouchUp(const QUuid& id, const project::Waypoint& taught);
     QString teachObstacle() const;
     void showSpeed();
@@ -117,12 +127,17 @@ private:
     QPushButton* teach_ = nullptr;
     QPushButton* touchUp_ = nullptr;
     GoToButton* goTo_ = nullptr;
+    GoThroughBar* goThrough_ = nullptr;
+    PathControls* paths_ = nullptr;
+    FoldingRow* routes_ = nullptr;  ///< of these two
     QPushButton* more_ = nullptr;
     NoticeBar* notice_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     WaypointTable* table_ = nullptr;
     WaypointDetails* details_ = nullptr;
     WaypointEditing* editing_ = nullptr;
+    WaypointDialogs* dialogs_ = nullptr;
+    WaypointSearch* search_ = nullptr;
 };
 
 }  // namespace tiller

@@ -28,7 +28,7 @@ QString numbers(const std::array<double, 6>& values) {
     return out.join(QLatin1String(", "));
 }
 
-QString stepTime(const SoftwareVersion& version) {
+QString stepTimeText(const SoftwareVersion& version) {
     const bool hasFunction = version >= SoftwareVersion{5, 4, 0, 0};
     return hasFunction ? QStringLiteral("get_steptime()") : fixed(version.controlPeriod());
 }
@@ -154,7 +154,7 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     };
     fill("FIRST", QString::number(firstRegister(range)));
     fill("SESSION", QString::number(session));
-    fill("STEP", stepTime(version));
+    fill("STEP", stepTimeText(version));
     fill("BRAKE_LINEAR", fixed(limits.jogDeceleration));
     fill("BRAKE_ROTATION", fixed(limits.jointDeceleration));
     fill("BRAKE_JOINTS", fixed(limits.jointDeceleration));

@@ -55,8 +55,15 @@ struct Controller::Private {
 
     /// Starts a motion, unless a stop came since there were so many or control has ended.
     Result<MotionId> start(const MotionCommand& command, std::uint64_t stops, const QString& context);
-    /// Sends the program with this section and starts it, unless a stop came since there were so many.
+    /// Sends the program with this section, unless a stop came since there were so many.
+    /// Returns  the empty epoch in which it can be started
+    Result<std::uint64_t> sendSection(const QString& section, const QString& name, std::uint64_t stops,
+                                      const Deadline& deadline, const QString& context);
+    /// Starts the section that was sent last, unless a stop or another motion came since that epoch.
     /// silence  how long it may last without a heartbeat; 0: as everything else
+    Result<MotionId> beginSection(std::uint64_t epoch, Holding holding, std::chrono::milliseconds silence,
+                                  const QString& context);
+    /// Both.
     Result<MotionId> startSection(const QString& section, const QString& name, Holding holding,
                                   std::chrono::milliseconds silence, std::uint64_t stops,
                                   const Deadline& deadline, const QString& context);

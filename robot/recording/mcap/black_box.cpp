@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QTimeZone>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <condition_variable>
 #include <deque>
@@ -76,6 +77,7 @@ struct BlackBox::Worker {
     std::string projectName;
     std::string project;
     std::map<std::string, std::string> facts;
+    std::atomic<std::uint64_t> packets{0};
 
     // The thread's own.
     std::optional<SampleStore> store;
@@ -123,6 +125,7 @@ struct BlackBox::Worker {
                 begin(reasonOf(now), sample);
             }
             store->keepNext(missing);
+            ++packets;
             forgetBefore(timeNs);
             if (pending && static_cast<double>(timeNs - stopNs) >= options.after * 1e9) {
                 write();
@@ -321,6 +324,11 @@ void BlackBox::setProject(const Text& name, std::string content) {
         box->projectName = name.toStdString();
         box->project = std::move(content);
     }
+}
+
+std::uint64_t BlackBox::packets() const {
+    const auto box = worker();
+    return box ? box->packets.load() : 0;
 }
 
 void BlackBox::setFact(const std::string& key, const std::string& value) {

@@ -61,6 +61,7 @@ public:
     void setProject(const Text& name, std::string content);
     /// Into the next file, beside those it was started with: what is known only later.
     void setFact(const std::string& key, const std::string& value);
+    std::uint64_t packets() const;  ///< Taken since start(); 0 while it does not run.
 
 private:
     struct Worker;

@@ -13,7 +13,7 @@ namespace tiller::simulator {
 namespace {
 
 /// A fresh pendant's: the arm upright. [rad]
-constexpr const char* kHomeJoints = "0, -1.5707963268, 0, -1.5707963268, 0, 0";
+constexpr const char* kProgramHome = "0, -1.5707963268, 0, -1.5707963268, 0, 0";
 constexpr double kHomeSpeed = 1.05;         ///< [rad/s]
 constexpr double kHomeAcceleration = 1.40;  ///< [rad/s2]
 constexpr std::size_t kMostSubPrograms = 1000;
@@ -499,7 +499,7 @@ void UrpWriter::writeSafeHome(const UrpElement& node) {
         return node.attribute(attribute).isEmpty() ? otherwise : numberOf(node, attribute);
     };
     emitLine(QStringLiteral("movej(%1, a=%2, v=%3)")
-                 .arg(own.isEmpty() ? '[' + QLatin1String(kHomeJoints) + ']' : own)
+                 .arg(own.isEmpty() ? '[' + QLatin1String(kProgramHome) + ']' : own)
                  .arg(value("acceleration", kHomeAcceleration))
                  .arg(value("speed", kHomeSpeed)));
 }

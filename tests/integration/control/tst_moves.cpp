@@ -312,6 +312,94 @@ private Q_SLOTS:
         QVERIFY(cell.ticksToStandstill(500) >= 0);
     }
 
+    // What is prepared before it begins, or goes on from one motion to the next, counts the stops.
+    void nothingBeginsBehindAStopThatItWasNotToldOf() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const JointPositions start = cell.robot.truth().q;
+        const std::uint64_t stops = cell.controller->stops();
+        Motions armed(*cell.controller, stops);
+        const auto first = armed.moveJ(turned(start, 0, 3 * kDeg), {0.5, 1.4, Holding::Held});
+        QVERIFY(first.ok());
+        QVERIFY(cell.holdMove(*first, 2000));
+        QCOMPARE(first->state().cause, StopCause::Completed);
+        QCOMPARE(cell.controller->stops(), stops);
+        const auto second = armed.moveJ(start, {0.5, 1.4, Holding::Held});
+        QVERIFY2(second.ok(), "one motion after the other is no stop");
+        QVERIFY(second->cancel(StopCause::Released));
+        QVERIFY(cell.standsWithinMs(200));
+        cell.controller->stop(StopCause::Space);
+        QCOMPARE(armed.moveJ(start, {0.5, 1.4, Holding::Held}).error().code, ErrorCode::Stopped);
+        QCOMPARE(armed.moveL(cell.tcp(), {0.1, 1.0, Holding::Held}).error().code, ErrorCode::Stopped);
+        QCOMPARE(armed.startJog({.twist = {{0, 0, 0.1}, {0, 0, 0}}}).error().code, ErrorCode::Stopped);
+        QVERIFY2(cell.motions().moveJ(start, {0.5, 1.4, Holding::Held}).ok(), "another press");
+    }
+
+    static MotionPath slowPath(const Cell& cell) {
+        const JointPositions start = cell.robot.truth().q;
+        return {{PathEntry::Kind::MoveJ, turned(start, 0, 20 * kDeg), {}, 0.3, 1.4, 0.01},
+                {PathEntry::Kind::MoveJ, turned(start, 0, 60 * kDeg), {}, 0.3, 1.4, 0}};
+    }
+    static Deadline soon() { return Deadline::after(std::chrono::seconds(20)); }
+
+    void aPreparedPathMovesNothingUntilItIsBegun() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const JointPositions start = cell.robot.truth().q;
+        const auto path = cell.during([&] { return cell.motions().preparePath(slowPath(cell), soon()); });
+        QVERIFY(path.ok());
+        QVERIFY(cell.controller->status().inControl);
+        QVERIFY(cell.stepMs(500));
+        QVERIFY(distance(cell.robot.truth().q, start) < 1e-4);
+        const auto motion = cell.motions().startPath(*path, Holding::Held);
+        QVERIFY(motion.ok());
+        QVERIFY(cell.holdMove(*motion, 10'000));
+        QCOMPARE(motion->state().cause, StopCause::Completed);
+        QVERIFY(distance(cell.robot.truth().q, turned(start, 0, 60 * kDeg)) < 1e-3);
+        QCOMPARE(cell.motions().startPath(*path, Holding::Held).error().code, ErrorCode::Stopped);
+    }
+
+    void aPreparedPathIsVoidAfterAStopOrAnotherMotion() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const JointPositions start = cell.robot.truth().q;
+        QCOMPARE(cell.motions().startPath({}, Holding::Held).error().code, ErrorCode::Stopped);
+        const auto prepare = [&] {
+            return cell.during([&] { return cell.motions().preparePath(slowPath(cell), soon()); });
+        };
+        const auto stopped = prepare();
+        QVERIFY(stopped.ok());
+        cell.controller->stop(StopCause::Escape);
+        QCOMPARE(cell.motions().startPath(*stopped, Holding::Held).error().code, ErrorCode::Stopped);
+        const auto superseded = prepare();
+        QVERIFY(superseded.ok());
+        const auto move = cell.motions().moveJ(start, {0.5, 1.4, Holding::Held});
+        QVERIFY(cell.holdMove(*move, 500));
+        QCOMPARE(cell.motions().startPath(*superseded, Holding::Held).error().code, ErrorCode::Stopped);
+        // A stop before it is there counts too.
+        Motions armed(*cell.controller, cell.controller->stops());
+        cell.controller->stop(StopCause::Released);
+        const auto late = cell.during([&] { return armed.preparePath(slowPath(cell), soon()); });
+        QCOMPARE(late.error().code, ErrorCode::Stopped);
+        QVERIFY(cell.stepMs(300));
+        QVERIFY(distance(cell.robot.truth().q, start) < 1e-3);
+    }
+
+    void aHeldPathWithoutItsHolderEnds() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto path = cell.during([&] { return cell.motions().preparePath(slowPath(cell), soon()); });
+        const auto motion = cell.motions().startPath(*path, Holding::Held);
+        QVERIFY(!cell.holdMove(*motion, 600));
+        QVERIFY(!cell.isStanding());
+        QVERIFY(cell.stepMs(104));
+        QCOMPARE(motion->state().cause, StopCause::EventLoopStalled);
+        QVERIFY(cell.ticksToStandstill(200) >= 0);
+        const JointPositions stands = cell.robot.truth().q;
+        QVERIFY(cell.stepMs(500));
+        QVERIFY(distance(cell.robot.truth().q, stands) < 1e-4);
+    }
+
     void theLastMoveWins() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

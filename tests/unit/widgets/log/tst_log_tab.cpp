@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -186,6 +187,32 @@ private Q_SLOTS:
         table()->scrollToTop();
         tab_->append(Severity::Info, "new");
         QCOMPARE(table()->rowAt(2), 0);
+    }
+
+    void anIncidentsRowOpensItsRecording() {
+        QSignalSpy wanted(tab_.get(), &LogTab::recordingWanted);
+        auto* key = tab_->findChild<QToolButton*>("log.openRecording");
+        tab_->append(Severity::Error, "Protective stop");
+        tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
+                              "/a/b.mcap");
+        const auto middleOf = [this](int row) {
+            return table()->visualRect(table()->model()->index(row, LogModel::Text)).center();
+        };
+        QTest::mouseClick(table()->viewport(), Qt::LeftButton, {}, middleOf(0));
+        QVERIFY(!key->isEnabled());
+        QTest::mouseDClick(table()->viewport(), Qt::LeftButton, {}, middleOf(0));
+        QCOMPARE(wanted.count(), 0);
+        QTest::mouseClick(table()->viewport(), Qt::LeftButton, {}, middleOf(1));
+        QVERIFY(key->isEnabled());
+        QTest::mouseClick(key, Qt::LeftButton);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.front()[0].toString(), QString("/a/b.mcap"));
+        QTest::mouseDClick(table()->viewport(), Qt::LeftButton, {}, middleOf(1));
+        QCOMPARE(wanted.count(), 2);
+        // Another file is another incident, whatever the words.
+        tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
+                              "/a/c.mcap");
+        QCOMPARE(rows(), 3);
     }
 
     // What came while another page was shown is what one comes back for.

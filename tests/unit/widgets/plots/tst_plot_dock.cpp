@@ -2,16 +2,24 @@
 //
 // The plot panel with real mouse, wheel and key events, fed with samples of the test's own.
 #include <QApplication>
+#include <QClipboard>
 #include <QDir>
 #include <QFile>
 #include <QImage>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
+#include <QMimeData>
 #include <QPainter>
 #include <QScopeGuard>
 #include <QSignalSpy>
+#include <QTabBar>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
+#include <QTreeView>
 #include <QWheelEvent>
 #include <algorithm>
 #include <array>
@@ -20,13 +28,18 @@
 #include "tests/support/sample_stream.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/theme.h"
-#include "widgets/plots/curve_item.h"
+#include "widgets/plots/curve.h"
+#include "widgets/plots/curve_sheet.h"
 #include "widgets/plots/plot_dock.h"
+#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_overlay.h"
+#include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/plots/state_lane.h"
 #include "widgets/session/robot_session.h"
+#include "widgets/signals/signal_store.h"
+#include "widgets/signals/signal_tree.h"
 
 using namespace tiller;
 
@@ -40,6 +53,9 @@ struct Bench {
     int next = 0;  ///< the sample that comes next
 
     Bench() {
+        stream.layout = std::make_shared<const receive::SampleLayout>(
+            std::vector<std::string>{"timestamp", "actual_TCP_force", "actual_current", "actual_q",
+                                     "actual_digital_input_bits", "robot_mode"});
         session.shutDown();  // frames come when the test says so
         dock.resize(1500, 375);
         dock.show();
@@ -55,11 +71,15 @@ struct Bench {
             stream.set(sample, "timestamp", time);
             stream.set(sample, "actual_TCP_force_2", time);
             stream.set(sample, "actual_current_0", 1);
+            stream.set(sample, "actual_q_1", std::sin(time));
+            stream.set(sample, "actual_digital_input_bits", time >= 40 && time < 50 ? 8 : 0);
+            stream.set(sample, "robot_mode", 7);
         }
         stream.frame([this](const SampleBatch& batch) { Q_EMIT session.samplesReceived(batch); });
         Q_EMIT session.stateChanged(session.state());
     }
     PlotView& view() { return dock.view(); }
+    int id(const char* key) { return dock.store().find(QLatin1String(key)); }
     QPoint at(double time) { return {static_cast<int>(std::lround(view().xAt(time))), 100}; }
     void wheel(double time, int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         const QPointF place = at(time);
@@ -69,7 +89,7 @@ struct Bench {
     }
     PlotPane& forces() { return *view().panes()[0]; }
     /// A click on a name in a legend.
-    void clickLegend(PlotSignal signal, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    void clickLegend(int signal, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         const auto& panes = view().panes();
         const auto entry = [&] {
             const QRectF upper = panes[0]->legendEntry(signal);
@@ -78,10 +98,10 @@ struct Bench {
         QTRY_VERIFY(!entry().isEmpty());
         QTest::mouseClick(view().viewport(), Qt::LeftButton, modifiers, entry().center().toPoint());
     }
-    CurveItem& curve(PlotSignal signal) {
+    Curve& curve(int signal) {
         for (const auto& pane : view().panes()) {
-            for (CurveItem* curve : pane->curves()) {
-                if (curve->signal() == static_cast<int>(signal)) {
+            for (const auto& curve : pane->curves()) {
+                if (curve->signal() == signal) {
                     return *curve;
                 }
             }
@@ -92,6 +112,46 @@ struct Bench {
         QWheelEvent event(place, view().viewport()->mapToGlobal(place), {}, {0, 120 * notches}, Qt::NoButton,
                           modifiers, Qt::NoScrollPhase, false);
         QApplication::sendEvent(view().viewport(), &event);
+    }
+    /// Types into the list's search field.
+    void list(const QString& words) {
+        auto* search = dock.findChild<QLineEdit*>(QStringLiteral("signals.search"));
+        search->setFocus();
+        search->selectAll();
+        QTest::keyClick(search, Qt::Key_Delete);
+        QTest::keyClicks(search, words);
+    }
+    /// The first row of the list with this text that is there now.
+    QModelIndex rowOf(const QString& text) {
+        const QAbstractItemModel* model = dock.findChild<QTreeView*>(QStringLiteral("signals.tree"))->model();
+        const auto rows = model->match(model->index(0, 0), Qt::DisplayRole, text, 1,
+                                       Qt::MatchExactly | Qt::MatchCaseSensitive | Qt::MatchRecursive);
+        return rows.isEmpty() ? QModelIndex() : rows.first();
+    }
+    /// What the window system would send for a drag from the list.
+    void drop(const QPointF& place, const QStringList& keys) {
+        QMimeData data;
+        data.setData(QLatin1String(SignalTree::kMime), keys.join('\n').toUtf8());
+        const QPoint at = place.toPoint();
+        QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(view().viewport(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDragMoveEvent move(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(view().viewport(), &move);
+        QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(view().viewport(), &drop);
+    }
+    /// Chooses from the context menu at a place of the view.
+    void menuAt(const QPointF& place, const char* action) {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, place.toPoint(),
+                                view().viewport()->mapToGlobal(place.toPoint()));
+        QApplication::sendEvent(view().viewport(), &event);
+        auto* menu = view().findChild<QMenu*>(QStringLiteral("plots.menu"));
+        QVERIFY(menu != nullptr);
+        auto* wanted = menu->findChild<QAction*>(QLatin1String(action));
+        QVERIFY2(wanted != nullptr, action);
+        wanted->trigger();
+        delete menu;
     }
     QToolButton* button(const char* name) { return dock.findChild<QToolButton*>(QLatin1String(name)); }
     QString readout() { return dock.findChild<ElidedLabel*>(QStringLiteral("plots.readout"))->fullText(); }
@@ -218,9 +278,9 @@ private Q_SLOTS:
         QTest::keyClick(&b.view(), Qt::Key_Delete);
         QVERIFY(!b.view().cursor(PlotView::Cursor::B));
         QTest::keyClick(&b.view(), Qt::Key_Down);
-        QVERIFY(b.view().readoutSignal() == PlotSignal::CurrentBase);
+        QVERIFY(b.view().readoutSignal() == b.id("actual_current_0"));
         QTest::keyClick(&b.view(), Qt::Key_Up);
-        QVERIFY(b.view().readoutSignal() == PlotSignal::ForceZ);
+        QVERIFY(b.view().readoutSignal() == b.id("actual_TCP_force_2"));
         QTest::keyClick(&b.view(), Qt::Key_PageUp);
         QVERIFY(near(b.view().window().end(), 45, 0.003));
         QTest::keyClick(&b.view(), Qt::Key_End);
@@ -230,14 +290,14 @@ private Q_SLOTS:
     void aClickOnANameInALegendHidesItsCurve() {
         Bench b;
         const double wide = b.forces().range().max();
-        b.clickLegend(PlotSignal::ForceZ);
-        QVERIFY2(b.view().isHidden(PlotSignal::ForceZ),
-                 qPrintable(QDebug::toString(b.forces().legendEntry(PlotSignal::ForceZ))));
-        QVERIFY(!b.curve(PlotSignal::ForceZ).isVisible());
-        QVERIFY(b.curve(PlotSignal::ForceX).isVisible());
+        b.clickLegend(b.id("actual_TCP_force_2"));
+        QVERIFY2(b.view().isHidden(b.id("actual_TCP_force_2")),
+                 qPrintable(QDebug::toString(b.forces().legendEntry(b.id("actual_TCP_force_2")))));
+        QVERIFY(!b.curve(b.id("actual_TCP_force_2")).isVisible());
+        QVERIFY(b.curve(b.id("actual_TCP_force_0")).isVisible());
         QVERIFY2(b.forces().range().max() < wide, "the scale is that of the curves that are shown");
-        b.clickLegend(PlotSignal::CurrentShoulder);
-        QVERIFY(!b.curve(PlotSignal::CurrentShoulder).isVisible());
+        b.clickLegend(b.id("actual_current_1"));
+        QVERIFY(!b.curve(b.id("actual_current_1")).isVisible());
         QVERIFY(!b.view().cursor(PlotView::Cursor::A));  // no click into the plot
         // New data, another link and other colours change nothing about it.
         b.runTo(61);
@@ -245,23 +305,23 @@ private Q_SLOTS:
         b.runTo(63);
         applyTheme(*qApp, Theme::dark());
         applyTheme(*qApp, Theme::light());
-        QVERIFY(!b.curve(PlotSignal::ForceZ).isVisible());
-        QVERIFY(!b.curve(PlotSignal::CurrentShoulder).isVisible());
-        b.clickLegend(PlotSignal::ForceZ);
-        QVERIFY(b.curve(PlotSignal::ForceZ).isVisible());
+        QVERIFY(!b.curve(b.id("actual_TCP_force_2")).isVisible());
+        QVERIFY(!b.curve(b.id("actual_current_1")).isVisible());
+        b.clickLegend(b.id("actual_TCP_force_2"));
+        QVERIFY(b.curve(b.id("actual_TCP_force_2")).isVisible());
         QVERIFY(b.forces().range().max() > 60);
-        QVERIFY(!b.curve(PlotSignal::CurrentShoulder).isVisible());
+        QVERIFY(!b.curve(b.id("actual_current_1")).isVisible());
     }
 
     void aNameInALegendIsReadWithControl() {
         Bench b;
-        b.clickLegend(PlotSignal::CurrentElbow, Qt::ControlModifier);
-        QVERIFY(b.view().readoutSignal() == PlotSignal::CurrentElbow);
-        QVERIFY(!b.view().isHidden(PlotSignal::CurrentElbow));
+        b.clickLegend(b.id("actual_current_2"), Qt::ControlModifier);
+        QVERIFY(b.view().readoutSignal() == b.id("actual_current_2"));
+        QVERIFY(!b.view().isHidden(b.id("actual_current_2")));
         QTest::keyClick(&b.view(), Qt::Key_H);
-        QVERIFY(b.view().isHidden(PlotSignal::CurrentElbow));
+        QVERIFY(b.view().isHidden(b.id("actual_current_2")));
         QTest::keyClick(&b.view(), Qt::Key_H);
-        QVERIFY(!b.view().isHidden(PlotSignal::CurrentElbow));
+        QVERIFY(!b.view().isHidden(b.id("actual_current_2")));
     }
 
     void theWheelOverTheValuesZoomsThem() {
@@ -300,15 +360,15 @@ private Q_SLOTS:
         QTest::mouseClick(b.button("plots.zero"), Qt::LeftButton);
         QVERIFY(b.button("plots.zero")->isChecked());
         // The mean of the last quarter of a second of Fz = time.
-        QVERIFY(near(b.forces().offset(PlotSignal::ForceZ), 59.875, 0.01));
+        QVERIFY(near(b.forces().offset(b.id("actual_TCP_force_2")), 59.875, 0.01));
         QVERIFY2(b.readout().contains("Fz (zeroed) +0.1 N"), qPrintable(b.readout()));
         QVERIFY(b.view().zeroText().contains("Fz +59.9"));
         QVERIFY(b.forces().range().max() < 20);
         QVERIFY2(b.view().grab().toImage() != plain, "the plot carries a mark");
         // What was measured stays.
-        QVERIFY(near(b.view().valueAt(PlotSignal::ForceZ, 50).value(), 50, 0.01));
+        QVERIFY(near(b.dock.store().valueAt(b.id("actual_TCP_force_2"), 50).value(), 50, 0.01));
         b.runTo(70);
-        QVERIFY(near(b.forces().offset(PlotSignal::ForceZ), 59.875, 0.01));
+        QVERIFY(near(b.forces().offset(b.id("actual_TCP_force_2")), 59.875, 0.01));
         QTemporaryDir folder;
         QVERIFY(b.dock.exportTo(folder.filePath("zeroed.svg")));
         QFile picture(folder.filePath("zeroed.svg"));
@@ -357,12 +417,12 @@ private Q_SLOTS:
         Bench b;
         b.next += 2000;  // four seconds lost
         b.runTo(70);
-        QVERIFY(b.view().valueAt(PlotSignal::ForceZ, 59.9).has_value());
-        QVERIFY(!b.view().valueAt(PlotSignal::ForceZ, 62).has_value());
-        QVERIFY(!b.view().valueAt(PlotSignal::ForceZ, 60.05).has_value());
-        QVERIFY(near(b.view().valueAt(PlotSignal::ForceZ, 65).value(), 65, 0.01));
+        QVERIFY(b.dock.store().valueAt(b.id("actual_TCP_force_2"), 59.9).has_value());
+        QVERIFY(!b.dock.store().valueAt(b.id("actual_TCP_force_2"), 62).has_value());
+        QVERIFY(!b.dock.store().valueAt(b.id("actual_TCP_force_2"), 60.05).has_value());
+        QVERIFY(near(b.dock.store().valueAt(b.id("actual_TCP_force_2"), 65).value(), 65, 0.01));
         // Nor a line across it.
-        const CurveItem& fz = *b.view().panes()[0]->curves()[2];
+        const Curve& fz = *b.view().panes()[0]->curves()[2];
         const auto column = [&](double time) {
             const double share = (time - b.view().window().start()) / b.view().window().span();
             return fz
@@ -374,24 +434,26 @@ private Q_SLOTS:
     }
 
     void aCurveIsDrawnWhereItsValuesAre() {
-        SeriesBuffer history(1, 4096);
+        SeriesBuffer history(1);
         std::array<float, 1> row{};
         for (int i = 0; i < 4000; ++i) {
             row[0] = i < 2000 ? 2.0F : 8.0F;
             history.append(i * 0.001, row);
         }
         for (const double span : {4.0, 0.05}) {  // through columns of many samples, and through single ones
-            CurveItem curve(0, nullptr);
-            curve.setPen(QPen(Qt::red, 2));
+            std::vector<std::unique_ptr<Curve>> curves;
+            curves.push_back(std::make_unique<Curve>(0));
+            curves[0]->setPen(QPen(Qt::red, 2));
+            CurveSheet sheet(curves, nullptr);
             ColumnGrid grid;
             const double t0 = 2.0 - span / 2;
             history.cut(t0, span / 200, 200, grid);
-            curve.sample(history, grid);
-            curve.setView(QRectF(0, 0, 200, 100), t0, t0 + span, 0, 10);
+            curves[0]->sample(history, 0, grid);
+            sheet.setView(QRectF(0, 0, 200, 100), t0, t0 + span, 0, 10);
             QImage image(200, 100, QImage::Format_ARGB32_Premultiplied);
             image.fill(Qt::white);
             QPainter painter(&image);
-            curve.paint(&painter, nullptr, nullptr);
+            sheet.paint(&painter, nullptr, nullptr);
             painter.end();
             const auto red = [&](int x, int y) { return QColor(image.pixel(x, y)).green() < 60; };
             QVERIFY(red(50, 80));
@@ -498,7 +560,7 @@ private Q_SLOTS:
         }
         const QByteArray svg = bytesOf("a.svg");
         QVERIFY(svg.contains("<svg"));
-        QVERIFY(svg.contains("TCP force and joint currents"));
+        QVERIFY(svg.contains("Force at the TCP, Joint currents"));
         QVERIFY(svg.contains("controller time"));
         QVERIFY(svg.contains("Fz"));
         for (const char* unit : {" N", " A", " s"}) {
@@ -592,6 +654,484 @@ private Q_SLOTS:
         find("plots.record.signals")->trigger();
         find("plots.record.pattern")->trigger();
         QCOMPARE(wanted.count(), 2);
+    }
+
+    // ---- signals
+    void aDoubleClickInTheListPutsTheSignalOntoThePlot() {
+        Bench b;
+        auto* key = b.button("plots.signals");
+        auto* tree = b.dock.findChild<QTreeView*>("signals.tree");
+        QVERIFY(!tree->isVisible());
+        QTest::mouseClick(key, Qt::LeftButton);
+        QVERIFY(tree->isVisible() && key->isChecked());
+        b.list("torque tcp");
+        const QModelIndex family = b.rowOf("Torque at the TCP [Nm]");
+        QVERIFY(family.isValid());
+        tree->scrollTo(family);
+        const QPoint place = tree->visualRect(family).center();
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, place);
+        QTest::mouseDClick(tree->viewport(), Qt::LeftButton, {}, place);
+        QVERIFY(b.forces().shows(b.id("actual_TCP_force_0")));
+        for (const char* torque : {"actual_TCP_force_3", "actual_TCP_force_4", "actual_TCP_force_5"}) {
+            QVERIFY2(b.forces().shows(b.id(torque)), torque);
+        }
+        // And by the keyboard alone.
+        b.list("joint positions shoulder");
+        const QModelIndex shoulder = b.rowOf("Shoulder");
+        QVERIFY(shoulder.isValid());
+        tree->setCurrentIndex(shoulder);
+        tree->setFocus();
+        QTest::keyClick(tree, Qt::Key_Return);
+        QVERIFY(b.forces().shows(b.id("actual_q_1")));
+        QVERIFY(!b.curve(b.id("actual_q_1")).range().isEmpty());
+        QVERIFY2(b.forces().unit().isEmpty(), "newtons and radians");
+    }
+
+    void theListFindsWordsInAnyOrderAndSaysWhenThereIsNone() {
+        Bench b;
+        b.dock.setSignalsShown(true);
+        b.list("elbow temperatures");
+        QVERIFY(b.rowOf("Elbow").isValid());
+        QVERIFY(!b.rowOf("Force at the TCP [N]").isValid());
+        b.list("tcp_force_scalar");
+        QVERIFY(b.rowOf("Force at the TCP, norm [N]").isValid());
+        b.list("qqxyz");
+        QVERIFY(b.dock.findChild<QWidget*>("signals.nothingFound")->isVisible());
+        b.list("");
+        QVERIFY(b.rowOf("Force at the TCP [N]").isValid());
+        QVERIFY(!b.dock.findChild<QWidget*>("signals.nothingFound")->isVisible());
+    }
+
+    void whereASignalIsDroppedDecidesWhereItGoes_data() {
+        QTest::addColumn<double>("along");
+        QTest::addColumn<double>("down");
+        QTest::addColumn<int>("panes");
+        QTest::addColumn<int>("at");
+        QTest::addColumn<int>("column");
+        QTest::newRow("into the plot") << 0.5 << 0.5 << 2 << 0 << 0;
+        QTest::newRow("below it") << 0.5 << 0.95 << 3 << 1 << 0;
+        QTest::newRow("above it") << 0.5 << 0.05 << 3 << 0 << 0;
+        QTest::newRow("beside it") << 0.97 << 0.5 << 3 << 2 << 1;
+    }
+    void whereASignalIsDroppedDecidesWhereItGoes() {
+        QFETCH(double, along);
+        QFETCH(double, down);
+        QFETCH(int, panes);
+        QFETCH(int, at);
+        QFETCH(int, column);
+        Bench b;
+        const QRectF area = b.forces().area();
+        b.drop({area.left() + along * area.width(), area.top() + down * area.height()}, {"actual_q_1"});
+        QCOMPARE(static_cast<int>(b.view().panes().size()), panes);
+        const PlotPane& pane = *b.view().panes()[static_cast<std::size_t>(at)];
+        QVERIFY(pane.shows(b.id("actual_q_1")));
+        QCOMPARE(pane.column(), column);
+        QVERIFY(!b.curve(b.id("actual_q_1")).range().isEmpty());
+        // Both columns show the same time.
+        const QRectF& there = pane.area();
+        QVERIFY(near(b.view().timeAt(there.left()), b.view().window().start(), 1e-9));
+        QVERIFY(near(b.view().timeAt(there.right() - 1e-6), b.view().window().end(), 0.001));
+        for (const auto& one : b.view().panes()) {
+            for (const auto& other : b.view().panes()) {
+                QVERIFY(one == other || !one->area().intersects(other->area()));
+            }
+        }
+    }
+
+    void bitsAndModesBecomeLanes() {
+        Bench b;
+        b.drop(b.forces().area().center(), {"actual_digital_input_bits.3", "robot_mode"});
+        QCOMPARE(b.view().panes().size(), std::size_t{2});
+        const LaneItem* input = b.view().signalLane(b.id("actual_digital_input_bits.3"));
+        QVERIFY(input != nullptr);
+        QCOMPARE(input->segments().size(), std::size_t{3});
+        QVERIFY(input->segments()[1].kind == LaneKind::High);
+        QVERIFY(near(input->segments()[1].start, 40, 0.05));
+        QVERIFY(near(input->segments()[1].end, 50, 0.05));
+        const LaneItem* mode = b.view().signalLane(b.id("robot_mode"));
+        QCOMPARE(mode->segments().front().label, b.dock.store().info(b.id("robot_mode")).stateName(7));
+        QVERIFY(mode->area().top() > input->area().bottom());
+        // And away again.
+        b.menuAt(input->area().center(), "plots.menu.removeLane");
+        QVERIFY(b.view().signalLane(b.id("actual_digital_input_bits.3")) == nullptr);
+        QVERIFY(b.view().signalLane(b.id("robot_mode")) != nullptr);
+    }
+
+    void theMenuOfAPlotMovesAndTakesAway() {
+        Bench b;
+        b.menuAt(b.forces().area().center(), "plots.menu.move");
+        QCOMPARE(b.view().panes().size(), std::size_t{3});
+        QVERIFY(b.view().panes()[1]->shows(b.id("actual_TCP_force_2")));
+        QVERIFY(!b.forces().shows(b.id("actual_TCP_force_2")));
+        b.menuAt(b.view().panes()[1]->area().center(), "plots.menu.removePane");
+        QCOMPARE(b.view().panes().size(), std::size_t{2});
+        b.menuAt(b.forces().area().center(), "plots.menu.beside");
+        QCOMPARE(b.view().panes().size(), std::size_t{3});
+        QVERIFY(b.view().panes()[2]->shown().empty());
+        QVERIFY(!b.dock.grab().isNull());
+        b.drop(b.view().panes()[2]->area().center(), {"actual_q_1"});
+        QVERIFY(b.view().panes()[2]->shows(b.id("actual_q_1")));
+        QTest::keyClick(&b.view(), Qt::Key_Delete, Qt::ControlModifier);
+        QVERIFY(b.view().panes()[2]->shown().empty());
+    }
+
+    void pagesShowTheSameTimeAndCursors() {
+        Bench b;
+        b.view().pause();
+        b.view().setSpan(7);
+        b.view().setCursor(PlotView::Cursor::A, 55.0);
+        PlotView* first = &b.view();
+        auto* menu = b.button("plots.layout")->menu();
+        const auto run = [menu](const char* name) {
+            Q_EMIT menu->aboutToShow();
+            menu->findChild<QAction*>(QLatin1String(name), Qt::FindDirectChildrenOnly)->trigger();
+        };
+        auto* tabs = b.dock.findChild<QTabBar*>("plots.pages");
+        QVERIFY(!tabs->isVisible());
+        run("plots.layout.addPage");
+        QVERIFY(tabs->isVisible());
+        QVERIFY(&b.view() != first);
+        QCOMPARE(b.view().window().span(), 7.0);
+        QCOMPARE(b.view().cursor(PlotView::Cursor::A).value(), 55.0);
+        b.drop(b.view().panes()[0]->area().center(), {"actual_q_1", "robot_mode"});
+        b.view().setCursor(PlotView::Cursor::B, 56.0);
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(0).center());
+        QVERIFY(&b.view() == first);
+        QCOMPARE(b.view().cursor(PlotView::Cursor::B).value(), 56.0);
+        // Written down and read again: the same plots.
+        const QByteArray kept = b.dock.arrangement();
+        PlotDock another(b.session);
+        another.arrange(kept);
+        QCOMPARE(another.arrangement(), kept);
+        QCOMPARE(another.pages().count(), 2);
+        another.arrange("what is this");
+        QCOMPARE(another.arrangement(), kept);
+        QTemporaryDir folder;
+        QVERIFY(b.dock.saveArrangement(folder.filePath("mine.json")).ok());
+        run("plots.layout.standard");
+        QCOMPARE(b.dock.pages().count(), 1);
+        QVERIFY(b.dock.openArrangement(folder.filePath("mine.json")).ok());
+        QCOMPARE(b.dock.arrangement(), kept);
+        QVERIFY(!b.dock.openArrangement(folder.filePath("none.json")).ok());
+        run("plots.layout.removePage");
+        QCOMPARE(b.dock.pages().count(), 1);
+        QVERIFY(b.view().panes()[0]->shows(b.id("actual_q_1")));
+    }
+
+    void signalsThatDoNotComeAnywayAreAskedFor() {
+        Bench b;
+        QSignalSpy asked(&b.dock.store(), &SignalStore::furtherFieldsChanged);
+        b.drop(b.forces().area().center(), {"tcp_force_scalar"});
+        QCOMPARE(asked.count(), 1);
+        test::SampleStream further;
+        further.layout = std::make_shared<const receive::SampleLayout>(
+            std::vector<std::string>{"timestamp", "tcp_force_scalar"});
+        for (int i = 0; i < 500; ++i) {
+            further.set(further.add(59 + i * 0.002, static_cast<std::uint64_t>(i) + 1), "tcp_force_scalar",
+                        33);
+        }
+        further.frame([&b](const SampleBatch& batch) { Q_EMIT b.session.furtherSamplesReceived(batch); });
+        b.runTo(61);
+        QVERIFY((b.curve(b.id("tcp_force_scalar")).range() == MinMax{33, 33}));
+        QTest::keyClick(&b.view(), Qt::Key_Delete, Qt::ControlModifier);
+        QCOMPARE(asked.last()[0].toStringList(), QStringList());
+    }
+
+    // ---- cost
+    void aViewThatMovesOnPaintsItsNewColumnsOnly() {
+        Bench b;
+        const int columns = static_cast<int>(b.forces().curves()[0]->columns().size());
+        QVERIFY(columns > 1000);
+        for (int frame = 1; frame <= 20; ++frame) {
+            b.runTo(60 + frame * 0.1);  // nearly five columns each
+            // Fz grows: now and then the scale is another one, and all is painted.
+            const int painted = b.forces().sheet().columnsPainted();
+            QVERIFY2(painted <= 12 || painted == columns, qPrintable(QString::number(painted)));
+            const int below = b.view().panes()[1]->sheet().columnsPainted();
+            QVERIFY2(below > 0 && below <= 12, qPrintable(QString::number(below)));
+        }
+        // What was kept is what would have been painted.
+        for (const auto& pane : b.view().panes()) {
+            pane->holdValues(-20, 80);
+        }
+        b.runTo(62.5);
+        b.runTo(63);
+        const QImage kept = b.view().grab().toImage();
+        b.view().setHidden(b.id("actual_current_1"), true);
+        b.view().setHidden(b.id("actual_current_1"), false);
+        QCOMPARE(b.view().panes()[1]->sheet().columnsPainted(), columns);
+        const QImage anew = b.view().grab().toImage();
+        QCOMPARE(kept, anew);
+    }
+
+    void nothingIsDrawnWhileNobodySeesIt() {
+        Bench b;
+        b.dock.hide();
+        const std::int64_t shown = b.view().panes()[0]->curves()[0]->raster();
+        b.runTo(70);
+        QCOMPARE(b.view().panes()[0]->curves()[0]->raster(), shown);
+        b.dock.show();
+        QVERIFY(b.view().panes()[0]->curves()[0]->raster() > shown);
+    }
+
+    // ---- figures, notes, alarms
+    void theTableTellsWhatLiesBetweenTheCursors() {
+        Bench b;
+        b.view().pause();
+        QTest::mouseClick(b.button("plots.valuesKey"), Qt::LeftButton);
+        auto* table = b.dock.findChild<QTableWidget*>("plots.values.table");
+        QVERIFY(table->isVisible());
+        b.view().setCursor(PlotView::Cursor::A, 40.0);
+        b.view().setCursor(PlotView::Cursor::B, 50.0);
+        const auto cell = [&](const QString& column) {
+            for (int c = 0; c < table->columnCount(); ++c) {
+                if (table->horizontalHeaderItem(c)->text() == column && table->rowCount() > 2) {
+                    return table->item(2, c)->text();  // Fz, which is the time
+                }
+            }
+            return QString();
+        };
+        QTRY_COMPARE(cell("B − A"), QString("10.0"));
+        QCOMPARE(cell("Min"), QString("40.0"));
+        QCOMPARE(cell("Max"), QString("50.0"));
+        QCOMPARE(cell("Mean"), QString("45.00"));
+        QCOMPARE(cell("Peak to peak"), QString("10.0"));
+        QCOMPARE(cell("Slope per s"), QString("1.00"));
+        QCOMPARE(cell("Std"), QString("2.887"));  // 10 / sqrt(12)
+        QCOMPARE(cell("RMS"), QString("45.09"));
+        QVERIFY(b.dock.findChild<QLabel*>("plots.values.between")->text().contains("10.0000 s"));
+        QVERIFY(b.dock.findChild<QLabel*>("plots.values.between")->text().contains("0.100 Hz"));
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+        QVERIFY(QApplication::clipboard()->text().contains("Fz [N]\t40.0\t50.0\t10.0"));
+    }
+
+    void aNoteIsWrittenWithNAndStandsAtItsMoment() {
+        Bench b;
+        b.view().pause();
+        b.view().setCursor(PlotView::Cursor::A, 45.0);
+        QSignalSpy messages(&b.session, &RobotSession::message);
+        QTimer::singleShot(0, &b.dock, [] {
+            QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+            QTest::keyClicks(QApplication::activeModalWidget()->findChild<QLineEdit*>(), "here it slipped");
+            QTest::keyClick(QApplication::activeModalWidget()->findChild<QLineEdit*>(), Qt::Key_Return);
+        });
+        const QImage before = b.view().grab().toImage();
+        QTest::keyClick(&b.view(), Qt::Key_N);
+        QCOMPARE(b.dock.marks().marks().size(), std::size_t{1});
+        QCOMPARE(b.dock.marks().marks()[0].text, QString("here it slipped"));
+        QCOMPARE(b.dock.marks().marks()[0].time, 45.0);
+        QVERIFY(messages.last().at(1).toString().contains("here it slipped"));
+        QVERIFY(b.view().grab().toImage() != before);
+    }
+
+    void aThresholdAlarmsOncePerExcursion() {
+        Bench b;
+        const double limit = 65;
+        b.dock.marks().add({"actual_TCP_force_2", limit, true});
+        b.dock.marks().add({"actual_current_0", 0.5, false});
+        QSignalSpy messages(&b.session, &RobotSession::message);
+        b.runTo(64.9);
+        QCOMPARE(messages.count(), 0);
+        b.runTo(66);
+        b.runTo(67);
+        QCOMPARE(messages.count(), 1);
+        QVERIFY(messages.last().at(1).toString().contains("Fz above 65.0 N"));
+        QCOMPARE(b.dock.marks().marks().size(), std::size_t{1});
+        QVERIFY(near(b.dock.marks().marks()[0].time, 65.002, 0.0021));
+        // It is kept with the plots, and taken away in their menu.
+        PlotDock another(b.session);
+        another.arrange(b.dock.arrangement());
+        QCOMPARE(another.marks().thresholds(), b.dock.marks().thresholds());
+        b.menuAt(b.forces().area().center(), "plots.menu.noAlarm");
+        QCOMPARE(b.dock.marks().thresholds().size(), 1);
+        b.menuAt(b.forces().area().center(), "plots.menu.alarmAbove");
+        QCOMPARE(b.dock.marks().thresholds().size(), 2);
+        QVERIFY(near(b.dock.marks().thresholds()[1].limit, b.forces().valueAt(b.forces().area().center().y()),
+                     0.5));
+    }
+
+    // ---- derived
+    void theMenuDerivesSignals() {
+        Bench b;
+        b.menuAt(b.forces().area().center(), "plots.menu.norm");
+        QCOMPARE(b.forces().shown().size(), std::size_t{4});
+        const int norm = b.forces().shown().back();
+        QVERIFY(near(b.dock.store().valueAt(norm, 50).value(), 50, 1e-3));  // of the past too
+        b.view().setReadoutSignal(b.id("actual_TCP_force_2"));
+        b.menuAt(b.forces().area().center(), "plots.menu.derivative");
+        QCOMPARE(b.view().panes().size(), std::size_t{3});
+        const int slope = b.view().panes()[1]->shown().front();
+        QVERIFY(near(b.dock.store().valueAt(slope, 50).value(), 1, 1e-2));
+        b.runTo(62);
+        QVERIFY(near(b.dock.store().valueAt(slope, 61.5).value(), 1, 1e-2));
+        QVERIFY(near(b.dock.store().valueAt(norm, 61.5).value(), 61.5, 1e-3));
+        // Kept with the arrangement.
+        PlotDock another(b.session);
+        another.arrange(b.dock.arrangement());
+        QCOMPARE(another.arrangement(), b.dock.arrangement());
+    }
+
+    void anExpressionIsTypedUnderTheList() {
+        Bench b;
+        b.dock.setSignalsShown(true);
+        auto* line = b.dock.findChild<QLineEdit*>("signals.derivation");
+        auto* problem = b.dock.findChild<QLabel*>("signals.derivation.problem");
+        line->setFocus();
+        QTest::keyClicks(line, "Twice [N] = 2 * actual_TCP_force_9");
+        QTest::keyClick(line, Qt::Key_Return);
+        QVERIFY(problem->isVisible() && problem->text().contains("actual_TCP_force_9"));
+        QTest::keyClick(line, Qt::Key_Backspace);
+        QVERIFY(!problem->isVisible());
+        QTest::keyClicks(line, "2");
+        QTest::keyClick(line, Qt::Key_Return);
+        QVERIFY(!problem->isVisible() && line->text().isEmpty());
+        const int twice = b.forces().shown().back();
+        QCOMPARE(b.dock.store().info(twice).longLabel, QString("Twice"));
+        QVERIFY(near(b.dock.store().valueAt(twice, 50).value(), 100, 1e-3));
+        b.list("twice");
+        QVERIFY(b.rowOf("Twice [N]").isValid());
+    }
+
+    // ---- recordings
+    void aRecordingIsOpenedBesideWhatIsLive() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("yesterday.csv");
+        {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("timestamp,actual_TCP_force_2,actual_digital_input_bits,mine,packages_lost\n");
+            for (int i = 0; i < 5000; ++i) {
+                const double time = 700 + i * 0.002 + (i >= 4000 ? 2 : 0);
+                file.write(QByteArray::number(time, 'f', 4) + ',' + QByteArray::number(i * 0.01) + ',' +
+                           (i < 2500 ? "0" : "8") + ",7," + (i == 4000 ? "1000" : "0") + '\n');
+            }
+        }
+        QSignalSpy messages(&b.session, &RobotSession::message);
+        b.dock.openRecording(path);
+        QTRY_COMPARE(b.dock.pages().count(), 2);
+        QVERIFY2(messages.last().at(1).toString().contains("yesterday.csv"),
+                 qPrintable(messages.last().at(1).toString()));
+        SignalStore& store = b.dock.store();
+        const int force = store.find("yesterday.csv/actual_TCP_force_2");
+        QVERIFY(force >= 0 && b.view().panes()[0]->shows(force));
+        QCOMPARE(store.info(force).longLabel, QString("Fz"));
+        // It ends where the history does, and is shown whole.
+        const double end = b.dock.history().lastTime();
+        QVERIFY(near(b.view().window().end(), end, 0.01));
+        QVERIFY(near(b.view().window().span(), 11.998, 0.01));
+        QVERIFY(near(store.valueAt(force, end).value(), 49.99, 1e-3));
+        QVERIFY2(!store.valueAt(force, end - 3).has_value(), "a gap of two seconds");
+        QVERIFY(!b.curve(force).range().isEmpty());
+        // Beside it, on the same axes, what is live; and its bits as lanes.
+        b.drop(b.view().panes()[0]->area().center(),
+               {"actual_TCP_force_2", "yesterday.csv/actual_digital_input_bits.3", "yesterday.csv/mine"});
+        QVERIFY(b.view().panes()[0]->shows(b.id("actual_TCP_force_2")));
+        QVERIFY(b.view().panes()[0]->shows(store.find("yesterday.csv/mine")));
+        const LaneItem* lane = b.view().signalLane(store.find("yesterday.csv/actual_digital_input_bits.3"));
+        QVERIFY(lane != nullptr && lane->segments().size() >= 2);
+        QVERIFY(store.furtherFields().isEmpty());
+        b.dock.setSignalsShown(true);
+        b.list("yesterday");
+        QVERIFY(b.rowOf("yesterday.csv").isValid());
+        // Once more, beginning at the cursor A.
+        b.view().setCursor(PlotView::Cursor::A, 50.0);
+        b.dock.openRecording(path);
+        QTRY_COMPARE(b.dock.pages().count(), 3);
+        QVERIFY(near(store.valueAt(store.find("yesterday.csv (2)/actual_TCP_force_2"), 51).value(), 5, 0.02));
+        // And away with them; what is live stays, and data go on.
+        b.dock.closeRecordings();
+        QCOMPARE(store.find("yesterday.csv/actual_TCP_force_2"), -1);
+        b.dock.pages().setCurrent(1);
+        QVERIFY(b.view().panes()[0]->shows(b.id("actual_TCP_force_2")));
+        b.view().follow();
+        b.runTo(61);
+        QVERIFY(near(b.view().window().end(), 61, 0.003));
+    }
+
+    void aRecordingWithoutARobotIsShownByItself() {
+        RobotSession session;
+        session.shutDown();
+        PlotDock dock(session);
+        dock.resize(1200, 400);
+        dock.show();
+        QTemporaryDir folder;
+        QFile file(folder.filePath("other;tool.csv"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("time;pressure\n0;1\n1;4\n2;2\n");
+        file.close();
+        dock.openRecording(file.fileName());
+        QTRY_COMPARE(dock.pages().count(), 2);
+        const int pressure = dock.store().find("other;tool.csv/pressure");
+        QVERIFY(dock.view().panes()[0]->shows(pressure));
+        QCOMPARE(dock.store().valueAt(pressure, 1.5).value(), 4.0);
+        QCOMPARE(dock.view().window().start(), 0.0);
+        QVERIFY(dock.view().panes()[0]->curves()[0]->range() == (MinMax{1, 4}));
+        // Kept for the next start without it: it is gone by then.
+        PlotDock next(session);
+        next.arrange(dock.arrangement());
+        QCOMPARE(next.pages().count(), 2);
+        QVERIFY(!next.grab().isNull());
+    }
+
+    void whatIsNoRecordingIsSaidAndChangesNothing() {
+        Bench b;
+        QTemporaryDir folder;
+        QSignalSpy messages(&b.session, &RobotSession::message);
+        b.dock.openRecording(folder.filePath("none.mcap"));
+        QTRY_COMPARE(messages.count(), 1);
+        QFile file(folder.filePath("picture.mcap"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray(3000, '\x89'));
+        file.close();
+        b.dock.openRecording(file.fileName());
+        QTRY_COMPARE(messages.count(), 2);
+        for (const auto& message : messages) {
+            QVERIFY(message.at(0).value<Severity>() == Severity::Error);
+        }
+        QCOMPARE(b.dock.pages().count(), 1);
+    }
+
+    void thePicturesGoToTheClipboard() {
+        Bench b;
+        QApplication::clipboard()->clear();
+        auto* menu = b.button("plots.layout")->menu();
+        Q_EMIT menu->aboutToShow();
+        menu->findChild<QAction*>("plots.layout.copy", Qt::FindDirectChildrenOnly)->trigger();
+        QVERIFY(QApplication::clipboard()->image().width() > 500);
+    }
+
+    // ---- mouse and keys as elsewhere
+    void theMiddleButtonPansAndShiftFramesAndADoubleClickShowsAll() {
+        Bench b;
+        QWidget* viewport = b.view().viewport();
+        QTest::mousePress(viewport, Qt::MiddleButton, {}, b.at(50));
+        QTest::mouseMove(viewport, b.at(50) + QPoint(200, 0));
+        QTest::mouseRelease(viewport, Qt::MiddleButton, {}, b.at(50) + QPoint(200, 0));
+        QVERIFY(!b.view().window().follows());
+        QVERIFY(b.view().window().end() < 57);
+        QVERIFY(!b.view().cursor(PlotView::Cursor::A));
+
+        const QRectF area = b.forces().area();
+        const QPoint from(static_cast<int>(area.left()) + 200, static_cast<int>(area.top()) + 20);
+        const QPoint to = from + QPoint(300, 60);
+        const double t0 = b.view().timeAt(from.x());
+        const double t1 = b.view().timeAt(to.x());
+        const double high = b.forces().valueAt(from.y());
+        QTest::mousePress(viewport, Qt::LeftButton, Qt::ShiftModifier, from);
+        QTest::mouseMove(viewport, from + QPoint(50, 20));
+        QTest::mouseMove(viewport, to);
+        QTest::mouseRelease(viewport, Qt::LeftButton, Qt::ShiftModifier, to);
+        QVERIFY(near(b.view().window().start(), t0, 1e-6) && near(b.view().window().end(), t1, 1e-6));
+        QVERIFY(b.forces().isZoomed());
+        QVERIFY(near(b.forces().range().max(), high, 1e-6));
+
+        QTest::mouseClick(viewport, Qt::LeftButton, {}, from);
+        QTest::mouseDClick(viewport, Qt::LeftButton, {}, from);
+        QVERIFY(!b.forces().isZoomed());
+        QVERIFY(b.view().window().span() > 59.9);
+        QVERIFY2(!b.view().cursor(PlotView::Cursor::A), "its first click placed no cursor");
     }
 
     void bothSchemesDrawWithoutAWarning() {

@@ -2,12 +2,14 @@
 //
 // The parts of the plots that need no window: time window, scale, lane, feed, CSV.
 #include <QFile>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <utility>
 
 #include "robot/core/clock.h"
@@ -16,6 +18,8 @@
 #include "widgets/plots/lane_text.h"
 #include "widgets/plots/plot_export.h"
 #include "widgets/plots/plot_feed.h"
+#include "widgets/plots/plot_layout.h"
+#include "widgets/plots/signal_lane.h"
 #include "widgets/plots/state_lane.h"
 #include "widgets/plots/time_window.h"
 
@@ -24,8 +28,9 @@ using namespace tiller;
 namespace {
 
 struct Fed {
-    SeriesBuffer history{kPlotSignalCount, 4096};
-    PlotFeed feed{history};
+    SignalStore store;
+    const SeriesBuffer& history = store.live();
+    PlotFeed feed{store};
     test::SampleStream stream;
 
     void add(double time, std::uint64_t sequence, double fz = 0) {
@@ -248,7 +253,7 @@ private Q_SLOTS:
         }
         QCOMPARE(f.frame(), 10);
         QCOMPARE(f.history.end(), std::int64_t{10});
-        QCOMPARE(f.history.value(2, 9), 9.0F);
+        QCOMPARE(f.store.value(f.store.find("actual_TCP_force_2"), 9), 9.0);
         QCOMPARE(f.feed.gaps(), std::uint64_t{0});
         QCOMPARE(f.frame(), 0);
     }
@@ -256,7 +261,7 @@ private Q_SLOTS:
         Fed f;
         f.add(5, 1);
         f.frame();
-        QVERIFY(std::isnan(f.history.value(static_cast<int>(PlotSignal::CurrentBase), 0)));
+        QVERIFY(std::isnan(f.store.value(f.store.find("actual_current_0"), 0)));
     }
     void aRingThatRanOverIsAGapAndCounted() {
         Fed f;
@@ -339,42 +344,184 @@ private Q_SLOTS:
         QVERIFY(f.feed.takeSilences().empty());
     }
 
+    // ---- what was asked for besides
+    void furtherSignalsStandAtTheSameTimes() {
+        Fed f;
+        const int scalar = f.store.find("tcp_force_scalar");
+        QVERIFY(scalar >= 0 && f.store.buffer(scalar) == nullptr);
+        QSignalSpy asked(&f.store, &SignalStore::furtherFieldsChanged);
+        QVERIFY(f.store.want(this, {scalar}));
+        QCOMPARE(asked.count(), 1);
+        QCOMPARE(asked[0][0].toStringList(), QStringList("tcp_force_scalar"));
+        test::SampleStream further;
+        further.layout = std::make_shared<const receive::SampleLayout>(
+            std::vector<std::string>{"timestamp", "tcp_force_scalar"});
+        const auto frame = [&](int from, int to, double start) {
+            for (int i = from; i < to; ++i) {
+                const double time = start + i * 0.002;
+                f.add(time, static_cast<std::uint64_t>(i) + 1);
+                further.set(further.add(time, static_cast<std::uint64_t>(i) + 1), "tcp_force_scalar", i);
+            }
+            f.frame();
+            further.frame([&](const SampleBatch& batch) { return f.feed.takeFurther(batch); });
+        };
+        frame(0, 50, 100);
+        QCOMPARE(f.store.valueAt(scalar, 100.02).value(), 10.0);
+        QCOMPARE(f.store.valueAt(scalar, 100.0215).value(), 10.0);  // the one before holds
+        // The controller begins its time anew: they stay together.
+        f.feed.beginLink();
+        frame(0, 50, 3);
+        const double shown = f.feed.plotTime(3 + 49 * 0.002);
+        QCOMPARE(f.store.valueAt(scalar, shown).value(), 49.0);
+        QVERIFY(!f.store.valueAt(scalar, 100.15).has_value());
+        // Nobody wants it any more.
+        QVERIFY(f.store.want(this, {}));
+        QCOMPARE(asked.last()[0].toStringList(), QStringList());
+        QCOMPARE(f.store.valueAt(scalar, shown).value(), 49.0);
+    }
+
+    // ---- lanes of signals
+    void aBitIsALaneAndNoChangeIsLost() {
+        SignalStore store;
+        const int bit = store.find("actual_digital_input_bits.3");
+        QVERIFY(bit >= 0 && store.info(bit).isState());
+        const auto column = static_cast<std::size_t>(store.column(bit));
+        const auto valueAt = [](int i) {
+            const double other = (i / 7) % 2 == 0 ? 1.0 : 0.0;  // another bit
+            const bool on = (i >= 20'000 && i < 30'000) || i == 40'000;
+            return other + (on ? 8 : 0);
+        };
+        std::vector<SeriesBuffer::Row> rows;
+        for (int i = 0; i < 50'000; ++i) {
+            rows.push_back({i * 0.002, false});
+        }
+        store.appendLive(rows, [&](std::size_t c, std::size_t row) {
+            return c == column ? valueAt(static_cast<int>(row)) : 0.0;
+        });
+        ColumnGrid grid;
+        store.live().cut(0, 0.1, 1000, grid);
+        const auto segments = signalSegments(store, bit, grid);
+        QCOMPARE(segments.size(), std::size_t{5});
+        QVERIFY(segments[0].kind == LaneKind::Low);
+        QVERIFY(segments[1].kind == LaneKind::High);
+        QCOMPARE(segments[1].label, QString("on"));
+        QVERIFY(std::abs(segments[1].start - 40.0) < 0.11 && std::abs(segments[1].end - 60.0) < 0.11);
+        QVERIFY2(segments[3].kind == LaneKind::Varied, "on for one sample");
+        QVERIFY(std::abs(segments[3].start - 80.0) < 0.11);
+        const auto changes = store.changes(bit, 0, store.live().end());
+        QCOMPARE(changes, (std::vector<std::int64_t>{20'000, 30'000, 40'000, 40'001}));
+    }
+    void aModeIsALaneOfItsWords() {
+        SignalStore store;
+        const int mode = store.find("robot_mode");
+        const auto column = static_cast<std::size_t>(store.column(mode));
+        std::vector<SeriesBuffer::Row> rows;
+        for (int i = 0; i < 1000; ++i) {
+            rows.push_back({i * 0.002, false});
+        }
+        store.appendLive(rows, [&](std::size_t c, std::size_t row) {
+            return c == column ? (row < 500 ? 5.0 : 7.0) : 0.0;
+        });
+        ColumnGrid grid;
+        store.live().cut(0, 0.0005, 4000, grid);  // finer than the samples
+        const auto segments = signalSegments(store, mode, grid);
+        QVERIFY(segments.size() >= 2);
+        QCOMPARE(segments[0].label, store.info(mode).stateName(5));
+        QCOMPARE(segments[1].label, store.info(mode).stateName(7));
+        QVERIFY(segments[0].label != segments[1].label);
+        QVERIFY(std::abs(segments[1].start - 1.0) < 0.001);
+        QVERIFY2(segments.back().kind == LaneKind::NoData, "behind the newest sample");
+    }
+
+    // ---- arrangement
+    void anArrangementIsReadAsItWasWritten() {
+        PlotLayout layout;
+        layout.pages = {PageLayout::standard(),
+                        {"Mine",
+                         {{{"actual_q_0", "actual_qd_0"}, {"actual_qd_0"}, 0, 2}, {{}, {}, 1, 1}},
+                         {"robot_mode"}}};
+        layout.current = 1;
+        layout.span = 120;
+        const auto read = PlotLayout::fromJson(layout.toJson());
+        QVERIFY(read.ok());
+        QVERIFY(*read == layout);
+    }
+    void whatIsNoArrangementIsRefusedAndWhatIsTooMuchCut() {
+        for (const char* bad : {"", "{", "[]", "{}", "{\"pages\":[]}", "7"}) {
+            QCOMPARE(PlotLayout::fromJson(bad).error().code, ErrorCode::FileCorrupt);
+        }
+        QByteArray many = "{\"pages\":[";
+        for (int i = 0; i < 40; ++i) {
+            many += (i == 0 ? "" : ",") + QByteArray(
+                                              "{\"plots\":[{\"signals\":[\"x\",\"x\",3,null],\"column\":99,"
+                                              "\"share\":-4}],\"lanes\":7}");
+        }
+        many += "],\"current\":1e300,\"span\":-1}";
+        const auto read = PlotLayout::fromJson(many);
+        QVERIFY(read.ok());
+        QCOMPARE(read->pages.size(), PlotLayout::kMostPages);
+        QCOMPARE(read->current, PlotLayout::kMostPages - 1);
+        QCOMPARE(read->pages[0].panes[0].shown, QStringList("x"));
+        QCOMPARE(read->pages[0].panes[0].column, PlotLayout::kMostColumns - 1);
+        QVERIFY(read->pages[0].panes[0].share > 0 && read->span > 0);
+        // Whatever is done to the text: an arrangement or an error.
+        PlotLayout good;
+        good.pages.append({"Mine", {{{"actual_q_0"}, {}, 0, 2}}, {"robot_mode"}});
+        const QByteArray text = good.toJson();
+        std::mt19937 random(1);
+        for (int round = 0; round < 1000; ++round) {
+            QByteArray broken = text;
+            for (int change = 0; change < 3; ++change) {
+                broken[std::uniform_int_distribution<qsizetype>(0, broken.size() - 1)(random)] =
+                    static_cast<char>(random() % 256);
+            }
+            if (const auto result = PlotLayout::fromJson(broken)) {
+                QVERIFY(!result->pages.isEmpty() && result->current < result->pages.size());
+            }
+        }
+    }
+
     // ---- CSV
     void csvHasTheShownSamplesUnderTheirRecordingNames() {
         QTemporaryDir folder;
-        SeriesBuffer history(kPlotSignalCount, 4096);
-        std::array<float, kPlotSignalCount> row{};
+        Fed f;
         for (int i = 0; i < 100; ++i) {
-            row.fill(std::numeric_limits<float>::quiet_NaN());
-            row[2] = static_cast<float>(i) * 0.5F;
-            history.append(10 + i * 0.002, row);
+            f.add(10 + i * 0.002, static_cast<std::uint64_t>(i) + 1, i * 0.5);
+        }
+        f.frame();
+        std::vector<int> shown;
+        for (const char* key :
+             {"actual_TCP_force_0", "actual_TCP_force_1", "actual_TCP_force_2", "actual_current_5"}) {
+            shown.push_back(f.store.find(key));
         }
         const QString path = folder.filePath("range.csv");
-        const auto rows = exportCsv(history, 10.0199, 10.0401, path);
+        const auto rows = exportCsv(f.store, shown, 10.0199, 10.0401, path);
         QVERIFY(rows.ok());
         QCOMPARE(*rows, std::int64_t{11});
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
         QCOMPARE(lines.size(), 12);
-        QVERIFY(lines[0].startsWith("timestamp,actual_TCP_force_0,actual_TCP_force_1,actual_TCP_force_2,"));
-        QVERIFY(lines[0].endsWith(",actual_current_5"));
-        QCOMPARE(lines[1], QByteArray("10.0200,,,5,,,,,,,,,"));
+        QCOMPARE(lines[0],
+                 QByteArray(
+                     "timestamp,actual_TCP_force_0,actual_TCP_force_1,actual_TCP_force_2,actual_current_5"));
+        QCOMPARE(lines[1], QByteArray("10.0200,,,5,"));
         QCOMPARE(lines[11].split(',')[3], QByteArray("10"));
     }
     void csvThatCannotBeWrittenSaysSoAndKeepsTheOldFile() {
-        SeriesBuffer history(kPlotSignalCount, 4096);
+        Fed f;
         QTemporaryDir folder;
         const QString path = folder.filePath("old.csv");
         QFile old(path);
         QVERIFY(old.open(QIODevice::WriteOnly));
         old.write("mine");
         old.close();
-        QCOMPARE(exportCsv(history, 0, 1, path).error().code, ErrorCode::InvalidArgument);
+        QCOMPARE(exportCsv(f.store, {}, 0, 1, path).error().code, ErrorCode::InvalidArgument);
         QVERIFY(old.open(QIODevice::ReadOnly));
         QCOMPARE(old.readAll(), QByteArray("mine"));
-        history.append(0.5, {});
-        const Error error = exportCsv(history, 0, 1, folder.filePath("no/such/folder/x.csv")).error();
+        f.add(0.5, 1);
+        f.frame();
+        const Error error = exportCsv(f.store, {}, 0, 1, folder.filePath("no/such/folder/x.csv")).error();
         QCOMPARE(error.code, ErrorCode::FileNotWritable);
         QVERIFY(!error.controllerMessage.isEmpty());
     }

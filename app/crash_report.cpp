@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/crash_report.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "tiller_version.h"
+
+#if __has_include(<execinfo.h>)
+#define TILLER_HAS_BACKTRACE
+#include <execinfo.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstring>
+#endif
+
+namespace tiller::app {
+namespace {
+
+/// A report is a few kilobytes: what is larger was written by something else.
+constexpr qint64 kLargestReport = 1'000'000;
+
+}  // namespace
+
+QString crashReportPath() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
+        .filePath(QStringLiteral("crash-report.txt"));
+}
+
+QByteArray readCrashReport(const QString& path) {
+    QFile file(path);
+    if (file.size() > kLargestReport || !file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    return file.readAll();
+}
+
+#ifdef TILLER_HAS_BACKTRACE
+namespace {
+
+constexpr std::size_t kLines = 40;
+constexpr std::size_t kLineLength = 240;
+constexpr int kCalls = 64;
+constexpr std::size_t kStack = 64 * 1024;
+constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+
+/// Everything the handler reads, put here before: it may neither allocate nor lock.
+struct CrashNotes {
+    std::array<char, 4096> path{};
+    std::array<std::array<char, kLineLength>, kLines> lines{};
+    volatile std::sig_atomic_t next = 0;  ///< counts all lines; the ring's place is its remainder
+    std::array<char, kStack> stack{};     ///< the handler's own: the other one may be what ran over
+};
+CrashNotes crashNotes;
+
+void put(int file, const char* text) {
+    std::size_t rest = std::strlen(text);
+    while (rest > 0) {
+        const ssize_t written = ::write(file, text, rest);
+        if (written <= 0) {
+            return;
+        }
+        text += written;
+        rest -= static_cast<std::size_t>(written);
+    }
+}
+
+const char* nameOf(int signal) {
+    switch (signal) {
+        case SIGSEGV:
+            return "SIGSEGV (memory that is not there)";
+        case SIGBUS:
+            return "SIGBUS (memory that cannot be read)";
+        case SIGFPE:
+            return "SIGFPE (a division by zero)";
+        case SIGILL:
+            return "SIGILL (an instruction this processor does not know)";
+        case SIGABRT:
+            return "SIGABRT (ended by the program itself)";
+        default:
+            return "a signal";
+    }
+}
+
+extern "C" void writeCrashReport(int signal) {
+    const int file = ::open(crashNotes.path.data(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    if (file >= 0) {
+        put(file, "Tiller " TILLER_VERSION " was ended by ");
+        put(file, nameOf(signal));
+        put(file, "\n\nCalls, the last first:\n");
+        std::array<void*, kCalls> calls{};
+        ::backtrace_symbols_fd(calls.data(), ::backtrace(calls.data(), kCalls), file);
+        put(file, "\nLast lines of the log:\n");
+        const auto next = static_cast<std::size_t>(crashNotes.next);
+        for (std::size_t i = next - std::min(next, kLines); i < next; ++i) {
+            put(file, crashNotes.lines[i % kLines].data());
+            put(file, "\n");
+        }
+        ::close(file);
+    }
+    // SA_RESETHAND has put the system's own answer back: the process ends as it would have.
+    ::raise(signal);
+}
+
+}  // namespace
+
+void keepCrashReports(const QString& path) {
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    const QByteArray bytes = QFile::encodeName(path);
+    if (static_cast<std::size_t>(bytes.size()) >= crashNotes.path.size()) {
+        return;
+    }
+    std::copy(bytes.begin(), bytes.end(), crashNotes.path.begin());
+    // The first call loads a library, which the handler may not.
+    std::array<void*, 1> once{};
+    ::backtrace(once.data(), 1);
+
+    stack_t stack{};
+    stack.ss_sp = crashNotes.stack.data();
+    stack.ss_size = crashNotes.stack.size();
+    ::sigaltstack(&stack, nullptr);
+    struct sigaction action {};
+    action.sa_handler = writeCrashReport;
+    action.sa_flags = static_cast<int>(SA_ONSTACK | SA_RESETHAND | SA_NODEFER);
+    for (const int signal : kSignals) {
+        ::sigaction(signal, &action, nullptr);
+    }
+}
+
+void rememberForCrash(const QString& line) {
+    const QByteArray bytes = QString(line).replace(QLatin1Char('\n'), QLatin1Char(' ')).toUtf8();
+    const auto next = static_cast<std::size_t>(crashNotes.next);
+    auto& place = crashNotes.lines[next % kLines];
+    const std::size_t length = std::min(static_cast<std::size_t>(bytes.size()), kLineLength - 1);
+    std::copy_n(bytes.begin(), length, place.begin());
+    place[length] = '\0';
+    crashNotes.next = static_cast<std::sig_atomic_t>(next + 1);
+}
+
+#else
+
+void keepCrashReports(const QString&) {}
+void rememberForCrash(const QString&) {}
+
+#endif
+
+}  // namespace tiller::app

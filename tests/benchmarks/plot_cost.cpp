@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the plots cost with an hour of history: writing every packet into it, and drawing 24 curves, 1920 px wide,
+// while the view follows, pans and zooms. Times are given as processor time and on the wall: the first is ours, the
+// second also tells what else the machine does.
+//
+// plot_cost [--frames N] [--hours H]
+
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "robot/receive/receiver.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/plot_marks.h"
+#include "widgets/plots/plot_pane.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/plots/state_lane.h"
+#include "widgets/signals/signal_store.h"
+
+using namespace tiller;
+
+namespace {
+
+constexpr double kPeriod = 0.002;  // [s]
+constexpr int kCurves = 24;
+constexpr std::int64_t kPacketsPerFrame = 8;
+
+struct Times {
+    std::vector<double> cpu;   // [ms]
+    std::vector<double> wall;  // [ms]
+
+    void measure(const std::function<void()>& work) {
+        timespec from{};
+        timespec to{};
+        const auto begin = std::chrono::steady_clock::now();
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &from);
+        work();
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &to);
+        const auto end = std::chrono::steady_clock::now();
+        cpu.push_back(static_cast<double>(to.tv_sec - from.tv_sec) * 1e3 +
+                      static_cast<double>(to.tv_nsec - from.tv_nsec) / 1e6);
+        wall.push_back(std::chrono::duration<double, std::milli>(end - begin).count());
+    }
+};
+
+double percentile(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return values.empty() ? 0
+                          : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+void print(const char* name, const Times& times, double limit) {
+    const double p99 = percentile(times.cpu, 0.99);
+    std::printf("  %-44s %8.3f %8.3f | %8.3f %8.3f", name, percentile(times.cpu, 0.5), p99,
+                percentile(times.wall, 0.5), percentile(times.wall, 0.99));
+    if (limit > 0) {
+        std::printf("   limit %g ms: %s", limit, p99 <= limit ? "holds" : "EXCEEDED");
+    }
+    std::printf("\n");
+}
+
+/// Slow movement with noise on it, as a robot's signals are.
+double signalAt(std::int64_t sample, std::size_t column) {
+    const double t = static_cast<double>(sample) * kPeriod;
+    const auto noise = static_cast<double>((static_cast<std::uint32_t>(sample) * 2654435761U +
+                                            static_cast<std::uint32_t>(column) * 40503U) >>
+                                           20) /
+                           4096.0 -
+                       0.5;
+    return 8 * std::sin(t * 0.37 + static_cast<double>(column)) + noise;
+}
+
+/// Six curves in each of four plots.
+PageLayout fourPlots() {
+    PageLayout page;
+    for (const char* field : {"actual_q", "actual_qd", "actual_current", "target_q"}) {
+        QStringList keys;
+        for (int i = 0; i < 6; ++i) {
+            keys << QStringLiteral("%1_%2").arg(QLatin1String(field)).arg(i);
+        }
+        page.panes.append({keys, {}, 0, 1});
+    }
+    return page;
+}
+
+/// Every packet, all of its fields, frame by frame.
+Times append(std::int64_t packets) {
+    SignalStore store(HistoryLimits{7200, std::size_t{4} << 30});
+    const std::size_t columns = store.liveColumns().size();
+    std::vector<std::vector<double>> values(kPacketsPerFrame, std::vector<double>(columns));
+    std::array<SeriesBuffer::Row, kPacketsPerFrame> rows{};
+    Times times;
+    for (std::int64_t at = 0; at < packets; at += kPacketsPerFrame) {
+        for (std::int64_t i = 0; i < kPacketsPerFrame; ++i) {
+            rows[static_cast<std::size_t>(i)] = {static_cast<double>(at + i) * kPeriod, false};
+            for (std::size_t c = 0; c < columns; ++c) {
+                values[static_cast<std::size_t>(i)][c] = signalAt(at + i, c);
+            }
+        }
+        times.measure(
+            [&] { store.appendLive(rows, [&](std::size_t c, std::size_t row) { return values[row][c]; }); });
+    }
+    for (auto* list : {&times.cpu, &times.wall}) {
+        for (double& time : *list) {
+            time /= kPacketsPerFrame;
+        }
+    }
+    return times;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    int frames = 300;
+    double hours = 1;
+    for (int i = 1; i + 1 < argc; ++i) {
+        if (std::strcmp(argv[i], "--frames") == 0) {
+            frames = std::max(20, std::atoi(argv[i + 1]));
+        } else if (std::strcmp(argv[i], "--hours") == 0) {
+            hours = std::clamp(std::atof(argv[i + 1]), 0.01, 8.0);
+        }
+    }
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    QApplication application(argc, argv);
+    applyTheme(application, Theme::light());
+
+    const Times appended = append(40'000);
+
+    SignalStore store(HistoryLimits{hours * 3600 + 60, std::size_t{8} << 30});
+    StateLane lane;
+    const PageLayout page = fourPlots();
+    std::vector<int> noisy;
+    for (const PaneLayout& pane : page.panes) {
+        for (const QString& key : pane.shown) {
+            noisy.push_back(store.column(store.find(key)));
+        }
+    }
+    std::vector<std::uint8_t> isNoisy(store.liveColumns().size());
+    for (const int column : noisy) {
+        isNoisy[static_cast<std::size_t>(column)] = 1;
+    }
+    const auto total = static_cast<std::int64_t>(hours * 3600 / kPeriod);
+    const auto grow = [&](std::int64_t from, std::int64_t to) {
+        std::vector<SeriesBuffer::Row> rows;
+        for (std::int64_t i = from; i < to; ++i) {
+            rows.push_back({static_cast<double>(i) * kPeriod, false});
+        }
+        store.appendLive(rows, [&](std::size_t c, std::size_t row) {
+            return isNoisy[c] != 0 ? signalAt(from + static_cast<std::int64_t>(row), c) : 0.0;
+        });
+    };
+    for (std::int64_t at = 0; at < total; at += 100'000) {
+        grow(at, std::min(total, at + 100'000));
+    }
+    SeriesBuffer plain(kCurves, HistoryLimits{hours * 3600 + 60, std::size_t{8} << 30});
+    for (std::int64_t at = 0; at < total; at += 100'000) {
+        std::vector<SeriesBuffer::Row> rows;
+        for (std::int64_t i = at; i < std::min(total, at + 100'000); ++i) {
+            rows.push_back({static_cast<double>(i) * kPeriod, false});
+        }
+        plain.appendRows(rows, [&](std::size_t c, std::size_t row) {
+            return signalAt(at + static_cast<std::int64_t>(row), c);
+        });
+    }
+    const double raw = static_cast<double>(total) * kCurves * sizeof(float);
+    const double ratio = static_cast<double>(plain.memoryBytes()) / raw;
+
+    PlotMarks marks(store);
+    PlotView view(store, lane, marks);
+    view.setPage(page);
+    view.setAttribute(Qt::WA_DontShowOnScreen);
+    view.resize(1920 + 66, 900);
+    view.setVisible(true);
+    QCoreApplication::processEvents();
+    QImage image(view.size(), QImage::Format_RGB32);
+    const auto draw = [&] {
+        QPainter painter(&image);
+        view.render(&painter);
+    };
+
+    std::vector<std::pair<std::string, std::pair<Times, double>>> table;
+    const auto add = [&](const std::string& name, double limit, const std::function<void(int)>& step) {
+        Times times;
+        step(0);
+        draw();
+        for (int i = 1; i <= frames; ++i) {
+            times.measure([&] {
+                step(i);
+                draw();
+            });
+        }
+        table.push_back({name, {times, limit}});
+    };
+    const double all = hours * 3600;
+    // Whatever is painted is painted anew.
+    add("redraw of the whole hour", 8, [&](int i) { view.showRange(0, all - (i % 2) * 1e-3); });
+    view.showRange(0, all - 60);
+    add("pan, whole hour but a minute", 16, [&](int i) { view.scrollBy(i % 2 == 0 ? -11.3 : 17.9); });
+    view.showRange(600, 1200);
+    add("pan, 10 min", 16, [&](int i) { view.scrollBy(i % 2 == 0 ? -2.3 : 3.9); });
+    view.showRange(900, 902);
+    add("pan, 2 s", 16, [&](int i) { view.scrollBy(i % 2 == 0 ? -0.008 : 0.013); });
+    add("redraw of 2 s", 8, [&](int i) { view.showRange(900, 902 - (i % 2) * 1e-5); });
+    add("zoom, from an hour to 20 s", 16, [&](int i) {
+        const double span = all * std::pow(20 / all, static_cast<double>(i) / frames);
+        view.showRange(all / 2 - span / 2, all / 2 + span / 2);
+    });
+    add("zoom, from 20 s to 50 ms", 16, [&](int i) {
+        const double span = 20 * std::pow(0.05 / 20, static_cast<double>(i) / frames);
+        view.showRange(all / 2 - span / 2, all / 2 + span / 2);
+    });
+    view.setSpan(30);
+    view.follow();
+    std::int64_t at = total;
+    add("following, 30 s, 8 packets a frame", 8, [&](int) {
+        grow(at, at + kPacketsPerFrame);
+        at += kPacketsPerFrame;
+        view.refresh(1);
+    });
+
+    std::printf("Plots with %g h at 500 Hz, %d curves in 4 plots, 1920 px wide, %d frames each [ms]\n", hours,
+                kCurves, frames);
+    std::printf("  %-44s %8s %8s | %8s %8s\n", "", "CPU 50%", "CPU 99%", "wall 50%", "wall 99%");
+    for (const auto& [name, row] : table) {
+        print(name.c_str(), row.first, row.second);
+    }
+    std::printf("append a packet of %zu numbers [us]: CPU median %.2f, 99 %% %.2f (limit 5)\n",
+                store.liveColumns().size(), percentile(appended.cpu, 0.5) * 1e3,
+                percentile(appended.cpu, 0.99) * 1e3);
+    std::printf("memory: %.1f MB, %.3f of the raw float32 (limit 1.2)\n",
+                static_cast<double>(plain.memoryBytes()) / 1e6, ratio);
+    const double out = percentile(table[0].second.first.cpu, 0.5);
+    const double in = percentile(table[4].second.first.cpu, 0.5);
+    std::printf("zoomed in to zoomed out (redraw of 2 s, of the hour): %.3f (limit 1)\n", in / out);
+    const bool ok = ratio <= 1.2 && percentile(appended.cpu, 0.5) * 1e3 < 5 && in <= out &&
+                    std::all_of(table.begin(), table.end(), [](const auto& row) {
+                        return percentile(row.second.first.cpu, 0.99) <= row.second.second;
+                    });
+    std::printf("%s\n", ok ? "PASS" : "FAIL");
+    return ok ? 0 : 1;
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// "Go through" held with a real mouse button: everything but plain holding ends it, and nothing but a new press goes on.
+
+#include "tests/desktop/interrupted_hold.h"
+
+namespace tiller::test {
+
+class TestGoThroughByHand : public InterruptedHold {
+    Q_OBJECT
+
+    void hold() override {
+        teach();
+        const Place key = cell().place("waypoint.goThrough");
+        area_ = key.area;
+        hand().moveTo(area_.center());
+        holdBy([&] { hand().button(1, true); }, [&] { letGo(); });
+    }
+    void letGo() override { hand().button(1, false); }
+    void comeBack() override { hand().moveTo(area_.center() + QPoint(3, 3)); }
+
+    /// Two waypoints far from each other, where the program has none yet, and a loop: there is always a way to go.
+    void teach() {
+        if (cell().place("waypoint.empty").visible) {
+            hand().tap(kLetterT);
+            QVERIFY(cell().until([&] { return cell().place("waypoint.goThrough").enabled; }));
+            const Vector6 from = arm().joints();
+            hand().moveTo(cell().place("jog.Z+").middle());
+            holdBy([&] { hand().button(1, true); }, [&] { hand().button(1, false); });
+            QVERIFY(cell().until(
+                [&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 0.2 || !arm().moves(); }));
+            hand().button(1, false);
+            QVERIFY(arm().untilStanding(5));
+            hand().tap(kLetterT);
+            QVERIFY(cell().click("waypoint.routeLoop"));
+            // All of them, whichever is selected.
+            QVERIFY(cell().click("waypoint.routeScope"));
+            hand().tap(kDown);
+            hand().tap(kDown);
+            hand().tap(kReturn);
+        }
+        QVERIFY(cell().until([&] { return cell().place("waypoint.goThrough").enabled; }));
+    }
+
+private Q_SLOTS:
+    void theButtonIsLetGo() {
+        hold();
+        hand().button(1, false);
+        verifyStands();
+    }
+
+    void anotherWindowTakesTheFocus() {
+        hold();
+        hand().openWindow({40, 40});
+        verifyEndedForGood();
+    }
+
+    void escIsPressed() {
+        hold();
+        hand().tap(kEscape);
+        verifyEndedForGood();
+    }
+
+    void thePointerLeavesTheKey() {
+        hold();
+        hand().moveTo({area_.center().x(), area_.bottom() + 60});
+        verifyEndedForGood();
+    }
+
+private:
+    QRect area_;
+};
+
+}  // namespace tiller::test
+
+TILLER_DESKTOP_MAIN(tiller::test::TestGoThroughByHand)
+#include "tst_go_through_by_hand.moc"

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// TCP and payload in the real window with the simulated controller: set on it and read back, asked about where it has
+// another one, and a payload weighed in poses that are driven to while a key is held. And home.
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QLabel>
+#include <QTest>
+
+#include "app/action_table.h"
+#include "resources/resources.h"
+#include "tests/support/pictures.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/notice_bar.h"
+#include "widgets/project/project_document.h"
+#include "widgets/tools/payload_page.h"
+#include "widgets/tools/tcp_page.h"
+#include "widgets/tools/tools_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+class TestTools : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<WindowBench> bench_;
+
+    VirtualCell& cell() { return bench_->cell; }
+    app::MainWindow& window() { return bench_->window; }
+    const project::Tooling& tooling() { return window().document().tooling(); }
+    template <class Widget>
+    Widget& find(const char* name) {
+        return bench_->find<Widget>(name);
+    }
+    void click(const char* name) {
+        QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton);
+        cell().advanceMs(40);
+    }
+    NoticeBar& notice(const char* page) { return *find<QWidget>(page).findChild<NoticeBar*>("notice"); }
+    void keepPictures(const QString& name) {
+        if (qEnvironmentVariableIsEmpty("TILLER_SCREENSHOTS")) {
+            return;
+        }
+        for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
+            window().resize(size);
+            for (const char* theme : {"dark", "light"}) {
+                window().setTheme(QLatin1String(theme));
+                QTest::qWait(150);
+                test::keepPicture(
+                    window(),
+                    QStringLiteral("%1-%2-%3").arg(name).arg(size.width()).arg(QLatin1String(theme)));
+            }
+        }
+    }
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+    void init() {
+        bench_ = std::make_unique<WindowBench>();
+        bench_->show();
+        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
+        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        keys << window().findChild<HoldButton*>("payload.estimator.next");
+        driveKeys(cell(), keys);
+        cell().advanceMs(40);
+        window().showTab("tools");
+    }
+    void cleanup() { bench_.reset(); }
+
+    void tcpIsSetOnTheControllerReadBackAndAskedAbout() {
+        project::Tooling two;
+        two.tools = {{QUuid::createUuid(), "gripper", Pose(0, 0, 0.15, 0, 0, 0), 0.04, {}, {}},
+                     {QUuid::createUuid(), "nozzle", Pose(0.01, 0, 0.2, 0, 0, 0), 0, {}, {}}};
+        window().document().changeTooling(two, "x");
+        window().tools().tcps().selectRow(0);
+        click("tcp.use");
+        QVERIFY(cell().advanceUntil(
+            [&] { return window().session().state().tcpOffset == Pose(0, 0, 0.15, 0, 0, 0); }, 3000));
+        QCOMPARE(tooling().activeTool, two.tools.at(0).id);
+        window().tools().tcps().setState(window().session().state());
+        QVERIFY(find<QLabel>("tcp.facts").text().contains("as the robot has it"));
+        QVERIFY(!notice("tcp.page").isVisible());
+        keepPictures("tools-tcp");
+
+        // Somebody else sets another one: it is said and asked about, and nothing is changed by itself.
+        window().session().tooling().setTcp(Pose(0, 0, 0.1, 0, 0, 0), "other");
+        QVERIFY(cell().advanceUntil(
+            [&] { return window().session().state().tcpOffset == Pose(0, 0, 0.1, 0, 0, 0); }, 3000));
+        window().tools().tcps().setState(window().session().state());
+        QVERIFY(notice("tcp.page").isVisible());
+        keepPictures("tools-asks");
+        cell().advanceMs(200);
+        QCOMPARE(window().session().state().tcpOffset, Pose(0, 0, 0.1, 0, 0, 0));
+        QTest::mouseClick(notice("tcp.page").findChild<QAbstractButton*>("notice.accept"), Qt::LeftButton);
+        QVERIFY(cell().advanceUntil(
+            [&] { return window().session().state().tcpOffset == Pose(0, 0, 0.15, 0, 0, 0); }, 3000));
+    }
+
+    void payloadIsWeighedWithinFiftyGramsAndFiveMillimetres() {
+        // 2.0 kg hang there, of which the controller knows nothing; its sensor has noise and an offset.
+        QVERIFY(cell().robot.inject("load 2.0 0.02 -0.03 0.09").ok());
+        window().tools().showPage(ToolsTab::Payloads);
+        cell().advanceMs(400);
+        click("payload.weigh");
+        auto& next = find<HoldButton>("payload.estimator.next");
+        for (int n = 0; n < 4; ++n) {
+            if (n > 0) {
+                const JointPositions from = window().session().state().q;
+                press(next);
+                QVERIFY2(next.isHolding(), "the next pose is driven to while the key is held");
+                QVERIFY(cell().advanceUntil([&] { return !next.isHolding(); }, 60'000));
+                release(next);
+                QVERIFY(cell().advanceUntil([&] { return standsStill(cell()); }, 3000));
+                QVERIFY((window().session().state().q.values - from.values).cwiseAbs().maxCoeff() > 0.3);
+                cell().advanceMs(500);
+            }
+            click("payload.estimator.take");
+            QVERIFY(cell().advanceUntil(
+                [&] { return find<QAbstractButton>("payload.estimator.take").isEnabled(); }, 5000));
+            if (n == 2) {
+                keepPictures("tools-weighing");
+            }
+        }
+        const QString feedback = find<QLabel>("payload.estimator.feedback").text();
+        QVERIFY2(find<QAbstractButton>("payload.estimator.keep").isEnabled(), qPrintable(feedback));
+        click("payload.estimator.keep");
+        const project::Payload found = tooling().payloads.at(0);
+        qInfo("weighed %.4f kg at %.4f %.4f %.4f m", found.mass, found.centre.x(), found.centre.y(),
+              found.centre.z());
+        QVERIFY(std::abs(found.mass - 2.0) < 0.05);
+        QVERIFY((found.centre - Eigen::Vector3d(0.02, -0.03, 0.09)).norm() < 0.005);
+
+        // Before it is set it is not true, afterwards it is.
+        click("payload.check");
+        QVERIFY(cell().advanceUntil([&] { return notice("payload.page").isVisible(); }, 5000));
+        QVERIFY2(notice("payload.page").title().contains("not true"),
+                 qPrintable(notice("payload.page").title()));
+        click("payload.use");
+        QVERIFY(cell().advanceUntil(
+            [&] { return std::abs(window().session().state().payloadMass - found.mass) < 1e-6; }, 3000));
+        cell().advanceMs(400);
+        notice("payload.page").dismiss();
+        click("payload.check");
+        QVERIFY(cell().advanceUntil([&] { return notice("payload.page").isVisible(); }, 5000));
+        QVERIFY2(notice("payload.page").title().contains("is true"),
+                 qPrintable(notice("payload.page").title()));
+        keepPictures("tools-payload");
+    }
+
+    void homeIsWhereItWasSet() {
+        window().tools().showPage(ToolsTab::Positions);
+        click("position.setHome");
+        QVERIFY(window().document().positions().homePosition() != nullptr);
+        const JointPositions home = window().document().positions().homePosition()->joints;
+        keepPictures("tools-positions");
+        auto& away = find<HoldButton>("jog.Z+");
+        press(away);
+        cell().advanceMs(600);
+        release(away);
+        QVERIFY(cell().advanceUntil([&] { return standsStill(cell()); }, 3000));
+        QVERIFY((window().session().state().q.values - home.values).cwiseAbs().maxCoeff() > 0.005);
+        cell().advanceMs(100);
+        auto& key = find<HoldButton>("homeKey");
+        press(key);
+        QVERIFY(cell().advanceUntil(
+            [&] { return (cell().truth().q.values - home.values).cwiseAbs().maxCoeff() < 1e-3; }, 30'000));
+        release(key);
+        // Undone, the key goes where it went before.
+        window().document().undoStack().undo();
+        QVERIFY(window().document().positions().homePosition() == nullptr);
+    }
+};
+
+QTEST_MAIN(TestTools)
+#include "tst_tools.moc"

@@ -1,0 +1,9726 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>ActionTable</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Power and safety</source>
+        <translation>Strom und Sicherheit</translation>
+    </message>
+    <message>
+        <source>Control and programs</source>
+        <translation>Steuerung und Programme</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Wegpunkte</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Koordinatensysteme</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>E/A</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Perspectives</source>
+        <translation>Arbeitsansichten</translation>
+    </message>
+    <message>
+        <source>Move panels</source>
+        <translation>Bereiche verschieben</translation>
+    </message>
+    <message>
+        <source>Program Tiller</source>
+        <translation>Programm Tiller</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>BackTrack</name>
+    <message>
+        <source>go back: nothing left to undo</source>
+        <translation>zurückfahren: Es ist nichts mehr rückgängig zu machen</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
+        <translation>Einen Arm von Universal Robots vom PC aus verfahren, teachen, betreiben und beobachten.</translation>
+    </message>
+    <message>
+        <source>Start with the built-in simulated UR5e.</source>
+        <translation>Mit dem eingebauten simulierten UR5e beginnen.</translation>
+    </message>
+    <message>
+        <source>Connect to the robot at this address or host name.</source>
+        <translation>Mit dem Roboter an dieser Adresse oder diesem Hostnamen verbinden.</translation>
+    </message>
+    <message>
+        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <translation>Die Vorführung am simulierten Roboter ablaufen lassen, ihre Dateien in diesem Ordner ablegen, beenden.</translation>
+    </message>
+    <message>
+        <source>Open this project file (.tiller).</source>
+        <translation>Diese Projektdatei (.tiller) öffnen.</translation>
+    </message>
+    <message>
+        <source>Colours: light or dark.</source>
+        <translation>Farben: light (hell) oder dark (dunkel).</translation>
+    </message>
+    <message>
+        <source>see tiller --help</source>
+        <translation>siehe tiller --help</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not expected</source>
+        <translation>&quot;%1&quot; wurde nicht erwartet</translation>
+    </message>
+    <message>
+        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <translation>--theme nimmt light oder dark, nicht &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--robot and --simulator exclude each other</source>
+        <translation>--robot und --simulator schließen einander aus</translation>
+    </message>
+    <message>
+        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <translation>--demo läuft nur am simulierten Roboter, nicht mit --robot</translation>
+    </message>
+    <message>
+        <source>--demo needs a folder</source>
+        <translation>--demo braucht einen Ordner</translation>
+    </message>
+    <message>
+        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <translation>--robot braucht eine Adresse, etwa --robot 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>nur ein Projekt kann geöffnet werden, nicht auch &quot;%1&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>ControllerCodes</name>
+    <message>
+        <source>Near a joint limit</source>
+        <translation>Nahe an einer Gelenkgrenze</translation>
+    </message>
+    <message>
+        <source>A joint came close to the end of its range.</source>
+        <translation>Ein Gelenk kam dem Ende seines Bereichs nahe.</translation>
+    </message>
+    <message>
+        <source>Jog the joint back, and plan the move away from the limit.</source>
+        <translation>Fahren Sie das Gelenk zurück und planen Sie die Bewegung abseits der Grenze.</translation>
+    </message>
+    <message>
+        <source>Near a tool orientation limit</source>
+        <translation>Nahe an einer Grenze der Werkzeugausrichtung</translation>
+    </message>
+    <message>
+        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <translation>Das Werkzeug drehte sich bis nahe an die Grenze der Sicherheitskonfiguration.</translation>
+    </message>
+    <message>
+        <source>Turn the tool back, or change the waypoint.</source>
+        <translation>Drehen Sie das Werkzeug zurück oder ändern Sie den Wegpunkt.</translation>
+    </message>
+    <message>
+        <source>Near a safety plane</source>
+        <translation>Nahe an einer Sicherheitsebene</translation>
+    </message>
+    <message>
+        <source>The arm came close to a safety plane.</source>
+        <translation>Der Arm kam einer Sicherheitsebene nahe.</translation>
+    </message>
+    <message>
+        <source>Jog away from the plane, or change the waypoint.</source>
+        <translation>Fahren Sie von der Ebene weg oder ändern Sie den Wegpunkt.</translation>
+    </message>
+    <message>
+        <source>Position deviates from path</source>
+        <translation>Position weicht von der Bahn ab</translation>
+    </message>
+    <message>
+        <source>The arm is not where the controller sent it.</source>
+        <translation>Der Arm ist nicht, wohin die Steuerung ihn geschickt hat.</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <translation>Suchen Sie nach einem Hindernis; prüfen Sie Nutzlast, Schwerpunkt und Montage; verringern Sie die Beschleunigung.</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>Singularität</translation>
+    </message>
+    <message>
+        <source>The straight move leads through a singular position of the arm.</source>
+        <translation>Die gerade Bewegung führt durch eine singuläre Stellung des Arms.</translation>
+    </message>
+    <message>
+        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <translation>Fahren Sie einzelne Gelenke heraus; verwenden Sie in diesem Bereich MoveJ.</translation>
+    </message>
+    <message>
+        <source>Cannot hold its position</source>
+        <translation>Kann seine Position nicht halten</translation>
+    </message>
+    <message>
+        <source>The arm sagged or was pushed while it stood.</source>
+        <translation>Der Arm sackte ab oder wurde im Stand geschoben.</translation>
+    </message>
+    <message>
+        <source>Check payload, centre of gravity and mounting.</source>
+        <translation>Prüfen Sie Nutzlast, Schwerpunkt und Montage.</translation>
+    </message>
+    <message>
+        <source>Wrong payload or mounting</source>
+        <translation>Falsche Nutzlast oder Montage</translation>
+    </message>
+    <message>
+        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <translation>Die Kräfte passen nicht zur Nutzlast, oder etwas schob den Arm, als Freedrive begann.</translation>
+    </message>
+    <message>
+        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <translation>Berichtigen Sie Nutzlast und Montage, lassen Sie den Arm los und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>Collision noticed by a joint</source>
+        <translation>Ein Gelenk hat eine Kollision bemerkt</translation>
+    </message>
+    <message>
+        <source>A joint needed more torque than the motion explains.</source>
+        <translation>Ein Gelenk brauchte mehr Drehmoment, als die Bewegung erklärt.</translation>
+    </message>
+    <message>
+        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <translation>Entfernen Sie das Hindernis; war keines da, prüfen Sie die Nutzlast.</translation>
+    </message>
+    <message>
+        <source>Collision noticed by the tool force</source>
+        <translation>Kollision an der Werkzeugkraft bemerkt</translation>
+    </message>
+    <message>
+        <source>The force at the tool exceeded what is allowed.</source>
+        <translation>Die Kraft am Werkzeug überschritt das Erlaubte.</translation>
+    </message>
+    <message>
+        <source>Position deviation</source>
+        <translation>Positionsabweichung</translation>
+    </message>
+    <message>
+        <source>A joint left its commanded position.</source>
+        <translation>Ein Gelenk verließ seine Sollposition.</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle and check payload and mounting.</source>
+        <translation>Suchen Sie nach einem Hindernis und prüfen Sie Nutzlast und Montage.</translation>
+    </message>
+    <message>
+        <source>Too many protective stops</source>
+        <translation>Zu viele Schutzstopps</translation>
+    </message>
+    <message>
+        <source>One joint had more than fifty protective stops in eight hours.</source>
+        <translation>Ein Gelenk hatte in acht Stunden mehr als fünfzig Schutzstopps.</translation>
+    </message>
+    <message>
+        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <translation>Finden Sie die Ursache der Stopps, bevor Sie weitermachen; starten Sie dann die Steuerung neu.</translation>
+    </message>
+    <message>
+        <source>Sudden change of target position</source>
+        <translation>Plötzlicher Sprung der Sollposition</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in position.</source>
+        <translation>Ein Programm verlangte einen Sprung der Position.</translation>
+    </message>
+    <message>
+        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <translation>Lassen Sie das Programm dort beginnen, wo der Arm ist, und halten Sie seine Servo-Schritte klein.</translation>
+    </message>
+    <message>
+        <source>Sudden change of target speed</source>
+        <translation>Plötzlicher Sprung der Sollgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in speed.</source>
+        <translation>Ein Programm verlangte einen Sprung der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Lower the acceleration, or smooth the path.</source>
+        <translation>Verringern Sie die Beschleunigung oder glätten Sie die Bahn.</translation>
+    </message>
+    <message>
+        <source>Protective stop by a program</source>
+        <translation>Schutzstopp durch ein Programm</translation>
+    </message>
+    <message>
+        <source>The running program itself asked for the stop.</source>
+        <translation>Das laufende Programm hat den Stopp selbst verlangt.</translation>
+    </message>
+    <message>
+        <source>See the program&apos;s own messages before it.</source>
+        <translation>Sehen Sie sich die Meldungen des Programms davor an.</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>Der Roboter ist in lokaler Steuerung</translation>
+    </message>
+    <message>
+        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <translation>Ein Skript wurde gesendet, aber der Roboter hört nur auf sein Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>Switch to Remote control on the teach pendant.</source>
+        <translation>Schalten Sie am Teach-Pendant auf Fernsteuerung.</translation>
+    </message>
+    <message>
+        <source>Controller message C%1</source>
+        <translation>Meldung C%1 der Steuerung</translation>
+    </message>
+    <message>
+        <source>The controller reported this number.</source>
+        <translation>Die Steuerung hat diese Nummer gemeldet.</translation>
+    </message>
+    <message>
+        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <translation>Schlagen Sie C%1 im Fehlercode-Verzeichnis des Herstellers nach.</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>ein Signal berechnen</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>Es gibt kein Signal „%1“. Die Liste der Signale zeigt die Namen.</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>Es steht kein Signal darin.</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>Es stehen zu viele Signale darin.</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>Es muss eine Zahl ergeben.</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>Der Text ist zu lang.</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>Schreiben Sie einen Namen, ein Gleichheitszeichen und einen Ausdruck: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>Ein Gleichheitszeichen zu viel; ein Vergleich hat zwei: ==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>Die Zeitspanne liegt zwischen 0.001 und 60 Sekunden.</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceTrainer</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>Axes of the device</source>
+        <translation>Achsen des Geräts</translation>
+    </message>
+</context>
+<context>
+    <name>Doctor</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
+        <translation>Diese Software ist zu alt. Bringen Sie den Roboter auf %1.%2 oder neuer.</translation>
+    </message>
+    <message>
+        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <translation>Einige Werte und die Register zum Steuern fehlen. Bringen Sie den Roboter auf %1.%2 oder neuer.</translation>
+    </message>
+    <message>
+        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <translation>Sehen Sie sich den Arm an, beseitigen Sie die Ursache, stellen Sie dann wieder her: Wiederherstellen… in der Kopfzeile oder am Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <translation>Schalten Sie ein und lösen Sie die Bremsen: Der Knopf in der Kopfzeile führt hin.</translation>
+    </message>
+    <message>
+        <source>the RTDE port takes connections but does not answer</source>
+        <translation>der RTDE-Port nimmt Verbindungen an, antwortet aber nicht</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 does not speak RTDE</source>
+        <translation>was auf Port %1 antwortet, spricht kein RTDE</translation>
+    </message>
+    <message>
+        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <translation>Zu viele RTDE-Clients oder eine Steuerung, die hängt: Schließen Sie andere Programme, starten Sie dann die Steuerung neu.</translation>
+    </message>
+    <message>
+        <source>Check the address: this is another device, or another program took the port.</source>
+        <translation>Prüfen Sie die Adresse: Dies ist ein anderes Gerät, oder ein anderes Programm belegt den Port.</translation>
+    </message>
+    <message>
+        <source>protocol version %1</source>
+        <translation>Protokollversion %1</translation>
+    </message>
+    <message>
+        <source>another program holds %1</source>
+        <translation>ein anderes Programm belegt %1</translation>
+    </message>
+    <message>
+        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <translation>Beenden Sie das andere Programm, das diesen Roboter steuert (ein anderes Fenster, ROS, ur_rtde).</translation>
+    </message>
+    <message>
+        <source>this software has no registers 24 to 47</source>
+        <translation>diese Software hat keine Register 24 bis 47</translation>
+    </message>
+    <message>
+        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
+        <translation>Bringen Sie die Software des Roboters auf 3.9 oder 5.3.</translation>
+    </message>
+    <message>
+        <source>24 to 47 are free</source>
+        <translation>24 bis 47 sind frei</translation>
+    </message>
+    <message>
+        <source>a fieldbus adapter or another program holds %1</source>
+        <translation>ein Feldbus-Adapter oder ein anderes Programm belegt %1</translation>
+    </message>
+    <message>
+        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <translation>Zum Verfahren ist nichts zu tun. Um diese Register zu nutzen, schalten Sie EtherNet/IP, PROFINET oder MODBUS in der Installation des Roboters aus.</translation>
+    </message>
+    <message>
+        <source>0 to 23 are free</source>
+        <translation>0 bis 23 sind frei</translation>
+    </message>
+    <message>
+        <source>the robot takes the subscription but sends no data</source>
+        <translation>der Roboter nimmt das Abonnement an, sendet aber keine Daten</translation>
+    </message>
+    <message>
+        <source>Close other RTDE programs, then restart the robot&apos;s controller.</source>
+        <translation>Schließen Sie andere RTDE-Programme, starten Sie dann die Steuerung des Roboters neu.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 packages a second</source>
+        <translation>%1 von %2 Paketen je Sekunde</translation>
+    </message>
+    <message>
+        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <translation>Es fehlen Pakete: Verwenden Sie ein Kabel, keine Funkverbindung; schließen Sie andere Programme, die den Roboter oder diesen PC belasten.</translation>
+    </message>
+    <message>
+        <source>priority %1</source>
+        <translation>Priorität %1</translation>
+    </message>
+    <message>
+        <source>the system grants this user no real-time priority</source>
+        <translation>das System gewährt diesem Benutzer keine Echtzeitpriorität</translation>
+    </message>
+    <message>
+        <source>permitted, and asked for by loops with priority</source>
+        <translation>erlaubt, und von Schleifen mit Priorität angefordert</translation>
+    </message>
+    <message>
+        <source>processors may sleep deeply, loops begin later</source>
+        <translation>Prozessoren dürfen tief schlafen, Schleifen beginnen später</translation>
+    </message>
+    <message>
+        <source>TCP %1 mm from the flange, payload %2 kg</source>
+        <translation>TCP %1 mm vom Flansch, Nutzlast %2 kg</translation>
+    </message>
+    <message>
+        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
+        <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive absacken.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <translation>&quot;%1&quot; ist keine Adresse, und kein Host dieses Namens ist bekannt</translation>
+    </message>
+    <message>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <translation>Geben Sie die vier Zahlen ein, die das Teach-Pendant unter „Über“ zeigt, oder fragen Sie den Betreiber des Netzes nach dem Namen.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>There is no way to %1</source>
+        <translation>Es führt kein Weg zu %1</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <translation>Prüfen Sie, dass der Roboter eingeschaltet und das Kabel gesteckt ist und dass keine Firewall dazwischensteht.</translation>
+    </message>
+    <message>
+        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <translation>Geben Sie diesem PC eine Adresse im Netz des Roboters (die gleichen ersten drei Zahlen) und prüfen Sie das Kabel.</translation>
+    </message>
+    <message>
+        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <translation>%1 antwortet, aber keiner der Dienste eines Roboters ist da</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <translation>Prüfen Sie, dass dies die Adresse des Roboters selbst ist. Ein eben eingeschalteter Roboter braucht noch eine Minute.</translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation>%1 antwortet</translation>
+    </message>
+    <message>
+        <source>dashboard, port %1</source>
+        <translation>Dashboard, Port %1</translation>
+    </message>
+    <message>
+        <source>port %1</source>
+        <translation>Port %1</translation>
+    </message>
+    <message>
+        <source>port %1 is closed</source>
+        <translation>Port %1 ist geschlossen</translation>
+    </message>
+    <message>
+        <source>port %1 does not answer</source>
+        <translation>Port %1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <translation>Schalten Sie diese Schnittstelle am Roboter ein: Einstellungen, Sicherheit, Dienste.</translation>
+    </message>
+    <message>
+        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <translation>Eine Firewall verschluckt diesen Port: Erlauben Sie TCP-Port %1 zum Roboter.</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung. Ohne das beobachtet Tiller nur.</translation>
+    </message>
+    <message>
+        <source>the dashboard takes connections but does not answer</source>
+        <translation>das Dashboard nimmt Verbindungen an, antwortet aber nicht</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 is not a dashboard</source>
+        <translation>was auf Port %1 antwortet, ist kein Dashboard</translation>
+    </message>
+    <message>
+        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <translation>Starten Sie die Steuerung des Roboters neu; bleibt es so, sehen Sie in ihr Protokoll.</translation>
+    </message>
+    <message>
+        <source>Check the address, and that no other program uses this port.</source>
+        <translation>Prüfen Sie die Adresse und dass kein anderes Programm diesen Port benutzt.</translation>
+    </message>
+    <message>
+        <source>this series has no Local/Remote switch</source>
+        <translation>diese Baureihe hat keinen Schalter Lokal/Fern</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>Fern</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Lokal</translation>
+    </message>
+    <message>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <translation>weder das Dashboard (Port %1) noch die Robot API (Port %2) ist da</translation>
+    </message>
+    <message>
+        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <translation>Schalten Sie den Dashboard-Server am Roboter ein: Einstellungen, Sicherheit, Dienste. PolyScope X braucht 10.11 oder neuer für die Robot API.</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <translation>Robot API %1, Port %2; Meldungsfenster werden am Tablet geschlossen</translation>
+    </message>
+    <message>
+        <source>the primary interface does not describe the arm</source>
+        <translation>die primäre Schnittstelle beschreibt den Arm nicht</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <translation>Prüfen Sie, dass dies die Adresse des Roboters selbst ist, und starten Sie seine Steuerung neu.</translation>
+    </message>
+    <message>
+        <source>robot type %1 is newer than this program</source>
+        <translation>Robotertyp %1 ist neuer als dieses Programm</translation>
+    </message>
+    <message>
+        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <translation>Beobachten geht. Grenzen und Vorschau verwenden die Maße, die der Roboter meldet; verfahren Sie zuerst langsam.</translation>
+    </message>
+    <message>
+        <source>Address resolves</source>
+        <translation>Adresse wird aufgelöst</translation>
+    </message>
+    <message>
+        <source>Host answers</source>
+        <translation>Host antwortet</translation>
+    </message>
+    <message>
+        <source>RTDE port</source>
+        <translation>RTDE-Port</translation>
+    </message>
+    <message>
+        <source>Primary port</source>
+        <translation>Primärer Port</translation>
+    </message>
+    <message>
+        <source>Secondary port</source>
+        <translation>Sekundärer Port</translation>
+    </message>
+    <message>
+        <source>Real-time port</source>
+        <translation>Echtzeit-Port</translation>
+    </message>
+    <message>
+        <source>Dashboard or Robot API</source>
+        <translation>Dashboard oder Robot API</translation>
+    </message>
+    <message>
+        <source>RTDE is understood</source>
+        <translation>RTDE wird verstanden</translation>
+    </message>
+    <message>
+        <source>Controller software</source>
+        <translation>Software der Steuerung</translation>
+    </message>
+    <message>
+        <source>Robot model</source>
+        <translation>Robotermodell</translation>
+    </message>
+    <message>
+        <source>Remote control</source>
+        <translation>Fernsteuerung</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Power and brakes</source>
+        <translation>Strom und Bremsen</translation>
+    </message>
+    <message>
+        <source>Registers for control free</source>
+        <translation>Register zum Steuern frei</translation>
+    </message>
+    <message>
+        <source>No fieldbus holds registers</source>
+        <translation>Kein Feldbus belegt Register</translation>
+    </message>
+    <message>
+        <source>Data rate</source>
+        <translation>Datenrate</translation>
+    </message>
+    <message>
+        <source>Real-time privilege of this PC</source>
+        <translation>Echtzeitrecht dieses PCs</translation>
+    </message>
+    <message>
+        <source>Fast wake-ups of this PC</source>
+        <translation>Schnelles Aufwachen dieses PCs</translation>
+    </message>
+    <message>
+        <source>TCP and payload</source>
+        <translation>TCP und Nutzlast</translation>
+    </message>
+</context>
+<context>
+    <name>Freedrive</name>
+    <message>
+        <source>All axes</source>
+        <translation>Alle Achsen</translation>
+    </message>
+    <message>
+        <source>Position only</source>
+        <translation>Nur Position</translation>
+    </message>
+    <message>
+        <source>Orientation only</source>
+        <translation>Nur Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Plane X Y</source>
+        <translation>Ebene X Y</translation>
+    </message>
+    <message>
+        <source>Line Z</source>
+        <translation>Linie Z</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest before freedrive.</source>
+        <translation>Lassen Sie den Arm vor Freedrive zur Ruhe kommen.</translation>
+    </message>
+    <message>
+        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <translation>Der Arm spürt %1 bei einer Nutzlast von %2 kg: Er würde sich von selbst bewegen. Lassen Sie das Werkzeug los oder berichtigen Sie Nutzlast und TCP.</translation>
+    </message>
+</context>
+<context>
+    <name>Gamepad</name>
+    <message>
+        <source>left shoulder</source>
+        <translation>linke Schultertaste</translation>
+    </message>
+    <message>
+        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <translation>Linker Stick X und Y, rechter Stick Z und Drehen. Rechte Schultertaste: Die Sticks drehen.</translation>
+    </message>
+</context>
+<context>
+    <name>HoldWitness</name>
+    <message>
+        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>Kein zweiter Zeuge an diesem Bildschirm (%1): Ob eine Taste noch gehalten wird, ist nur aus den Ereignissen des Fensters bekannt.</translation>
+    </message>
+    <message>
+        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <translation>Der Display-Server wird alle 10 ms gefragt, ob der Knopf oder die Taste noch gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>Der Display-Server kann nicht ein zweites Mal gefragt werden: Ob eine Taste noch gehalten wird, ist nur aus den Ereignissen des Fensters bekannt.</translation>
+    </message>
+</context>
+<context>
+    <name>InterfaceSize</name>
+    <message>
+        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <translation>Dieser Bildschirm hat kleine Pixel. „Größe von allem“ in den Einstellungen macht Text, Tasten und Diagramme größer.</translation>
+    </message>
+</context>
+<context>
+    <name>JogActions</name>
+    <message>
+        <source>Jog speed %1</source>
+        <translation>Verfahrgeschwindigkeit %1</translation>
+    </message>
+    <message>
+        <source>Jog step %1, %2°</source>
+        <translation>Schrittweite %1, %2°</translation>
+    </message>
+    <message>
+        <source>Arm or disarm the keyboard</source>
+        <translation>Tastatur scharf schalten oder abschalten</translation>
+    </message>
+    <message>
+        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <translation>Scharf bewegen die Pfeiltasten den Arm; ein Rahmen steht um das Fenster. Endet nach einer halben Minute von selbst.</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse…</source>
+        <translation>Gamepad und SpaceMouse…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>Was jedes Gerät jetzt meldet und wohin es fahren wird.</translation>
+    </message>
+    <message>
+        <source>Zero here</source>
+        <translation>Hier null</translation>
+    </message>
+    <message>
+        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <translation>Zählt den Weg des TCP von hier an; noch einmal: wieder seit dem Druck.</translation>
+    </message>
+    <message>
+        <source>Stops the arm; the next press has this speed.</source>
+        <translation>Stoppt den Arm; der nächste Druck hat diese Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Moves by this much, only while the key is held.</source>
+        <translation>Bewegt um diesen Betrag, nur solange die Taste gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Moves by this much at each press.</source>
+        <translation>Bewegt bei jedem Druck um diesen Betrag.</translation>
+    </message>
+    <message>
+        <source>Jog until contact, %1 N</source>
+        <translation>Verfahren bis Kontakt, %1 N</translation>
+    </message>
+    <message>
+        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <translation>Eine gehaltene Taste bewegt langsam und endet, wenn das Werkzeug auf diese Kraft trifft.</translation>
+    </message>
+    <message>
+        <source>Jog speed, other…</source>
+        <translation>Andere Verfahrgeschwindigkeit…</translation>
+    </message>
+    <message>
+        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <translation>Fragt nach der Geschwindigkeit des TCP; Drehungen und Gelenke im Verhältnis.</translation>
+    </message>
+    <message>
+        <source>Jog step, other…</source>
+        <translation>Andere Schrittweite…</translation>
+    </message>
+    <message>
+        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <translation>Fragt nach der Länge eines Schritts; der Winkel von Drehungen bleibt.</translation>
+    </message>
+    <message>
+        <source>Jog turn, other…</source>
+        <translation>Anderer Drehschritt…</translation>
+    </message>
+    <message>
+        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <translation>Fragt nach dem Winkel eines Schritts, der Werkzeug oder Gelenk dreht; die Länge bleibt.</translation>
+    </message>
+    <message>
+        <source>Jog until contact, other force…</source>
+        <translation>Verfahren bis Kontakt, andere Kraft…</translation>
+    </message>
+    <message>
+        <source>Asks for the force in N at which the motion ends.</source>
+        <translation>Fragt nach der Kraft in N, bei der die Bewegung endet.</translation>
+    </message>
+    <message>
+        <source>Freedrive: %1</source>
+        <translation>Freedrive: %1</translation>
+    </message>
+    <message>
+        <source>What the hand can move while Freedrive is held.</source>
+        <translation>Was die Hand bewegen kann, während Freedrive gehalten wird.</translation>
+    </message>
+</context>
+<context>
+    <name>JogColumn</name>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Blick</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+</context>
+<context>
+    <name>JointNames</name>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>Elbow</source>
+        <translation>Ellbogen</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>Handgelenk 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>Handgelenk 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>Handgelenk 3</translation>
+    </message>
+</context>
+<context>
+    <name>LimiterAdvice</name>
+    <message>
+        <source>Elbow almost straight</source>
+        <translation>Ellbogen fast gestreckt</translation>
+    </message>
+    <message>
+        <source>Elbow almost straight: %1 of the speed</source>
+        <translation>Ellbogen fast gestreckt: %1 der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>bend the elbow</source>
+        <translation>Ellbogen beugen</translation>
+    </message>
+    <message>
+        <source>jog %1 or bend the elbow</source>
+        <translation>%1 fahren oder den Ellbogen beugen</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis</source>
+        <translation>Handgelenk über der Basisachse</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis: %1 of the speed</source>
+        <translation>Handgelenk über der Basisachse: %1 der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>move outwards</source>
+        <translation>nach außen fahren</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn the base</source>
+        <translation>%1 fahren oder die Basis drehen</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°</source>
+        <translation>Handgelenk 2 nahe 0° oder 180°</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <translation>Handgelenk 2 nahe 0° oder 180°: %1 der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>turn wrist 2</source>
+        <translation>Handgelenk 2 drehen</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn wrist 2</source>
+        <translation>%1 fahren oder Handgelenk 2 drehen</translation>
+    </message>
+    <message>
+        <source>%1 %2° from its limit</source>
+        <translation>%1 %2° vor der Grenze</translation>
+    </message>
+    <message>
+        <source>turn %1 %2</source>
+        <translation>%1 %2 drehen</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn %2 %3</source>
+        <translation>%1 fahren oder %2 %3 drehen</translation>
+    </message>
+    <message>
+        <source>TCP at its speed cap: %1</source>
+        <translation>TCP an seiner Geschwindigkeitsgrenze: %1</translation>
+    </message>
+    <message>
+        <source>the cap is in the settings</source>
+        <translation>die Grenze steht in den Einstellungen</translation>
+    </message>
+    <message>
+        <source>Elbow at its speed cap: %1</source>
+        <translation>Ellbogen an seiner Geschwindigkeitsgrenze: %1</translation>
+    </message>
+    <message>
+        <source>move less sideways</source>
+        <translation>weniger seitwärts fahren</translation>
+    </message>
+    <message>
+        <source>Turning at its cap: %1</source>
+        <translation>Drehung an ihrer Grenze: %1</translation>
+    </message>
+    <message>
+        <source>%1 at its top speed: %2</source>
+        <translation>%1 an der Höchstgeschwindigkeit: %2</translation>
+    </message>
+    <message>
+        <source>choose a slower class</source>
+        <translation>eine langsamere Stufe wählen</translation>
+    </message>
+</context>
+<context>
+    <name>LocalSimulator</name>
+    <message>
+        <source>Simulated UR5e</source>
+        <translation>Simulierter UR5e</translation>
+    </message>
+</context>
+<context>
+    <name>ModeLook</name>
+    <message>
+        <source>FREEDRIVE</source>
+        <translation>FREEDRIVE</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand that moves it.</source>
+        <translation>Der Arm folgt der Hand, die ihn bewegt.</translation>
+    </message>
+    <message>
+        <source>MOVING</source>
+        <translation>BEWEGT SICH</translation>
+    </message>
+    <message>
+        <source>The robot confirms that the arm moves.</source>
+        <translation>Der Roboter bestätigt, dass der Arm sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>Fern</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Lokal</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manuell</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatik</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>KEINE DATEN</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Übernehme Steuerung…</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>Freedrive</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>Gesteuert</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Verweigert</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>Nicht gesteuert</translation>
+    </message>
+    <message>
+        <source>monitoring</source>
+        <translation>beobachtet</translation>
+    </message>
+    <message>
+        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <translation>Pakete kommen spät oder gar nicht: Verfahren kann von selbst enden, und Diagramme haben Lücken. Verwenden Sie ein Kabel, keine Funkverbindung, und schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <translation>Befehle brauchen länger als 20 ms: Der Arm folgt der Taste merklich spät. Verfahren Sie langsam.</translation>
+    </message>
+    <message>
+        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <translation>Gut: Der Arm folgt der Taste sofort, und eine getrennte Verbindung stoppt ihn binnen einer Viertelsekunde.</translation>
+    </message>
+    <message>
+        <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
+        <translation>Letzte 10 s: %1 Pakete, %2 spät, %3 verloren</translation>
+    </message>
+    <message>
+        <source>Since connecting: %1 packets, %2 late, %3 lost</source>
+        <translation>Seit dem Verbinden: %1 Pakete, %2 spät, %3 verloren</translation>
+    </message>
+    <message>
+        <source>Late is a packet that comes more than half a period after its time.</source>
+        <translation>Spät ist ein Paket, das mehr als eine halbe Periode nach seiner Zeit kommt.</translation>
+    </message>
+    <message>
+        <source>No robot connected</source>
+        <translation>Kein Roboter verbunden</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Verbinde…</translation>
+    </message>
+    <message>
+        <source>Late: %1 s</source>
+        <translation>Spät: %1 s</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source> · %1 late</source>
+        <translation> · %1 spät</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · %1 verloren</translation>
+    </message>
+    <message>
+        <source>LINK · JOG STOPS</source>
+        <translation>LINK · FAHRT STOPPT</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>LINK</translation>
+    </message>
+    <message>
+        <source>LINK · JOG MAY STOP</source>
+        <translation>LINK · STOPP MÖGLICH</translation>
+    </message>
+    <message>
+        <source>LINK · ARM LAGS</source>
+        <translation>LINK · ARM FOLGT SPÄT</translation>
+    </message>
+    <message>
+        <source>LINK · GOOD</source>
+        <translation>LINK · GUT</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>Verbinden…</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>Bremsen lösen</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>Wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Steuerung übernehmen</translation>
+    </message>
+    <message>
+        <source>Choose the simulator or the address of a robot</source>
+        <translation>Wählen Sie den Simulator oder die Adresse eines Roboters</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>Schaltet den Arm ein. Die Bremsen bleiben zu.</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>Der Arm kann einige Millimeter absacken. Halten Sie Abstand.</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <translation>Zeigt, was den Arm gestoppt hat, die letzten fünf Sekunden und den Weg zurück. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>Startet das Steuerprogramm auf dem Roboter; jedes andere Programm endet.</translation>
+    </message>
+</context>
+<context>
+    <name>ModeWords</name>
+    <message>
+        <source>No controller</source>
+        <translation>Keine Steuerung</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s controller is not running. Restart the control box.</source>
+        <translation>Die Steuerung des Roboters läuft nicht. Starten Sie den Steuerkasten neu.</translation>
+    </message>
+    <message>
+        <source>Arm off line</source>
+        <translation>Arm getrennt</translation>
+    </message>
+    <message>
+        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <translation>Die Steuerung hat keine Verbindung zum Arm. Sehen Sie auf das Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>Confirm safety</source>
+        <translation>Sicherheit bestätigen</translation>
+    </message>
+    <message>
+        <source>Confirm the safety configuration on the teach pendant.</source>
+        <translation>Bestätigen Sie die Sicherheitskonfiguration am Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>Booting</source>
+        <translation>Startet</translation>
+    </message>
+    <message>
+        <source>The arm is starting. Wait a few seconds.</source>
+        <translation>Der Arm startet. Warten Sie einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>The arm is off. Power it on.</source>
+        <translation>Der Arm ist aus. Schalten Sie ihn ein.</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Eingeschaltet</translation>
+    </message>
+    <message>
+        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <translation>Der Arm hat Strom und macht sich bereit. Warten Sie einen Moment.</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Leerlauf</translation>
+    </message>
+    <message>
+        <source>The brakes are on. Release them.</source>
+        <translation>Die Bremsen sind zu. Lösen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>Zurückdrücken</translation>
+    </message>
+    <message>
+        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <translation>Der Arm wird von Hand gegen seine Bremsen bewegt. Lassen Sie den Freedrive-Knopf los.</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Brakes are released. The arm stands still.</source>
+        <translation>Die Bremsen sind gelöst. Der Arm steht still.</translation>
+    </message>
+    <message>
+        <source>Updating firmware</source>
+        <translation>Firmware-Update</translation>
+    </message>
+    <message>
+        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
+        <translation>Die Firmware der Gelenke wird aktualisiert. Lassen Sie eingeschaltet, bis es fertig ist.</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>No safety function is active.</source>
+        <translation>Keine Sicherheitsfunktion ist aktiv.</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reduziert</translation>
+    </message>
+    <message>
+        <source>The robot keeps to its reduced limits.</source>
+        <translation>Der Roboter hält seine reduzierten Grenzen ein.</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Schutzstopp</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <translation>Die Steuerung hat den Arm gestoppt. Finden Sie heraus, was ihn stoppte, dann entriegeln Sie (nach 5 s).</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Wiederherstellung</translation>
+    </message>
+    <message>
+        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <translation>Der Arm ist außerhalb einer Sicherheitsgrenze. Bewegen Sie ihn am Teach-Pendant in seine Grenzen zurück.</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Safeguard-Stopp</translation>
+    </message>
+    <message>
+        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <translation>Eine Schutzeinrichtung ist offen. Schließen Sie sie; wo ein Zurücksetzen eingerichtet ist, drücken Sie es.</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>System-Not-Halt</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>Der Not-Halt der Zelle ist gedrückt. Lösen Sie ihn, dann schalten Sie ein und lösen die Bremsen.</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
+        <translation>Der Not-Halt des Roboters ist gedrückt. Ziehen Sie den Knopf heraus, dann schalten Sie ein und lösen die Bremsen.</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>Sicherheitsverletzung</translation>
+    </message>
+    <message>
+        <source>A safety limit was exceeded and power was cut. Check the cause, then restart the safety system.</source>
+        <translation>Eine Sicherheitsgrenze wurde überschritten und der Strom abgeschaltet. Prüfen Sie die Ursache, dann starten Sie die Sicherheit neu.</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>Sicherheitsfehler</translation>
+    </message>
+    <message>
+        <source>The safety system found a fault. Check the robot&apos;s log, then restart the safety system.</source>
+        <translation>Die Sicherheit hat einen Fehler gefunden. Prüfen Sie das Protokoll des Roboters, dann starten Sie die Sicherheit neu.</translation>
+    </message>
+    <message>
+        <source>Validate joints</source>
+        <translation>Gelenke bestätigen</translation>
+    </message>
+    <message>
+        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <translation>Ein Gelenk wurde getauscht. Bestätigen Sie die Gelenke am Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>Undefined</source>
+        <translation>Unbestimmt</translation>
+    </message>
+    <message>
+        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <translation>Die Steuerung nennt ihren Sicherheitsmodus nicht. Sehen Sie auf das Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>Automatic safeguard stop</source>
+        <translation>Safeguard-Stopp Automatik</translation>
+    </message>
+    <message>
+        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <translation>Die Schutzeinrichtung des Automatikbetriebs ist offen. Schließen Sie sie oder wechseln Sie in den manuellen Modus.</translation>
+    </message>
+    <message>
+        <source>Enabling device stop</source>
+        <translation>Stopp Zustimmgerät</translation>
+    </message>
+    <message>
+        <source>The enabling device is not held. Hold it in its middle position.</source>
+        <translation>Das Zustimmgerät wird nicht gehalten. Halten Sie es in seiner Mittelstellung.</translation>
+    </message>
+    <message>
+        <source>Pendant enabling stop</source>
+        <translation>Stopp Zustimmtaste Pendant</translation>
+    </message>
+    <message>
+        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <translation>Die Zustimmtaste des Pendants wird nicht gehalten. Halten Sie sie in ihrer Mittelstellung.</translation>
+    </message>
+    <message>
+        <source>IMMI emergency stop</source>
+        <translation>IMMI-Not-Halt</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>Der Not-Halt der Spritzgießmaschine ist gedrückt. Lösen Sie ihn, dann schalten Sie ein und lösen die Bremsen.</translation>
+    </message>
+    <message>
+        <source>IMMI safeguard stop</source>
+        <translation>IMMI-Safeguard-Stopp</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s safeguard is open. Close it.</source>
+        <translation>Die Schutzeinrichtung der Spritzgießmaschine ist offen. Schließen Sie sie.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe waiting</source>
+        <translation>PROFIsafe wartet</translation>
+    </message>
+    <message>
+        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <translation>Der Roboter wartet auf seine PROFIsafe-Steuerung. Prüfen Sie den Feldbus und seine Parameter.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe automatic stop</source>
+        <translation>PROFIsafe-Automatik-Stopp</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
+        <translation>Die PROFIsafe-Steuerung hält die Schutzeinrichtung des Automatikbetriebs offen. Schließen Sie sie dort.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe safeguard stop</source>
+        <translation>PROFIsafe-Safeguard-Stopp</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
+        <translation>Die PROFIsafe-Steuerung hält eine Schutzeinrichtung offen. Schließen Sie sie dort.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe emergency stop</source>
+        <translation>PROFIsafe-Not-Halt</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <translation>Die PROFIsafe-Steuerung verlangt einen Not-Halt. Lösen Sie ihn dort, dann schalten Sie ein und lösen die Bremsen.</translation>
+    </message>
+    <message>
+        <source>Safety API stop</source>
+        <translation>Stopp durch Safety API</translation>
+    </message>
+    <message>
+        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
+        <translation>Ein Programm stoppt den Arm über die Sicherheitsschnittstelle. Beenden Sie den Stopp in jenem Programm.</translation>
+    </message>
+    <message>
+        <source>I/O plane stop</source>
+        <translation>Stopp E/A-Ebene</translation>
+    </message>
+    <message>
+        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <translation>Das Werkzeug hat eine Sicherheitsebene durchquert, die ein Eingang eingeschaltet hat. Fahren Sie es am Teach-Pendant heraus oder schalten Sie den Eingang aus.</translation>
+    </message>
+    <message>
+        <source>Program stopping</source>
+        <translation>Programm stoppt</translation>
+    </message>
+    <message>
+        <source>The program on the robot is ending.</source>
+        <translation>Das Programm auf dem Roboter endet.</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Kein Programm</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>Auf dem Roboter läuft kein Programm.</translation>
+    </message>
+    <message>
+        <source>Program plays</source>
+        <translation>Programm läuft</translation>
+    </message>
+    <message>
+        <source>A program runs on the robot and may move the arm.</source>
+        <translation>Auf dem Roboter läuft ein Programm und kann den Arm bewegen.</translation>
+    </message>
+    <message>
+        <source>Program pausing</source>
+        <translation>Programm hält an</translation>
+    </message>
+    <message>
+        <source>The program is coming to a halt.</source>
+        <translation>Das Programm kommt zum Halten.</translation>
+    </message>
+    <message>
+        <source>Program paused</source>
+        <translation>Programm pausiert</translation>
+    </message>
+    <message>
+        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <translation>Abspielen setzt die unterbrochene Bewegung fort; stoppen Sie das Programm, um sie zu verwerfen.</translation>
+    </message>
+    <message>
+        <source>Program resuming</source>
+        <translation>Programm setzt fort</translation>
+    </message>
+    <message>
+        <source>The program is going on: the arm may move.</source>
+        <translation>Das Programm geht weiter: Der Arm kann sich bewegen.</translation>
+    </message>
+    <message>
+        <source>Unknown robot mode %1. See the teach pendant.</source>
+        <translation>Unbekannter Robotermodus %1. Sehen Sie auf das Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>Unknown safety mode %1. See the teach pendant.</source>
+        <translation>Unbekannter Sicherheitsmodus %1. Sehen Sie auf das Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>Unknown program state %1. See the teach pendant.</source>
+        <translation>Unbekannter Programmzustand %1. Sehen Sie auf das Teach-Pendant.</translation>
+    </message>
+</context>
+<context>
+    <name>OutputGripper</name>
+    <message>
+        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <translation>Der Roboter hat die Ausgänge nicht bestätigt. Vielleicht gehören sie einem anderen Programm oder der Installation.</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>Greifer: schließen</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>Greifer: öffnen</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>steht aus…</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>told to open</source>
+        <translation>soll öffnen</translation>
+    </message>
+    <message>
+        <source>told to close</source>
+        <translation>soll schließen</translation>
+    </message>
+    <message>
+        <source>both outputs off</source>
+        <translation>beide Ausgänge aus</translation>
+    </message>
+    <message>
+        <source>both outputs on</source>
+        <translation>beide Ausgänge ein</translation>
+    </message>
+    <message>
+        <source>Choose two different outputs: one closes, the other opens.</source>
+        <translation>Wählen Sie zwei verschiedene Ausgänge: Einer schließt, der andere öffnet.</translation>
+    </message>
+</context>
+<context>
+    <name>PanelActions</name>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <translation>Schreibt jedes Paket des Roboters in eine CSV-Datei, bis es beendet wird.</translation>
+    </message>
+    <message>
+        <source>A recording runs already.</source>
+        <translation>Es läuft schon eine Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>Verbinden Sie sich zuerst mit einem Roboter.</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>Ends the recording; its file is complete.</source>
+        <translation>Beendet die Aufzeichnung; ihre Datei ist vollständig.</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded.</source>
+        <translation>Es wird nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Pause or resume the plots</source>
+        <translation>Diagramme anhalten oder fortsetzen</translation>
+    </message>
+    <message>
+        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <translation>Hält die Diagramme an; Daten und Aufzeichnung gehen weiter. Noch einmal: zurück zu den neuesten Werten.</translation>
+    </message>
+    <message>
+        <source>Export the plots…</source>
+        <translation>Diagramme exportieren…</translation>
+    </message>
+    <message>
+        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <translation>Speichert den gezeigten Bereich als Bild, Zeichnung, Seite oder Werte.</translation>
+    </message>
+    <message>
+        <source>Plots show %1</source>
+        <translation>Diagramme zeigen %1</translation>
+    </message>
+    <message>
+        <source>How much time the plots show.</source>
+        <translation>Wie viel Zeit die Diagramme zeigen.</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>Ein- und Ausgänge suchen</translation>
+    </message>
+    <message>
+        <source>Finds a terminal or a register by its number or name.</source>
+        <translation>Findet eine Klemme oder ein Register nach Nummer oder Namen.</translation>
+    </message>
+    <message>
+        <source>Rename the chosen input or output</source>
+        <translation>Gewählten Ein- oder Ausgang umbenennen</translation>
+    </message>
+    <message>
+        <source>The row of the tab I/O that has the focus.</source>
+        <translation>Die Zeile des Registers E/A, die den Fokus hat.</translation>
+    </message>
+    <message>
+        <source>Switch the chosen output</source>
+        <translation>Gewählten Ausgang schalten</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <translation>Der Ausgang des Registers E/A, der den Fokus hat: ein, oder wieder aus.</translation>
+    </message>
+    <message>
+        <source>Pulse the chosen output</source>
+        <translation>Gewählten Ausgang pulsen</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <translation>Der Ausgang des Registers E/A, der den Fokus hat: für eine halbe Sekunde ein, dann aus.</translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation>Protokoll durchsuchen</translation>
+    </message>
+    <message>
+        <source>Shows only the lines with these words.</source>
+        <translation>Zeigt nur die Zeilen mit diesen Wörtern.</translation>
+    </message>
+    <message>
+        <source>Log: show all</source>
+        <translation>Protokoll: alles zeigen</translation>
+    </message>
+    <message>
+        <source>Log: show warnings and worse</source>
+        <translation>Protokoll: Warnungen und Schlimmeres zeigen</translation>
+    </message>
+    <message>
+        <source>Log: show errors</source>
+        <translation>Protokoll: Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Chooses which lines of the log are shown.</source>
+        <translation>Wählt, welche Zeilen des Protokolls gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Copy the log</source>
+        <translation>Protokoll kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the selected lines, or all that are shown.</source>
+        <translation>Kopiert die gewählten Zeilen oder alle gezeigten.</translation>
+    </message>
+    <message>
+        <source>Export the log…</source>
+        <translation>Protokoll exportieren…</translation>
+    </message>
+    <message>
+        <source>Writes the lines that are shown to a file.</source>
+        <translation>Schreibt die gezeigten Zeilen in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>Signale für die Diagramme suchen</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>Öffnet die Liste von allem, was der Roboter meldet: auf ein Diagramm durch Ziehen, Doppelklick oder Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>Neue Seite mit Diagrammen</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>Eine leere Seite hinter den anderen; alle Seiten zeigen dieselbe Zeit.</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>Den ganzen Verlauf der Diagramme zeigen</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>Alles, was im Speicher ist, jedes Diagramm in seiner besten Skala.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>Die Spur %1 wegnehmen</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>Hier notieren…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 verbergen</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>Die Cursor %1 ablesen lassen</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>%1 in ein eigenes Diagramm</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>%1 wegnehmen</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>Alarm, wenn %1</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>Kein Alarm, wenn %1</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>Änderungsrate von %1</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>Gleitender Mittelwert von %1 über eine halbe Sekunde</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>Mittel %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>Betrag der Kurven dieses Diagramms</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>Neues Diagramm darunter</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>Neues Diagramm daneben</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>Dieses Diagramm wegnehmen</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>Die Kurven über die Skala entscheiden lassen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>Practice</name>
+    <message>
+        <source>Waiting for the stop.</source>
+        <translation>Warte auf den Stopp.</translation>
+    </message>
+    <message>
+        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <translation>Der Arm ist in einem Schutzstopp. Drücken Sie Wiederherstellen in der Kopfzeile.</translation>
+    </message>
+    <message>
+        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <translation>Entriegelt. Der Arm läuft noch nicht: Folgen Sie der Seite zur Wiederherstellung.</translation>
+    </message>
+    <message>
+        <source>Unlocked. Take control again.</source>
+        <translation>Entriegelt. Übernehmen Sie wieder die Steuerung.</translation>
+    </message>
+    <message>
+        <source>The arm runs and is under your control again.</source>
+        <translation>Der Arm läuft und ist wieder unter Ihrer Steuerung.</translation>
+    </message>
+    <message>
+        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <translation>Noch kein neues Koordinatensystem. „Drei Punkte“ steht im Register Koordinatensysteme.</translation>
+    </message>
+    <message>
+        <source>“%1” lies as it was asked for.</source>
+        <translation>„%1“ liegt wie verlangt.</translation>
+    </message>
+    <message>
+        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <translation>„%1“: Sein Z weicht %2° von dem der Basis ab. Der dritte Punkt liegt auf der Seite von +Y.</translation>
+    </message>
+    <message>
+        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <translation>„%1“: Sein X weicht %2° vom Y der Basis ab.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <translation>„%1“ wurde nicht mit dem Arm aufgenommen: Der TCP war nicht an seinem Ursprung.</translation>
+    </message>
+    <message>
+        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <translation>Der Wegpunkt ist nicht mehr da. Start setzt einen neuen.</translation>
+    </message>
+    <message>
+        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <translation>„%1“ ist, wo er war. Der Arm ist %2 entlang X davon entfernt.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <translation>„%1“ wurde um %2 verschoben und ist %3 von seinem Ziel entfernt.</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the tool was turned.</source>
+        <translation>„%1“ ist am Ort, aber das Werkzeug wurde gedreht.</translation>
+    </message>
+    <message>
+        <source>“%1” is at the part again.</source>
+        <translation>„%1“ ist wieder am Teil.</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <translation>„%1“ ist am Ort, aber der Arm ist nicht dort. Teachen Sie nach, während der Arm am Teil ist.</translation>
+    </message>
+    <message>
+        <source>Slowed down to %1. Go on.</source>
+        <translation>Auf %1 verlangsamt. Weiter.</translation>
+    </message>
+    <message>
+        <source>No limit yet. The line below the pad will name it.</source>
+        <translation>Noch keine Grenze. Die Zeile unter dem Tastenfeld wird sie nennen.</translation>
+    </message>
+    <message>
+        <source>That is the limit. Now back: %1 of %2.</source>
+        <translation>Das ist die Grenze. Nun zurück: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Found it, and out of it again.</source>
+        <translation>Gefunden, und wieder heraus.</translation>
+    </message>
+    <message>
+        <source>Recording: %1 s of %2 s.</source>
+        <translation>Aufzeichnung: %1 s von %2 s.</translation>
+    </message>
+    <message>
+        <source>That recording is too short. Record again.</source>
+        <translation>Diese Aufzeichnung ist zu kurz. Zeichnen Sie erneut auf.</translation>
+    </message>
+    <message>
+        <source>No recording yet. Record is above the plots.</source>
+        <translation>Noch keine Aufzeichnung. „Aufzeichnen“ steht über den Diagrammen.</translation>
+    </message>
+    <message>
+        <source>Recorded. Enter the force that the plot shows.</source>
+        <translation>Aufgezeichnet. Geben Sie die Kraft ein, die das Diagramm zeigt.</translation>
+    </message>
+    <message>
+        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <translation>%1 ist nicht, was aufgezeichnet wurde. Sehen Sie auf die Kurve Fz.</translation>
+    </message>
+    <message>
+        <source>Right: it was %1.</source>
+        <translation>Richtig: Es waren %1.</translation>
+    </message>
+    <message>
+        <source>Recover from a protective stop</source>
+        <translation>Aus einem Schutzstopp wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Teach a frame</source>
+        <translation>Ein Koordinatensystem teachen</translation>
+    </message>
+    <message>
+        <source>Touch up a waypoint</source>
+        <translation>Einen Wegpunkt nachteachen</translation>
+    </message>
+    <message>
+        <source>Find the reach limit</source>
+        <translation>Die Grenze der Reichweite finden</translation>
+    </message>
+    <message>
+        <source>Record and measure</source>
+        <translation>Aufzeichnen und messen</translation>
+    </message>
+    <message>
+        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <translation>Start lässt den simulierten Arm kollidieren, und er geht in einen Schutzstopp. Sehen Sie nach, was ihn stoppte, warten Sie die fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <translation>Teachen Sie ein Koordinatensystem aus drei Punkten im Register Koordinatensysteme. Sein X soll entlang Y+ der Basis zeigen, sein Z nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter entlang Y+, dann einen weiter entlang X−.</translation>
+    </message>
+    <message>
+        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>Start setzt einen Wegpunkt „Teil“ dorthin, wo der Arm steht. Das Teil wurde seitdem um %1 entlang X+ der Basis verschoben. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
+    </message>
+    <message>
+        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <translation>Fahren Sie von der Basis weg nach außen, bis eine Grenze den Arm auf die Hälfte verlangsamt. Die Zeile unter dem Tastenfeld nennt sie und den Weg heraus. Fahren Sie dann %1 zurück.</translation>
+    </message>
+    <message>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <translation>Start lässt eine Hand von oben auf das Werkzeug drücken. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie. Lesen Sie in den Diagrammen, wie groß die Kraft Fz ist, und geben Sie sie ein.</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>No robot connected. Choose one at the top left.</source>
+        <translation>Kein Roboter verbunden. Wählen Sie oben links einen.</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Verbinde…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself.</source>
+        <translation>Keine Daten vom Roboter. Verbindet sich von selbst wieder.</translation>
+    </message>
+    <message>
+        <source>Robot data is late. Waiting for it to come back.</source>
+        <translation>Die Daten des Roboters sind spät. Warte auf ihre Rückkehr.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Übernehme Steuerung…</translation>
+    </message>
+    <message>
+        <source>Not in control. Press “Take control” in the header.</source>
+        <translation>Nicht gesteuert. Drücken Sie „Steuerung übernehmen“ in der Kopfzeile.</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingChoice</name>
+    <message>
+        <source>A file needs a name that does not begin with a point.</source>
+        <translation>Eine Datei braucht einen Namen, der nicht mit einem Punkt beginnt.</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain “%1”.</source>
+        <translation>Ein Dateiname kann „%1“ nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>Dieser Name ist zu lang.</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryGuide</name>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>Die Sicherheit ist wieder normal</translation>
+    </message>
+    <message>
+        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <translation>Der Arm kann bewegt werden. Was vor dem Stopp vorgemerkt war, bewegt ihn nicht: Jede Bewegung braucht einen neuen Druck.</translation>
+    </message>
+    <message>
+        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <translation>Der Arm ist bereit. Übernehmen Sie die Steuerung, um ihn zu bewegen, oder machen Sie am Teach-Pendant weiter.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Übernehme Steuerung…</translation>
+    </message>
+    <message>
+        <source>No data from the robot</source>
+        <translation>Keine Daten vom Roboter</translation>
+    </message>
+    <message>
+        <source>Waiting for the connection</source>
+        <translation>Warte auf die Verbindung</translation>
+    </message>
+    <message>
+        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <translation>Ich habe mir den Arm angesehen: Niemand berührt ihn, nichts ist eingeklemmt.</translation>
+    </message>
+    <message>
+        <source>What stopped it is known and removed.</source>
+        <translation>Was ihn gestoppt hat, ist bekannt und beseitigt.</translation>
+    </message>
+    <message>
+        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <translation>Nutzlast und TCP sind die des montierten Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Possible in %1 s</source>
+        <translation>Möglich in %1 s</translation>
+    </message>
+    <message>
+        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <translation>Ich habe mir den Arm und das Protokoll des Roboters angesehen: Die Ursache ist bekannt.</translation>
+    </message>
+    <message>
+        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <translation>Die Ursache ist beseitigt, und niemand ist in der Reichweite des Arms.</translation>
+    </message>
+    <message>
+        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <translation>Hier ist nichts zu drücken: Es endet, wenn seine Ursache weg ist.</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entriegeln</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>Sicherheit neu starten</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>Bremsen lösen</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Steuerung übernehmen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>RobotActions</name>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>Verbinden Sie sich zuerst mit einem Roboter.</translation>
+    </message>
+    <message>
+        <source>Give control back first.</source>
+        <translation>Geben Sie zuerst die Steuerung ab.</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>Auf dem Roboter läuft kein Programm.</translation>
+    </message>
+    <message>
+        <source>A program runs already.</source>
+        <translation>Es läuft schon ein Programm.</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>Verbinden…</translation>
+    </message>
+    <message>
+        <source>Choose the simulator, a robot or a project.</source>
+        <translation>Simulator, Roboter oder Projekt wählen.</translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation>Simulierter Roboter</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot and connects to it.</source>
+        <translation>Startet den simulierten Roboter und verbindet sich mit ihm.</translation>
+    </message>
+    <message>
+        <source>Check the connection…</source>
+        <translation>Verbindung prüfen…</translation>
+    </message>
+    <message>
+        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <translation>Sieht sich alles zwischen diesem PC und dem Roboter an, jeweils mit Abhilfe.</translation>
+    </message>
+    <message>
+        <source>Choose a robot first.</source>
+        <translation>Wählen Sie zuerst einen Roboter.</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Ends the connection; a motion of ours stops first.</source>
+        <translation>Beendet die Verbindung; eine Bewegung von hier stoppt zuerst.</translation>
+    </message>
+    <message>
+        <source>No robot is connected.</source>
+        <translation>Kein Roboter ist verbunden.</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>Schaltet den Arm ein. Die Bremsen bleiben zu.</translation>
+    </message>
+    <message>
+        <source>The arm has power, or is getting it.</source>
+        <translation>Der Arm hat Strom oder bekommt ihn gerade.</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>Der Arm kann einige Millimeter absacken. Halten Sie Abstand.</translation>
+    </message>
+    <message>
+        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <translation>Schließt die Bremsen und nimmt dem Arm den Strom; Programme stoppen.</translation>
+    </message>
+    <message>
+        <source>The arm is off.</source>
+        <translation>Der Arm ist aus.</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>Wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, and the way back.</source>
+        <translation>Zeigt, was den Arm gestoppt hat, und den Weg zurück.</translation>
+    </message>
+    <message>
+        <source>No stop of the safety system.</source>
+        <translation>Kein Stopp der Sicherheit.</translation>
+    </message>
+    <message>
+        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <translation>Nach einer Verletzung oder einem Fehler, wenn die Ursache gefunden ist. Der Arm bleibt aus.</translation>
+    </message>
+    <message>
+        <source>Only after a violation or a fault.</source>
+        <translation>Nur nach einer Verletzung oder einem Fehler.</translation>
+    </message>
+    <message>
+        <source>Closes the popups on the teach pendant.</source>
+        <translation>Schließt die Meldungsfenster am Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Steuerung übernehmen</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>Startet das Steuerprogramm auf dem Roboter; jedes andere Programm endet.</translation>
+    </message>
+    <message>
+        <source>In control already.</source>
+        <translation>Schon gesteuert.</translation>
+    </message>
+    <message>
+        <source>Give control back</source>
+        <translation>Steuerung abgeben</translation>
+    </message>
+    <message>
+        <source>Ends the control program on the robot.</source>
+        <translation>Beendet das Steuerprogramm auf dem Roboter.</translation>
+    </message>
+    <message>
+        <source>Not in control.</source>
+        <translation>Nicht gesteuert.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <translation>Software-Stopp von allem, was sich bewegt. Kein Not-Halt.</translation>
+    </message>
+    <message>
+        <source>Load program…</source>
+        <translation>Programm laden…</translation>
+    </message>
+    <message>
+        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <translation>Lädt ein Programm des Roboters nach seinem Namen.</translation>
+    </message>
+    <message>
+        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <translation>Startet das geladene Programm oder setzt ein pausiertes fort: Der Arm kann sich sofort bewegen.</translation>
+    </message>
+    <message>
+        <source>Pauses the program that runs.</source>
+        <translation>Pausiert das laufende Programm.</translation>
+    </message>
+    <message>
+        <source>Stops the robot&apos;s own program.</source>
+        <translation>Stoppt das eigene Programm des Roboters.</translation>
+    </message>
+</context>
+<context>
+    <name>RobotOutputs</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Output %1: %2</source>
+        <translation>Ausgang %1: %2</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <translation>%1: ein</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1: aus</translation>
+    </message>
+    <message>
+        <source>Analog output %1: %2 %3</source>
+        <translation>Analogausgang %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Input register %1: %2</source>
+        <translation>Eingangsregister %1: %2</translation>
+    </message>
+    <message>
+        <source>Speed slider: %1 %</source>
+        <translation>Geschwindigkeitsregler: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>RobotServices</name>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>%1 ist fehlgeschlagen. %2</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>Bremsen lösen</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>Ausschalten</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>Sicherheit neu starten</translation>
+    </message>
+    <message>
+        <source>Close popups</source>
+        <translation>Meldungsfenster schließen</translation>
+    </message>
+    <message>
+        <source>Play program</source>
+        <translation>Programm abspielen</translation>
+    </message>
+    <message>
+        <source>Pause program</source>
+        <translation>Programm pausieren</translation>
+    </message>
+    <message>
+        <source>Stop program</source>
+        <translation>Programm stoppen</translation>
+    </message>
+    <message>
+        <source>Protective stop unlocked by the operator</source>
+        <translation>Schutzstopp vom Bediener entriegelt</translation>
+    </message>
+    <message>
+        <source>Load program %1</source>
+        <translation>Programm %1 laden</translation>
+    </message>
+    <message>
+        <source>The program on the robot was stopped</source>
+        <translation>Das Programm auf dem Roboter wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <translation>Das Programm auf dem Roboter wurde nicht gestoppt: Stoppen Sie es am Teach-Pendant. %1</translation>
+    </message>
+    <message>
+        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <translation>Der Roboter wurde auf lokale Steuerung geschaltet: Die Bewegung wurde gestoppt und die Steuerung abgegeben. Schalten Sie ihn am Teach-Pendant auf Fernsteuerung, dann übernehmen Sie wieder die Steuerung.</translation>
+    </message>
+</context>
+<context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP und Nutzlast werden im Stand gesetzt. Lassen Sie den Arm zur Ruhe kommen.</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>TCP am Roboter gesetzt: %1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>Nutzlast am Roboter gesetzt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>SampleProjects</name>
+    <message>
+        <source>Pick and place</source>
+        <translation>Pick and Place</translation>
+    </message>
+    <message>
+        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <translation>Ein Teil wird aus einem Zubringer genommen und auf einen von sechs Plätzen eines Trays gelegt. Die Plätze stehen im Koordinatensystem des Trays und bewegen sich mit ihm.</translation>
+    </message>
+    <message>
+        <source>Gluing along a path</source>
+        <translation>Kleben entlang einer Bahn</translation>
+    </message>
+    <message>
+        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <translation>Eine Naht um einen Deckel mit runden Ecken, langsam und in Geraden. Überschleifen hält die Düse durch die Ecken in Bewegung.</translation>
+    </message>
+    <message>
+        <source>Measuring round</source>
+        <translation>Messrunde</translation>
+    </message>
+    <message>
+        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <translation>Ein Taster berührt ein Teil von oben und von vier Seiten, jeweils von einem Anfahrpunkt und mit geneigtem Werkzeug.</translation>
+    </message>
+</context>
+<context>
+    <name>SceneActions</name>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>Blick von der ersten Seite, perspektivisch</translation>
+    </message>
+    <message>
+        <source>From between front and side, a little above, with everything in the picture.</source>
+        <translation>Zwischen vorn und Seite, etwas von oben, mit allem im Bild.</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Blick von vorn</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Z up.</source>
+        <translation>X der Basis nach rechts, Z nach oben.</translation>
+    </message>
+    <message>
+        <source>Look from the side</source>
+        <translation>Blick von der Seite</translation>
+    </message>
+    <message>
+        <source>Y of the base to the right, Z up.</source>
+        <translation>Y der Basis nach rechts, Z nach oben.</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Blick von oben</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Y up.</source>
+        <translation>X der Basis nach rechts, Y nach oben.</translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation>Alles in die Ansicht einpassen</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <translation>Arm, Ziel und Wegpunkte ins Bild, von der Seite, von der jetzt geblickt wird.</translation>
+    </message>
+</context>
+<context>
+    <name>SessionRecording</name>
+    <message>
+        <source>Nothing is recorded: connect to a robot first.</source>
+        <translation>Es wird nichts aufgezeichnet: Verbinden Sie sich zuerst mit einem Roboter.</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Zeichnet auf nach %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n rows to %1</source>
+        <translation>
+            <numerusform>%n Zeile nach %1 aufgezeichnet</numerusform>
+            <numerusform>%n Zeilen nach %1 aufgezeichnet</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SettingsFile</name>
+    <message>
+        <source>write %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <translation>Den Wert von &quot;%1&quot; können Einstellungen nicht haben.</translation>
+    </message>
+    <message>
+        <source>The file is too large for settings.</source>
+        <translation>Die Datei ist zu groß für Einstellungen.</translation>
+    </message>
+    <message>
+        <source>The file is damaged at byte %1: %2.</source>
+        <translation>Die Datei ist bei Byte %1 beschädigt: %2.</translation>
+    </message>
+    <message>
+        <source>The file holds no settings of Tiller.</source>
+        <translation>Die Datei enthält keine Einstellungen von Tiller.</translation>
+    </message>
+    <message>
+        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
+        <translation>Die Datei wurde von einem neueren Tiller geschrieben. Aktualisieren Sie Tiller, um sie zu importieren.</translation>
+    </message>
+    <message>
+        <source>The file does not say which version it has.</source>
+        <translation>Die Datei sagt nicht, welche Version sie hat.</translation>
+    </message>
+    <message>
+        <source>The file has no list of values, or one that is too long.</source>
+        <translation>Die Datei hat keine Liste von Werten oder eine zu lange.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a setting.</source>
+        <translation>&quot;%1&quot; ist kein Name einer Einstellung.</translation>
+    </message>
+    <message>
+        <source>read %1</source>
+        <translation>%1 lesen</translation>
+    </message>
+</context>
+<context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Ein- und Ausgänge</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>Modi und Zustände</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>Strom und Temperatur</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>Geschwindigkeit und Programm</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>Nutzlast und Werkzeug</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>Kraft am TCP</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>Drehmoment am TCP</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>Position des TCP</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>Rotationsvektor des TCP</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>Geschwindigkeit des TCP</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>Drehgeschwindigkeit des TCP</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>Beschleunigung des TCP</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>Sollposition des TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>Soll-Rotationsvektor des TCP</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>Sollgeschwindigkeit des TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>Soll-Drehgeschwindigkeit des TCP</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>Rohkraft des Sensors</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>Rohdrehmoment des Sensors</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>Kraft am TCP, Betrag</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>Beschleunigungssensor im Flansch</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>Position des Ellbogens</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>Geschwindigkeit des Ellbogens</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>Gelenkstellungen</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Gelenkströme</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>Gelenktemperaturen</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>Gelenkspannungen</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>Soll-Gelenkstellungen</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>Soll-Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>Soll-Gelenkbeschleunigungen</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>Soll-Gelenkströme</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>Soll-Gelenkmomente</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>Regelströme der Gelenke</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>Erlaubte Abweichung der Ströme</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>Positionsabweichung zu ihrer Grenze</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>Kollisionsmaß zu seiner Grenze</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>Gelenkmodi</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Digitale Eingänge</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>Digitale Ausgänge</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>Analogeingang 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>Analogeingang 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>Analogausgang 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>Analogausgang 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>Werkzeug-Analogeingang 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>Werkzeug-Analogeingang 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>Robotermodus</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>Sicherheitsmodus</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>Sicherheitsstatus</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>Programmzustand</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>Roboterstatus</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>Sicherheitsbits</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>Werkzeugmodus</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>Netzspannung</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>Spannung des Arms</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>Strom des Arms</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>Strom der E/A</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>Werkzeugtemperatur</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>Werkzeugspannung</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>Werkzeugstrom</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>Geschwindigkeitsskalierung</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>Geschwindigkeitsregler</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>Dauer eines Regelschritts</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>Skriptzeile</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>Zeit der Steuerung</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>Schwerpunkt der Nutzlast</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>TCP-Versatz</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>TCP-Drehung</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>Programm läuft</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>Freedrive-Knopf</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>Ein/Aus-Knopf</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reduziert</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Schutzstopp</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Wiederherstellung</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Safeguard-Stopp</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>System-Not-Halt</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>Not-Halt des Roboters</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>Verletzung</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>Von der Sicherheit gestoppt</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>Zustimmgerät</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>Bit %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>Ausgangsregister, Zahlen</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>Eingangsregister, Zahlen</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>Ausgangsregister, Ganzzahlen</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>Eingangsregister, Ganzzahlen</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>Ausgangsregister, Bits</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>Eingangsregister, Bits</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMouse</name>
+    <message>
+        <source>left key</source>
+        <translation>linke Taste</translation>
+    </message>
+    <message>
+        <source>The cap moves and turns as the tool shall.</source>
+        <translation>Die Kappe bewegt und dreht sich so, wie das Werkzeug es soll.</translation>
+    </message>
+</context>
+<context>
+    <name>StartProject</name>
+    <message>
+        <source>The project worked in last is not there any more: %1</source>
+        <translation>Das Projekt, an dem zuletzt gearbeitet wurde, ist nicht mehr da: %1</translation>
+    </message>
+</context>
+<context>
+    <name>StateLane</name>
+    <message>
+        <source>Protective stop</source>
+        <translation>Schutzstopp</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Wiederherstellung</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Safeguard-Stopp</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>Enabling device released</source>
+        <translation>Zustimmgerät losgelassen</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>Sicherheitsverletzung</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>Sicherheitsfehler</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Startet</translation>
+    </message>
+    <message>
+        <source>Brakes on</source>
+        <translation>Bremsen zu</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>Zurückdrücken</translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>Läuft nicht</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Keine Daten</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>Freedrive</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>Fahren %1</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>Bewegt sich</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Ruht</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <translation>Prüfen Sie die Adresse: vier Zahlen wie 192.168.0.10 oder ein Name, den das Netz kennt.</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <translation>Prüfen Sie, dass der Roboter eingeschaltet, das Kabel gesteckt und dieser PC im selben Netz ist.</translation>
+    </message>
+    <message>
+        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <translation>Schalten Sie die Schnittstelle am Roboter ein: Einstellungen, Sicherheit, Dienste. Ein eben gestarteter Roboter braucht vielleicht noch eine Minute.</translation>
+    </message>
+    <message>
+        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <translation>Der Roboter hat die Verbindung beendet: Vielleicht startet er neu oder wurde zwischen Lokal und Fern umgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <translation>Der Roboter antwortet nicht. Prüfen Sie das Kabel und dass die Adresse die des Roboters ist.</translation>
+    </message>
+    <message>
+        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <translation>Es kommen keine Daten mehr. Prüfen Sie das Kabel; die Verbindung kommt von selbst zurück, Bewegung nicht.</translation>
+    </message>
+    <message>
+        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <translation>Was dort antwortet, spricht RTDE nicht, wie es soll. Prüfen Sie Adresse und Port.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software is too old for this.</source>
+        <translation>Die Software des Roboters ist dafür zu alt.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software does not have this value.</source>
+        <translation>Die Software des Roboters hat diesen Wert nicht.</translation>
+    </message>
+    <message>
+        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <translation>Ein anderes Programm oder ein Feldbus am Roboter belegt diese Register: Schließen Sie das andere Programm oder schalten Sie den Feldbus in der Installation aus.</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>Verbinden Sie sich zuerst mit einem Roboter.</translation>
+    </message>
+    <message>
+        <source>Take control first.</source>
+        <translation>Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>Bring the robot to Running and its safety to Normal first.</source>
+        <translation>Bringen Sie zuerst den Roboter auf „Läuft“ und seine Sicherheit auf „Normal“.</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung.</translation>
+    </message>
+    <message>
+        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <translation>Wählen Sie ein Ziel im Bereich des Arms und eine Geschwindigkeit innerhalb der Grenze.</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <translation>Der Arm kann diese Pose nicht erreichen: Rücken Sie den Punkt näher oder drehen Sie das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <translation>Der Roboter konnte das gesendete Programm nicht ausführen. Seine eigenen Worte stehen im Protokoll.</translation>
+    </message>
+    <message>
+        <source>Check that the file exists and may be read.</source>
+        <translation>Prüfen Sie, dass die Datei vorhanden ist und gelesen werden darf.</translation>
+    </message>
+    <message>
+        <source>Choose a folder you may write to.</source>
+        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <translation>Die Datei wurde gelassen, wie sie ist. Öffnen Sie eine Sicherung oder reparieren Sie die genannte Stelle.</translation>
+    </message>
+    <message>
+        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
+        <translation>Der Datenträger ist voll: Was bisher aufgezeichnet wurde, bleibt. Schaffen Sie Platz und zeichnen Sie neu auf.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Erledigt</translation>
+    </message>
+    <message>
+        <source>Address not found</source>
+        <translation>Adresse nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Robot not reachable</source>
+        <translation>Roboter nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Verbindung abgelehnt</translation>
+    </message>
+    <message>
+        <source>Connection ended by the robot</source>
+        <translation>Verbindung vom Roboter beendet</translation>
+    </message>
+    <message>
+        <source>No answer in time</source>
+        <translation>Keine Antwort in der Zeit</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>Not understood</source>
+        <translation>Nicht verstanden</translation>
+    </message>
+    <message>
+        <source>Not supported by this robot</source>
+        <translation>Von diesem Roboter nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Value not available</source>
+        <translation>Wert nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>Registers in use</source>
+        <translation>Register belegt</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>Nicht gesteuert</translation>
+    </message>
+    <message>
+        <source>Not possible in this state</source>
+        <translation>In diesem Zustand nicht möglich</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>Der Roboter ist in lokaler Steuerung</translation>
+    </message>
+    <message>
+        <source>Outside the limits</source>
+        <translation>Außerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>Not a valid value</source>
+        <translation>Kein gültiger Wert</translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation>Außer Reichweite</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Refused by the robot</source>
+        <translation>Vom Roboter verweigert</translation>
+    </message>
+    <message>
+        <source>Program error on the robot</source>
+        <translation>Programmfehler auf dem Roboter</translation>
+    </message>
+    <message>
+        <source>File cannot be read</source>
+        <translation>Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>File cannot be written</source>
+        <translation>Datei kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>File is damaged</source>
+        <translation>Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Disk full</source>
+        <translation>Datenträger voll</translation>
+    </message>
+    <message>
+        <source>Internal error</source>
+        <translation>Interner Fehler</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>losgelassen</translation>
+    </message>
+    <message>
+        <source>pointer left the key</source>
+        <translation>Zeiger hat die Taste verlassen</translation>
+    </message>
+    <message>
+        <source>focus lost</source>
+        <translation>Fokus verloren</translation>
+    </message>
+    <message>
+        <source>window no longer active</source>
+        <translation>Fenster nicht mehr aktiv</translation>
+    </message>
+    <message>
+        <source>window closed</source>
+        <translation>Fenster geschlossen</translation>
+    </message>
+    <message>
+        <source>a dialog or menu opened</source>
+        <translation>ein Dialog oder Menü ging auf</translation>
+    </message>
+    <message>
+        <source>selection changed</source>
+        <translation>Auswahl geändert</translation>
+    </message>
+    <message>
+        <source>second button</source>
+        <translation>zweite Maustaste</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>input device lost</source>
+        <translation>Eingabegerät verloren</translation>
+    </message>
+    <message>
+        <source>robot data too old</source>
+        <translation>Roboterdaten zu alt</translation>
+    </message>
+    <message>
+        <source>robot or safety mode changed</source>
+        <translation>Roboter- oder Sicherheitsmodus geändert</translation>
+    </message>
+    <message>
+        <source>not refreshed in time</source>
+        <translation>nicht rechtzeitig erneuert</translation>
+    </message>
+    <message>
+        <source>PC going to sleep</source>
+        <translation>PC geht schlafen</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>limit reached</source>
+        <translation>Grenze erreicht</translation>
+    </message>
+    <message>
+        <source>control lost</source>
+        <translation>Steuerung verloren</translation>
+    </message>
+    <message>
+        <source>target reached</source>
+        <translation>Ziel erreicht</translation>
+    </message>
+    <message>
+        <source>stopped by a program</source>
+        <translation>von einem Programm gestoppt</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>target cannot be reached</source>
+        <translation>Ziel nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>target too far away for one step</source>
+        <translation>Ziel zu weit für einen Schritt</translation>
+    </message>
+    <message>
+        <source>no sign that it was still held</source>
+        <translation>kein Zeichen, dass noch gehalten wurde</translation>
+    </message>
+    <message>
+        <source>held for the longest time; press again</source>
+        <translation>so lange gehalten wie möglich; neu drücken</translation>
+    </message>
+    <message>
+        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <translation>PolyScope X vor 10.11 nimmt solche Befehle nicht über das Netz an: Verwenden Sie das Tablet.</translation>
+    </message>
+    <message>
+        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <translation>PolyScope X hat keinen Befehl, Meldungsfenster über das Netz zu schließen: Verwenden Sie das Tablet.</translation>
+    </message>
+    <message>
+        <source>Only watching. Take control to move the arm.</source>
+        <translation>Nur beobachtend. Übernehmen Sie die Steuerung, um den Arm zu bewegen.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Übernehme Steuerung…</translation>
+    </message>
+    <message>
+        <source>Control was given back. Take control to move the arm.</source>
+        <translation>Die Steuerung wurde abgegeben. Übernehmen Sie sie, um den Arm zu bewegen.</translation>
+    </message>
+    <message>
+        <source>The control program was stopped on the robot. Take control again.</source>
+        <translation>Das Steuerprogramm wurde am Roboter gestoppt. Übernehmen Sie wieder die Steuerung.</translation>
+    </message>
+    <message>
+        <source>The control program does not answer. Take control again.</source>
+        <translation>Das Steuerprogramm antwortet nicht. Übernehmen Sie wieder die Steuerung.</translation>
+    </message>
+    <message>
+        <source>The link was lost. Take control again.</source>
+        <translation>Die Verbindung ging verloren. Übernehmen Sie wieder die Steuerung.</translation>
+    </message>
+    <message>
+        <source>A script of your own is running. Control comes back when it ends.</source>
+        <translation>Ein eigenes Skript läuft. Die Steuerung kommt zurück, wenn es endet.</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointClipboard</name>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3</source>
+        <translation>%1 liegt außerhalb von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: %3</source>
+        <translation>Zeile %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>“%1” is neither J nor L</source>
+        <translation>„%1“ ist weder J noch L</translation>
+    </message>
+    <message>
+        <source>“%1” is neither joints nor pose</source>
+        <translation>„%1“ ist weder joints noch pose</translation>
+    </message>
+    <message>
+        <source>there is no frame “%1” in this project</source>
+        <translation>in diesem Projekt gibt es kein Koordinatensystem „%1“</translation>
+    </message>
+    <message>
+        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <translation>Das ist keine Tabelle von Wegpunkten. Kopieren Sie einen aus der Liste, um die Spalten zu sehen, oder fügen Sie die sechs Zahlen einer Pose ein.</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>„%1“ ist keine Farbe eines Wegpunkts</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>Zeile %1: Ein Anführungszeichen ist nicht geschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::AnalogRow</name>
+    <message>
+        <source>4–20 mA</source>
+        <translation>4–20 mA</translation>
+    </message>
+    <message>
+        <source>0–10 V</source>
+        <translation>0–10 V</translation>
+    </message>
+    <message>
+        <source>%1 domain</source>
+        <translation>%1 Bereich</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 Wert</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Setzen</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>%1 setzen</translation>
+    </message>
+    <message>
+        <source>%1: %2
+Right click or F2 to rename and scale.</source>
+        <translation>%1: %2
+Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Scale…</source>
+        <translation>Skalieren…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Name von %1</translation>
+    </message>
+    <message>
+        <source>Scale of %1</source>
+        <translation>Skala von %1</translation>
+    </message>
+    <message>
+        <source>bar; empty: not scaled</source>
+        <translation>bar; leer: nicht skaliert</translation>
+    </message>
+    <message>
+        <source>At 4 mA or 0 V</source>
+        <translation>Bei 4 mA oder 0 V</translation>
+    </message>
+    <message>
+        <source>At 20 mA or 10 V</source>
+        <translation>Bei 20 mA oder 10 V</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ArmKey</name>
+    <message>
+        <source>Keyboard armed</source>
+        <translation>Tastatur scharf</translation>
+    </message>
+    <message>
+        <source>Arm keyboard</source>
+        <translation>Tastatur scharf schalten</translation>
+    </message>
+    <message>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <translation>Pfeile bewegen X und Y, BildAuf und BildAb bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − drehen ein Gelenk. Leertaste und Esc stoppen. Klicken Sie oder warten Sie eine halbe Minute: Die Tastatur ist abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <translation>Dann bewegen die Pfeiltasten den Arm, solange sie gehalten werden; ein Rahmen steht um das Fenster.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::DeviceTrainer</name>
+    <message>
+        <source>Moves the arm (until the program ends)</source>
+        <translation>Bewegt den Arm (bis das Programm endet)</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>Nur die am weitesten ausgelenkte Achse</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>Gamepad und SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Which way the arm would go</source>
+        <translation>Wohin der Arm fahren würde</translation>
+    </message>
+    <message>
+        <source>Dead-man</source>
+        <translation>Zustimmtaste</translation>
+    </message>
+    <message>
+        <source>Would move</source>
+        <translation>Würde bewegen</translation>
+    </message>
+    <message>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <translation>Tastatur, solange scharf (Strg+J): Pfeile X und Y, BildAuf und BildAb Z, mit Alt drehen sie, 1 bis 6 mit + und − ein Gelenk, Pos1, Ende richtet aus, Rücktaste zurück, F Freedrive. Strg langsamer, Umschalt schneller. Leertaste und Esc stoppen.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>Kein Gamepad und keine SpaceMouse ist da. Stecken Sie eines ein: Es erscheint von selbst.</translation>
+    </message>
+    <message>
+        <source>● held (%1)</source>
+        <translation>● gehalten (%1)</translation>
+    </message>
+    <message>
+        <source>○ not held: hold the %1</source>
+        <translation>○ nicht gehalten: Halten Sie %1</translation>
+    </message>
+    <message>
+        <source>nothing: neutral</source>
+        <translation>nichts: neutral</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FigureBox</name>
+    <message>
+        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <translation>„%1“ wurde nicht übernommen: %2 bis %3. Nichts wurde geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstSteps</name>
+    <message>
+        <source>Power on (header)</source>
+        <translation>Einschalten (Kopfzeile)</translation>
+    </message>
+    <message>
+        <source>Release brakes (header)</source>
+        <translation>Bremsen lösen (Kopfzeile)</translation>
+    </message>
+    <message>
+        <source>Take control, hold a pad key</source>
+        <translation>Steuerung übernehmen, Taste im Feld halten</translation>
+    </message>
+    <message>
+        <source>Teach here (T)</source>
+        <translation>Hier teachen (T)</translation>
+    </message>
+    <message>
+        <source>Jog away, hold Go to (G)</source>
+        <translation>Wegfahren, Anfahren halten (G)</translation>
+    </message>
+    <message>
+        <source>Record (above the plots)</source>
+        <translation>Aufzeichnen (über den Diagrammen)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstStepsCard</name>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Übungsaufgaben</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <translation>Die Liste kommt nicht von selbst wieder. Der Befehl „Erste Schritte“ holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>First steps · %1 of %2</source>
+        <translation>Erste Schritte · %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameDetails</name>
+    <message>
+        <source>Selected frame</source>
+        <translation>Gewähltes Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <translation>In Basis. Eingabetaste übernimmt; nichts bewegt sich außer dem Koordinatensystem.</translation>
+    </message>
+    <message>
+        <source>no waypoint uses it</source>
+        <translation>kein Wegpunkt verwendet es</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it</source>
+        <translation>
+            <numerusform>%n Wegpunkt bewegt sich mit ihm</numerusform>
+            <numerusform>%n Wegpunkte bewegen sich mit ihm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the TCP</source>
+        <translation>%1 vom TCP</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameEditing</name>
+    <message>
+        <source>No waypoint moved with it.</source>
+        <translation>Kein Wegpunkt bewegte sich mit ihm.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints moved with it.</source>
+        <translation>
+            <numerusform>%n Wegpunkt bewegte sich mit ihm.</numerusform>
+            <numerusform>%n Wegpunkte bewegten sich mit ihm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach there.</source>
+        <translation>
+            <numerusform>%n von ihnen ist dort außer Reichweite.</numerusform>
+            <numerusform>%n von ihnen sind dort außer Reichweite.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>„%1“ teachen</translation>
+    </message>
+    <message>
+        <source>It moves by %1 (%2, base frame).</source>
+        <translation>Es verschiebt sich um %1 (%2, Basis-System).</translation>
+    </message>
+    <message>
+        <source>No waypoint is given in it.</source>
+        <translation>Kein Wegpunkt ist in ihm angegeben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it.</source>
+        <translation>
+            <numerusform>%n Wegpunkt bewegt sich mit ihm.</numerusform>
+            <numerusform>%n Wegpunkte bewegen sich mit ihm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>„%1“ nachteachen?</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Nachteachen</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>„%1“ nachteachen</translation>
+    </message>
+    <message>
+        <source>“%1” is touched up</source>
+        <translation>„%1“ ist nachgeteacht</translation>
+    </message>
+    <message>
+        <source>Set the place of “%1”</source>
+        <translation>Ort von „%1“ setzen</translation>
+    </message>
+    <message>
+        <source>“%1” is set in figures. %2</source>
+        <translation>„%1“ ist in Zahlen gesetzt. %2</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>„%1“ duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>„%1“ löschen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <translation>
+            <numerusform>%n Wegpunkt ist in ihm angegeben. Er bleibt, wo er ist, angegeben in Basis.</numerusform>
+            <numerusform>%n Wegpunkte sind in ihm angegeben. Sie bleiben, wo sie sind, angegeben in Basis.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>Koordinatensystem löschen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameModel</name>
+    <message>
+        <source>A frame needs a name.</source>
+        <translation>Ein Koordinatensystem braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Blick</translation>
+    </message>
+    <message>
+        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <translation>„%1“ ist ein Koordinatensystem, das jeder Roboter hat. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another frame. Choose another name.</source>
+        <translation>„%1“ heißt schon ein anderes Koordinatensystem. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>Ursprung %1</translation>
+    </message>
+    <message>
+        <source>Origin in Base, X Y Z, %1</source>
+        <translation>Ursprung in Basis, X Y Z, %1</translation>
+    </message>
+    <message>
+        <source>Rotation rad</source>
+        <translation>Drehung rad</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Rotation vector in Base, radians</source>
+        <translation>Rotationsvektor in Basis, Radiant</translation>
+    </message>
+    <message>
+        <source>Roll, pitch and yaw in Base</source>
+        <translation>Roll, Nick und Gier in Basis</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Waypoints that move with it</source>
+        <translation>Wegpunkte, die sich mit ihm bewegen</translation>
+    </message>
+    <message>
+        <source>TCP %1</source>
+        <translation>TCP %1</translation>
+    </message>
+    <message>
+        <source>Distance of the TCP, %1</source>
+        <translation>Abstand des TCP, %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTable</name>
+    <message>
+        <source>Frames</source>
+        <translation>Koordinatensysteme</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTeacher</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Frame from three points</source>
+        <translation>Koordinatensystem aus drei Punkten</translation>
+    </message>
+    <message>
+        <source>Cancel the frame</source>
+        <translation>Koordinatensystem abbrechen</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>On +X</source>
+        <translation>Auf +X</translation>
+    </message>
+    <message>
+        <source>Towards +Y</source>
+        <translation>Richtung +Y</translation>
+    </message>
+    <message>
+        <source>Take the origin here</source>
+        <translation>Den Ursprung hier nehmen</translation>
+    </message>
+    <message>
+        <source>Take the point on +X here</source>
+        <translation>Den Punkt auf +X hier nehmen</translation>
+    </message>
+    <message>
+        <source>Take the point towards +Y here</source>
+        <translation>Den Punkt Richtung +Y hier nehmen</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Nehmen</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>System anlegen</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the point again.</source>
+        <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie den Punkt erneut.</translation>
+    </message>
+    <message>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <translation>Der Punkt auf +X ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn erneut, mindestens %2 entfernt: Je weiter, desto genauer die Achsen.</translation>
+    </message>
+    <message>
+        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <translation>Der dritte Punkt ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn erneut, mindestens %2 entfernt.</translation>
+    </message>
+    <message>
+        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <translation>Die drei Punkte liegen auf einer Linie: Der dritte ist nur %1 neben der X-Achse. Nehmen Sie ihn erneut, mindestens %2 auf der Seite von +Y.</translation>
+    </message>
+    <message>
+        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <translation>Bereit: Der Punkt auf +X ist %1 entfernt, der dritte liegt %2 neben der X-Achse.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <translation>Fahren Sie die Spitze dorthin, wo das Koordinatensystem beginnt, und nehmen Sie den Punkt (P).</translation>
+    </message>
+    <message>
+        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <translation>Nun zu einem Punkt auf +X: %1 vom Ursprung, %2 ist das Mindeste.</translation>
+    </message>
+    <message>
+        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <translation>Nun auf die Seite von +Y: %1 neben der X-Achse, %2 ist das Mindeste.</translation>
+    </message>
+    <message>
+        <source>Take  P</source>
+        <translation>Nehmen  P</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FramesTab</name>
+    <message>
+        <source>Frames</source>
+        <translation>Koordinatensysteme</translation>
+    </message>
+    <message>
+        <source>From TCP</source>
+        <translation>Vom TCP</translation>
+    </message>
+    <message>
+        <source>Teach a frame from the TCP</source>
+        <translation>Ein Koordinatensystem vom TCP teachen</translation>
+    </message>
+    <message>
+        <source>3 points</source>
+        <translation>3 Punkte</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points</source>
+        <translation>Ein Koordinatensystem aus drei Punkten teachen</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Nachteachen</translation>
+    </message>
+    <message>
+        <source>Touch up the frame</source>
+        <translation>Das Koordinatensystem nachteachen</translation>
+    </message>
+    <message>
+        <source>More about frames</source>
+        <translation>Mehr zu Koordinatensystemen</translation>
+    </message>
+    <message>
+        <source>No frames yet.
+Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+        <translation>Noch keine Koordinatensysteme.
+Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP“, oder „3 Punkte“ für Ursprung, +X und +Y.</translation>
+    </message>
+    <message>
+        <source>new frame</source>
+        <translation>neues Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <translation>Ein Koordinatensystem am TCP, mit den Achsen des Werkzeugs (Umschalt+T)</translation>
+    </message>
+    <message>
+        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>Ursprung, ein Punkt auf +X, ein Punkt Richtung +Y (Strg+Umschalt+T)</translation>
+    </message>
+    <message>
+        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <translation>Das gewählte Koordinatensystem geht dorthin, wo der TCP ist (Umschalt+U)</translation>
+    </message>
+    <message>
+        <source>Select a frame to touch up.</source>
+        <translation>Wählen Sie ein Koordinatensystem zum Nachteachen.</translation>
+    </message>
+    <message>
+        <source>Teach frame from the TCP</source>
+        <translation>Koordinatensystem vom TCP teachen</translation>
+    </message>
+    <message>
+        <source>Teach frame from three points</source>
+        <translation>Koordinatensystem aus drei Punkten teachen</translation>
+    </message>
+    <message>
+        <source>Take the next point of the frame</source>
+        <translation>Den nächsten Punkt des Koordinatensystems nehmen</translation>
+    </message>
+    <message>
+        <source>Make the frame of the points taken</source>
+        <translation>Das Koordinatensystem aus den genommenen Punkten anlegen</translation>
+    </message>
+    <message>
+        <source>Cancel frame teaching</source>
+        <translation>Teachen des Koordinatensystems abbrechen</translation>
+    </message>
+    <message>
+        <source>Touch up frame from the TCP</source>
+        <translation>Koordinatensystem vom TCP nachteachen</translation>
+    </message>
+    <message>
+        <source>Touch up frame from three points</source>
+        <translation>Koordinatensystem aus drei Punkten nachteachen</translation>
+    </message>
+    <message>
+        <source>Jog in this frame</source>
+        <translation>In diesem Koordinatensystem verfahren</translation>
+    </message>
+    <message>
+        <source>Rename frame</source>
+        <translation>Koordinatensystem umbenennen</translation>
+    </message>
+    <message>
+        <source>Set frame in figures</source>
+        <translation>Koordinatensystem in Zahlen setzen</translation>
+    </message>
+    <message>
+        <source>Duplicate frame</source>
+        <translation>Koordinatensystem duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>Koordinatensystem löschen</translation>
+    </message>
+    <message>
+        <source>Touch up “%1” from three points</source>
+        <translation>„%1“ aus drei Punkten nachteachen</translation>
+    </message>
+    <message>
+        <source>New frame from three points</source>
+        <translation>Neues Koordinatensystem aus drei Punkten</translation>
+    </message>
+    <message>
+        <source>Touch up…</source>
+        <translation>Nachteachen…</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>System anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>Es gibt keine Wegpunkte zum Abfahren. Teachen Sie welche oder wählen Sie sie.</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>Vor diesem gibt es keinen Wegpunkt.</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>Ein Wegpunkt des Wegs ist nicht mehr in diesem Projekt.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>„%1“: %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>Die Wegpunkte abfahren</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>Abfahren (halten)</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>Abfahren, halten</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>Fährt von Wegpunkt zu Wegpunkt, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit. Loslassen pausiert; der nächste Druck fährt zum kommenden Wegpunkt weiter.</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ Schritt</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>Einen Wegpunkt zurück, halten</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>Fährt zum vorigen Wegpunkt zurück, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>Schritt ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>Einen Wegpunkt weiter, halten</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>Fährt zum kommenden Wegpunkt, solange die Taste gehalten wird, und hält dort</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>Welche Wegpunkte abgefahren werden</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>Welche Wegpunkte</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>Welche Wegpunkte abgefahren werden, in der Reihenfolge der Liste</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Von hier</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>In einer Schleife</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>Nach dem letzten Wegpunkt kommt wieder der erste, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>Der kommende: %1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>Fertig. Der nächste Druck beginnt beim ersten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt</numerusform>
+            <numerusform>%n Wegpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoToButton</name>
+    <message>
+        <source>Go to (hold)  G</source>
+        <translation>Anfahren (halten)  G</translation>
+    </message>
+    <message>
+        <source>Go to, hold</source>
+        <translation>Anfahren, halten</translation>
+    </message>
+    <message>
+        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
+        <translation>Bewegt den Arm zum gewählten Wegpunkt, solange die Taste gehalten wird (G), nicht schneller als die Verfahrgeschwindigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GripperPanel</name>
+    <message>
+        <source>State of the gripper</source>
+        <translation>Zustand des Greifers</translation>
+    </message>
+    <message>
+        <source>How far the gripper is open</source>
+        <translation>Wie weit der Greifer offen ist</translation>
+    </message>
+    <message>
+        <source>What the gripper holds</source>
+        <translation>Was der Greifer hält</translation>
+    </message>
+    <message>
+        <source>Activate</source>
+        <translation>Aktivieren</translation>
+    </message>
+    <message>
+        <source>Activate the gripper</source>
+        <translation>Den Greifer aktivieren</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>Den Greifer öffnen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>Den Greifer schließen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Move the fingers to this opening</source>
+        <translation>Die Finger auf diese Öffnung bewegen</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>Greifer: öffnen</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>Greifer: schließen</translation>
+    </message>
+    <message>
+        <source>Gripper: to %1</source>
+        <translation>Greifer: auf %1</translation>
+    </message>
+    <message>
+        <source>Which gripper</source>
+        <translation>Welcher Greifer</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>Robotiq %1</source>
+        <translation>Robotiq %1</translation>
+    </message>
+    <message>
+        <source>One output: on closes</source>
+        <translation>Ein Ausgang: ein schließt</translation>
+    </message>
+    <message>
+        <source>Two outputs: open, close</source>
+        <translation>Zwei Ausgänge: öffnen, schließen</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>Ausgang, der schließt</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>Ausgang, der öffnet</translation>
+    </message>
+    <message>
+        <source>Opening wanted</source>
+        <translation>Gewünschte Öffnung</translation>
+    </message>
+    <message>
+        <source>Speed of the fingers</source>
+        <translation>Geschwindigkeit der Finger</translation>
+    </message>
+    <message>
+        <source>Force of the fingers</source>
+        <translation>Kraft der Finger</translation>
+    </message>
+    <message>
+        <source>What to do about the gripper</source>
+        <translation>Was am Greifer zu tun ist</translation>
+    </message>
+    <message>
+        <source>Closes</source>
+        <translation>Schließt</translation>
+    </message>
+    <message>
+        <source>Opens</source>
+        <translation>Öffnet</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Hält</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <translation>Wie weit die Finger öffnen sollen, 0 bis %1. „Bewegen“ schickt sie dorthin.</translation>
+    </message>
+    <message>
+        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <translation>Der nächsten Bewegung. 0 % sind etwa %1, 100 % etwa %2.</translation>
+    </message>
+    <message>
+        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <translation>Des nächsten Griffs. 0 % sind etwa %1, 100 % etwa %2.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Gripper of this robot: %1</source>
+        <translation>Greifer dieses Roboters: %1</translation>
+    </message>
+    <message>
+        <source>%1 (speed %2, force %3)</source>
+        <translation>%1 (Geschwindigkeit %2, Kraft %3)</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first: each robot remembers its gripper.</source>
+        <translation>Verbinden Sie sich zuerst mit einem Roboter: Jeder Roboter merkt sich seinen Greifer.</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>Keine Daten vom Roboter.</translation>
+    </message>
+    <message>
+        <source>One moment…</source>
+        <translation>Einen Moment…</translation>
+    </message>
+    <message>
+        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <translation>Wählen Sie, was am Handgelenk ist. Es wird mit diesem Roboter gemerkt.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>being activated…</source>
+        <translation>wird aktiviert…</translation>
+    </message>
+    <message>
+        <source>not active</source>
+        <translation>nicht aktiv</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>steht aus…</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>bewegt sich</translation>
+    </message>
+    <message>
+        <source>active, standing</source>
+        <translation>aktiv, steht</translation>
+    </message>
+    <message>
+        <source>unknown while it moves</source>
+        <translation>unbekannt, während er sich bewegt</translation>
+    </message>
+    <message>
+        <source>an object, from outside</source>
+        <translation>ein Objekt, von außen</translation>
+    </message>
+    <message>
+        <source>an object, from inside</source>
+        <translation>ein Objekt, von innen</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>With this port offset no gripper can be reached.</source>
+        <translation>Mit diesem Port-Versatz ist kein Greifer erreichbar.</translation>
+    </message>
+    <message>
+        <source>Being activated: the fingers open and close once.</source>
+        <translation>Wird aktiviert: Die Finger öffnen und schließen einmal.</translation>
+    </message>
+    <message>
+        <source>Activate the gripper first.</source>
+        <translation>Aktivieren Sie zuerst den Greifer.</translation>
+    </message>
+    <message>
+        <source>The gripper is active.</source>
+        <translation>Der Greifer ist aktiv.</translation>
+    </message>
+    <message>
+        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <translation>Ein Stopp des Arms lässt den Greifer, wie er ist: Er hält weiter.</translation>
+    </message>
+    <message>
+        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <translation>Die Finger öffnen und schließen einmal; was sie halten, fällt. Halten Sie Finger aus dem Greifer.</translation>
+    </message>
+    <message>
+        <source>Opens the gripper; what it holds is let go.</source>
+        <translation>Öffnet den Greifer; was er hält, wird losgelassen.</translation>
+    </message>
+    <message>
+        <source>Closes the gripper. Keep fingers out of it.</source>
+        <translation>Schließt den Greifer. Halten Sie Finger heraus.</translation>
+    </message>
+    <message>
+        <source>Sends the fingers to this opening.</source>
+        <translation>Schickt die Finger auf diese Öffnung.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HeaderBar</name>
+    <message>
+        <source>ROBOT</source>
+        <translation>ROBOTER</translation>
+    </message>
+    <message>
+        <source>ROBOT MODE</source>
+        <translation>ROBOTERMODUS</translation>
+    </message>
+    <message>
+        <source>SAFETY</source>
+        <translation>SICHERHEIT</translation>
+    </message>
+    <message>
+        <source>CONTROL</source>
+        <translation>STEUERUNG</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>LINK</translation>
+    </message>
+    <message>
+        <source>LAST STOP</source>
+        <translation>LETZTER STOPP</translation>
+    </message>
+    <message>
+        <source>State of the robot</source>
+        <translation>Zustand des Roboters</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>KEINE DATEN</translation>
+    </message>
+    <message>
+        <source>LAST STOP · no witness</source>
+        <translation>LETZTER STOPP · kein Zeuge</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <translation>Die Daten endeten, während der Arm sich bewegte: Wie er stoppte, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 ms · %2</source>
+        <translation>%1 ms · %2</translation>
+    </message>
+    <message>
+        <source>From the stop to standstill, measured. Cause: %1</source>
+        <translation>Vom Stopp bis zum Stillstand, gemessen. Ursache: %1</translation>
+    </message>
+    <message>
+        <source>No stop measured yet</source>
+        <translation>Noch kein Stopp gemessen</translation>
+    </message>
+    <message>
+        <source>▲ Speed cap raised to %1</source>
+        <translation>▲ Geschwindigkeitsgrenze auf %1 erhöht</translation>
+    </message>
+    <message>
+        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <translation>Der Arm kann schneller werden als %1. Senken Sie die Grenze in den Einstellungen; sie endet mit dem Programm.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldButton</name>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <translation>Halten Sie diese Taste: Sie bewegt den Arm nur, solange sie gehalten wird.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldRules</name>
+    <message>
+        <source>The window was not the active one. Press again.</source>
+        <translation>Das Fenster war nicht das aktive. Drücken Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Click into the window first.</source>
+        <translation>Klicken Sie zuerst in das Fenster.</translation>
+    </message>
+    <message>
+        <source>A dialog or a menu is open. Close it first.</source>
+        <translation>Ein Dialog oder Menü ist offen. Schließen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>Eine andere Taste wird gehalten.</translation>
+    </message>
+    <message>
+        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <translation>Der Display-Server antwortet nicht: Niemand könnte sagen, wann die Taste losgelassen wird.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>Schutzstopp</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>Sicherheitsverletzung</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>Der Vorfall (%1) konnte nicht aufgezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>Vorfall aufgezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>Alles ab %1 s davor ist in %2. Doppelklicken Sie diese Zeile, um es zu öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoChannel</name>
+    <message>
+        <source>no data</source>
+        <translation>keine Daten</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>steht aus…</translation>
+    </message>
+    <message>
+        <source>%1, old data</source>
+        <translation>%1, alte Daten</translation>
+    </message>
+    <message>
+        <source>
+Cannot be switched while no data come from the robot.</source>
+        <translation>
+Kann nicht geschaltet werden, solange keine Daten vom Roboter kommen.</translation>
+    </message>
+    <message>
+        <source>
+Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+        <translation>
+Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
+    </message>
+    <message>
+        <source>%1 (held by another)</source>
+        <translation>%1 (von anderem belegt)</translation>
+    </message>
+    <message>
+        <source>Pulse</source>
+        <translation>Puls</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Name von %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoPages</name>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Part of I/O</source>
+        <translation>Teil von E/A</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoTab</name>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Ein- und Ausgänge</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>Ein- und Ausgänge suchen</translation>
+    </message>
+    <message>
+        <source>Search by terminal or name</source>
+        <translation>Nach Klemme oder Namen suchen</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>Digitale Ausgänge</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Digitale Eingänge</translation>
+    </message>
+    <message>
+        <source>Configurable outputs</source>
+        <translation>Konfigurierbare Ausgänge</translation>
+    </message>
+    <message>
+        <source>Configurable inputs</source>
+        <translation>Konfigurierbare Eingänge</translation>
+    </message>
+    <message>
+        <source>Tool outputs</source>
+        <translation>Werkzeugausgänge</translation>
+    </message>
+    <message>
+        <source>Tool inputs</source>
+        <translation>Werkzeugeingänge</translation>
+    </message>
+    <message>
+        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <translation>Gehen Sie zuerst mit der Tabulatortaste zu einer Zeile des Registers E/A.</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm %1</source>
+        <translation>Der Roboter hat %1 nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may own it.</source>
+        <translation>Vielleicht gehört es einem anderen Programm oder der Installation.</translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation>Analog</translation>
+    </message>
+    <message>
+        <source>Registers of the robot&apos;s programs</source>
+        <translation>Register der Roboterprogramme</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>Keine Daten vom Roboter.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogColumn</name>
+    <message>
+        <source>Jog</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation>Halten zum Bewegen</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Shown below the pad</source>
+        <translation>Unter dem Tastenfeld gezeigt</translation>
+    </message>
+    <message>
+        <source>The arm has not moved yet.</source>
+        <translation>Der Arm hat sich noch nicht bewegt.</translation>
+    </message>
+    <message>
+        <source>let go and press again</source>
+        <translation>loslassen und neu drücken</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>Freedrive</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>Moves every joint to the home position while held</source>
+        <translation>Bewegt jedes Gelenk zur Home-Stellung, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <translation>Dreht das Werkzeug zur nächsten Achse des gewählten Systems, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Goes back the way the arm came while held</source>
+        <translation>Fährt den Weg zurück, den der Arm kam, solange gehalten</translation>
+    </message>
+    <message>
+        <source>home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation>ausgerichtet</translation>
+    </message>
+    <message>
+        <source>Ends in %1 s</source>
+        <translation>Endet in %1 s</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>Eine andere Taste wird gehalten.</translation>
+    </message>
+    <message>
+        <source>Last stop: not seen, data ended while the arm moved</source>
+        <translation>Letzter Stopp: nicht gesehen, die Daten endeten während der Bewegung</translation>
+    </message>
+    <message>
+        <source>Last stop: %1, standstill after %2 ms, %3</source>
+        <translation>Letzter Stopp: %1, Stillstand nach %2 ms, %3</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <translation>Der Arm folgt der Hand, solange gehalten: %1. Rechtsklick: andere Achsen</translation>
+    </message>
+    <message>
+        <source>Freedrive, %1</source>
+        <translation>Freedrive, %1</translation>
+    </message>
+    <message>
+        <source>Freedrive…</source>
+        <translation>Freedrive…</translation>
+    </message>
+    <message>
+        <source>Check the payload first (until the next connection)</source>
+        <translation>Nutzlast zuerst prüfen (bis zur nächsten Verbindung)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogKey</name>
+    <message>
+        <source>%1 left this way</source>
+        <translation>noch %1 in dieser Richtung</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogPad</name>
+    <message>
+        <source>Jog keys</source>
+        <translation>Verfahrtasten</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>Fahren %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogSelectors</name>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Blick</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Moves while the key is held</source>
+        <translation>Bewegt, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Turns while the key is held</source>
+        <translation>Dreht, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <translation>Achsen des Bilds: X rechts, Y von Ihnen weg, Z oben</translation>
+    </message>
+    <message>
+        <source>Needs the 3D view</source>
+        <translation>Braucht die 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <translation>Noch kein Koordinatensystem geteacht. Teachen Sie eines im Register Koordinatensysteme.</translation>
+    </message>
+    <message>
+        <source>One step a press: %1</source>
+        <translation>Ein Schritt je Druck: %1</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1</source>
+        <translation>Eine Drehung je Druck, von Werkzeug oder Gelenk: %1</translation>
+    </message>
+    <message>
+        <source>≤ %1</source>
+        <translation>≤ %1</translation>
+    </message>
+    <message>
+        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <translation>Langsam, bis das Werkzeug mit %1 N etwas berührt, solange gehalten. Noch einmal klicken für andere Schritte</translation>
+    </message>
+    <message>
+        <source>One step a press: %1. Click again for other steps</source>
+        <translation>Ein Schritt je Druck: %1. Noch einmal klicken für andere Schritte</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <translation>Eine Drehung je Druck, von Werkzeug oder Gelenk: %1. Noch einmal klicken für andere Drehungen</translation>
+    </message>
+    <message>
+        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <translation>%1 · Drehung %2 · Gelenke %3 · Strg × 0,1, Umschalt × 3</translation>
+    </message>
+    <message>
+        <source>Other turn…</source>
+        <translation>Andere Drehung…</translation>
+    </message>
+    <message>
+        <source>Other step…</source>
+        <translation>Anderer Schritt…</translation>
+    </message>
+    <message>
+        <source>Until contact, %1 N</source>
+        <translation>Bis Kontakt, %1 N</translation>
+    </message>
+    <message>
+        <source>Until contact, other force…</source>
+        <translation>Bis Kontakt, andere Kraft…</translation>
+    </message>
+    <message>
+        <source>Other speed…</source>
+        <translation>Andere Geschwindigkeit…</translation>
+    </message>
+    <message>
+        <source>Step in %1</source>
+        <translation>Schritt in %1</translation>
+    </message>
+    <message>
+        <source>Turn in degrees</source>
+        <translation>Drehung in Grad</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP in %1</source>
+        <translation>Geschwindigkeit des TCP in %1</translation>
+    </message>
+    <message>
+        <source>Force that ends the motion, in N</source>
+        <translation>Kraft in N, die die Bewegung beendet</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRow</name>
+    <message>
+        <source>%1 minus</source>
+        <translation>%1 minus</translation>
+    </message>
+    <message>
+        <source>%1 plus</source>
+        <translation>%1 plus</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRows</name>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::KeyboardJog</name>
+    <message>
+        <source>Keyboard jogging is armed</source>
+        <translation>Tastatur-Verfahren ist scharf</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimiterLine</name>
+    <message>
+        <source>Limiter</source>
+        <translation>Begrenzung</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogModel</name>
+    <message>
+        <source>Info</source>
+        <translation>Info</translation>
+    </message>
+    <message>
+        <source>▲ Warning</source>
+        <translation>▲ Warnung</translation>
+    </message>
+    <message>
+        <source>⬣ Error</source>
+        <translation>⬣ Fehler</translation>
+    </message>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>der Bediener</translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation>der Roboter</translation>
+    </message>
+    <message>
+        <source>(×%1 until %2) %3</source>
+        <translation>(×%1 bis %2) %3</translation>
+    </message>
+    <message>
+        <source>%1 · from %2</source>
+        <translation>%1 · von %2</translation>
+    </message>
+    <message>
+        <source>%1 times from %2 to %3 · from %4</source>
+        <translation>%1-mal von %2 bis %3 · von %4</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogTab</name>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Show from severity</source>
+        <translation>Ab Schwere zeigen</translation>
+    </message>
+    <message>
+        <source>Filter the log by words</source>
+        <translation>Das Protokoll nach Wörtern filtern</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <translation>Die gewählten Zeilen kopieren oder alle gezeigten (Strg+C)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the lines that are shown to a file</source>
+        <translation>Die gezeigten Zeilen in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>The selected line in full</source>
+        <translation>Die gewählte Zeile in voller Länge</translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>Export the log</source>
+        <translation>Das Protokoll exportieren</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>Log written to %1</source>
+        <translation>Protokoll geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>Die Aufzeichnung der gewählten Zeile öffnen: Vorfälle haben eine</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 berührt %2 des Arms schon hier</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 trifft %2 des Arms nach %3 des Wegs</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 berührt den Boden schon hier</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 trifft den Boden nach %2 des Wegs</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 berührt „%2“ schon hier</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 trifft „%2“ nach %3 des Wegs</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>Die Linie läuft nach %1 des Wegs in die Handgelenk-Singularität</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>Langsam nahe der Handgelenk-Singularität bei %1 des Wegs</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>Die Linie läuft nach %1 des Wegs in den gestreckten Ellbogen</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>Langsam nahe dem gestreckten Ellbogen bei %1 des Wegs</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>Die Linie läuft nach %1 des Wegs in die Achse der Basis</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>Langsam nahe der Achse der Basis bei %1 des Wegs</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>Ein Gelenk müsste nach %1 des Wegs auf einmal drehen</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 verlässt seinen Bereich nach %2 des Wegs</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>Die Linie verlässt die Reichweite des Arms nach %1 des Wegs</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>Oberarm</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Unterarm</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>Handgelenk 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>Handgelenk 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>Handgelenk 3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NothingFound</name>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>Nichts gefunden mit diesen Filtern.</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>Nichts gefunden für „%1“.
+Leeren Sie die Suche, um alles zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>Toleranz aufgezeichneter Bahnen</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>Bahn aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>Bahn als CSV exportieren…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>Vorführung importieren (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>Die Aufzeichnung der Bahn endete von selbst: Die Daten hörten auf, oder sie dauerte zehn Minuten.</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>Was bis dahin aufgezeichnet wurde, bleibt.</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ Bahn aufzeichnen</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>Die Aufzeichnung der Bahn beenden</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>Die Bahn wird ausgedünnt.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>Vom Roboter kommen keine Daten: Es gibt nichts aufzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>Beendet die Aufzeichnung und behält die Bahn als Wegpunkte</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>Zeichnet auf, wohin der Arm geführt wird, durch Freedrive oder Verfahren, bis erneut gedrückt wird, und behält die Bahn als Wegpunkte. Es bewegt nichts.</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Wählen Sie die Wegpunkte der Bahn, mindestens zwei.</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>Bahn exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>Die Bahn wurde nicht geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n Wegpunkt als Bahn nach %1 geschrieben</numerusform>
+            <numerusform>%n Wegpunkte als Bahn nach %1 geschrieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>Eine Vorführung importieren</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 hat keine Spalte „%2“. Es braucht timestamp und actual_q_0 bis actual_q_5.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>Vom Roboter kommen keine Daten: Es gibt nichts aufzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>Nichts wurde gelesen: Eine Bahn wird aufgezeichnet. Beenden Sie das zuerst.</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>Die Vorführung konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>Bahn %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>Der Arm hat sich nicht bewegt: Es wurde keine Bahn behalten.</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>„%1“ aufzeichnen</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>„%1“: %2 s in %3 Wegpunkten. Jeder aufgezeichnete Ort liegt innerhalb von %4 und %5 von ihnen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n Paket kam nicht an.</numerusform>
+            <numerusform>%n Pakete kamen nicht an.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Wählen Sie die Wegpunkte der Bahn, mindestens zwei.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>„%1“ ist nicht erreichbar. Teachen Sie ihn nach oder lassen Sie ihn aus.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>Muster aus drei Ecken</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>Muster „%1“</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>Erster Platz</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>Ende der ersten Reihe</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>Anfang der letzten Reihe</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>einen Wegpunkt wählen</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>wie geteacht</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>Plätze je Reihe</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>Höhe einer Lage</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>Von einer Lage zur nächsten, gegen die Richtung des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>Reihe für Reihe</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>Mäander</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>Muster anlegen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>Ein Muster braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>Ein Muster dieses Namens gibt es schon. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>Wählen Sie den Wegpunkt jeder Ecke. Teachen Sie zuerst die drei Ecken, wo keine sind.</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>Zwei Ecken sind derselbe Ort. Wählen Sie für eine einen anderen Wegpunkt.</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>Die Höhe einer Lage ist keine mögliche Zahl.</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>Lagen brauchen eine Höhe.</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 Plätze sind mehr als die %2, die ein Muster haben kann.</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>Alle Plätze sind ausgelassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n Wegpunkt.</numerusform>
+            <numerusform>%n Wegpunkte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 Alle sind erreichbar.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>%n von ihnen ist außer Reichweite und markiert.</numerusform>
+            <numerusform>%n von ihnen sind außer Reichweite und markiert.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>Plätze des Musters</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>Klicken Sie einen Platz an, um ihn auszulassen oder wieder aufzunehmen. Die erste Ecke ist unten links.</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>Reihe %1, Spalte %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>Nächste Pose (halten)</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>Nutzlast behalten</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>Die Nutzlast finden</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>Die Nutzlast durch Wiegen in mehreren Posen finden</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>Nächste Pose, halten</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>Dreht das Handgelenk zur nächsten Pose, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit. Achten Sie darauf, dass das Werkzeug Platz zum Drehen hat.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>Das Finden der Nutzlast abbrechen</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>Der Arm hat sich bewegt. Lassen Sie ihn zur Ruhe kommen, berühren Sie nichts und nehmen Sie die Pose erneut.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>Der Roboter sendet keine Kräfte. Geben Sie Masse und Schwerpunkt stattdessen in Zahlen ein.</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Wiege… nichts soll das Werkzeug berühren.</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg, Schwerpunkt bei %2 vom Flansch. Die Posen stimmen auf %3 und %4 überein.</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 Das ist schlecht: Pose %2 passt am wenigsten. Entfernen Sie sie und nehmen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>Das Werkzeug ist zwischen den Posen zu wenig gedreht. Nehmen Sie noch eine, auf eine andere Seite gedreht.</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg: zu leicht, als dass der Sensor den Schwerpunkt nennen könnte. Geben Sie ihn in Zahlen ein.</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>Lassen Sie den Arm zur Ruhe kommen, berühren Sie nichts und nehmen Sie die Pose. Drehen Sie dann das Handgelenk, durch Verfahren oder mit „Nächste Pose“, und nehmen Sie drei weitere.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Drehen Sie das Handgelenk auf eine andere Seite und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+            <numerusform>Drehen Sie das Handgelenk auf eine andere Seite und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Pose %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>Die schlechteste entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>Die letzte entfernen</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>Pose %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ passt am wenigsten</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>Masse kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>Eine Nutzlast braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>„%1“ heißt schon eine andere Nutzlast. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>Nichts montiert</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85, leer</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140, leer</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>Nutzlasten</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>Noch keine Nutzlast.
+Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um sie mit dem Arm zu finden.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>Masse der Nutzlast</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>Schwerpunkt X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>Schwerpunkt Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>Schwerpunkt Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>Eingabetaste übernimmt es ins Projekt; der Roboter behält das Seine.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>Diese Nutzlast verwenden und am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>Wiegen…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>Die Nutzlast mit dem Arm finden</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>Stimmt sie?</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>Prüfen, ob die Nutzlast stimmt</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>Die Nutzlast behalten, die der Roboter hat</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>Neue Nutzlast in Zahlen</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>Vorgabe hinzufügen: %1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>Nutzlast umbenennen</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>Nutzlast duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>Nutzlast löschen</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>Die Nutzlast „%1“ hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>Die Nutzlast „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>Wählen Sie eine Nutzlast zum Setzen.</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>Die Nutzlast „%1“ verwenden</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>Die Nutzlast „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Wiege… nichts soll das Werkzeug berühren.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>Der Arm hat sich bewegt. Lassen Sie ihn zur Ruhe kommen, berühren Sie nichts und prüfen Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>Der Roboter sendet keine Kräfte: Seine Nutzlast kann nicht geprüft werden.</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>Mit %1 kg spürt der Arm in Ruhe %2 und %3.</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>Die Nutzlast stimmt. %1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>Die Nutzlast stimmt</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>Dort hängen etwa %1 kg mehr, als ihm gesagt wurde.</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>Dort hängen etwa %1 kg weniger, als ihm gesagt wurde.</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>Ihr Schwerpunkt liegt anderswo, oder etwas berührt das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 Wiegen Sie sie oder wählen Sie eine andere Nutzlast. Den Kraftsensor auf null zu setzen, verbirgt eine falsche Nutzlast, bis das Werkzeug sich dreht.</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>Die Nutzlast stimmt nicht. %1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>Die Nutzlast stimmt nicht</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, wie der Roboter sie hat</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1; dem Roboter wurden %2 kg, Schwerpunkt %3 gesagt</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>Der Roboter hat eine andere Nutzlast als „%1“</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>Am Roboter: %1 kg, Schwerpunkt %2. Im Projekt: %3 kg, Schwerpunkt %4. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>„%1“ am Roboter setzen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotDock</name>
+    <message>
+        <source>5 s</source>
+        <translation>5 s</translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation>30 s</translation>
+    </message>
+    <message>
+        <source>2 min</source>
+        <translation>2 min</translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation>10 min</translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation>30 min</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Cursor read-out</source>
+        <translation>Ablesung am Cursor</translation>
+    </message>
+    <message>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <translation>Klicken Sie in die Diagramme, um die Cursor A und B zu setzen; ziehen Sie sie, oder verwenden Sie die Tasten A, B und die Pfeile. Klicken Sie einen Namen in einer Legende an, um seine Kurve zu verbergen, mit Strg, um dieses Signal abzulesen.</translation>
+    </message>
+    <message>
+        <source>Time window</source>
+        <translation>Zeitfenster</translation>
+    </message>
+    <message>
+        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <translation>Wie viel Zeit die Diagramme zeigen. Das Mausrad über den Diagrammen zoomt; über den Werten links oder mit Strg zoomt es diese, und ein Doppelklick dort lässt wieder die Kurven entscheiden.</translation>
+    </message>
+    <message>
+        <source>Pause the plots</source>
+        <translation>Diagramme anhalten</translation>
+    </message>
+    <message>
+        <source>Zero the force shown</source>
+        <translation>Gezeigte Kraft auf null setzen</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Null</translation>
+    </message>
+    <message>
+        <source>Export the shown range</source>
+        <translation>Den gezeigten Bereich exportieren</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <translation>Das Gezeigte als Bild (PNG) oder als Werte (CSV) speichern</translation>
+    </message>
+    <message>
+        <source>Record to a CSV file</source>
+        <translation>In eine CSV-Datei aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <translation>In eine CSV-Datei aufzeichnen, was der Roboter sendet; die Taste daneben sagt, was und wohin</translation>
+    </message>
+    <message>
+        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>Die Kraft wurde nicht auf null gesetzt: Die Diagramme zeigen keine Werte. Verbinden Sie sich mit einem Roboter oder gehen Sie zu einer Zeit mit Werten.</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s back</source>
+        <translation>Angehalten · %1 s zurück</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Hold the plots still; data and recording go on</source>
+        <translation>Die Diagramme anhalten; Daten und Aufzeichnung gehen weiter</translation>
+    </message>
+    <message>
+        <source>Back to the newest samples</source>
+        <translation>Zurück zu den neuesten Werten</translation>
+    </message>
+    <message>
+        <source>Show the force as the robot measures it again. %1</source>
+        <translation>Die Kraft wieder zeigen, wie der Roboter sie misst. %1</translation>
+    </message>
+    <message>
+        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <translation>Die Kraft ab dem jetzigen Wert zählen. Nur was die Diagramme zeigen: Roboter, Aufzeichnungen und exportierte Werte behalten das Gemessene.</translation>
+    </message>
+    <message>
+        <source>● REC %1</source>
+        <translation>● REC %1</translation>
+    </message>
+    <message>
+        <source>● Record</source>
+        <translation>● Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>controller time %1 … %2 s</source>
+        <translation>Zeit der Steuerung %1 … %2 s</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
+    </message>
+    <message>
+        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>Nichts wurde exportiert: Die Diagramme zeigen keine Werte. Verbinden Sie sich mit einem Roboter oder gehen Sie zu einer Zeit mit Werten.</translation>
+    </message>
+    <message>
+        <source>Exported the shown range to %1</source>
+        <translation>Gezeigter Bereich exportiert nach %1</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation>Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>Page (*.pdf)</source>
+        <translation>Seite (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation>Werte (*.csv)</translation>
+    </message>
+    <message>
+        <source>What is recorded</source>
+        <translation>Was aufgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Rows, signals, folder and file name of the next recording</source>
+        <translation>Zeilen, Signale, Ordner und Dateiname der nächsten Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>A row for every packet</source>
+        <translation>Eine Zeile für jedes Paket</translation>
+    </message>
+    <message numerus="yes">
+        <source>A row for every %n packet(s)</source>
+        <translation>
+            <numerusform>Eine Zeile für jedes Paket</numerusform>
+            <numerusform>Eine Zeile für je %n Pakete</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All signals…</source>
+        <translation>Alle Signale…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s)…</source>
+        <translation>
+            <numerusform>%n Signal…</numerusform>
+            <numerusform>%n Signale…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>File name %1…</source>
+        <translation>Dateiname %1…</translation>
+    </message>
+    <message>
+        <source>Folder %1…</source>
+        <translation>Ordner %1…</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>Den Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Ordner für Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>export to %1</source>
+        <translation>nach %1 exportieren</translation>
+    </message>
+    <message>
+        <source>export: there are no samples in this range</source>
+        <translation>exportieren: In diesem Bereich gibt es keine Werte</translation>
+    </message>
+    <message>
+        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <translation>nennen Sie die Datei .png, .svg oder .pdf für ein Bild, .csv für Werte</translation>
+    </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1, bei %2 s der Diagrammzeit</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Notiz: %1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>Was geschah in diesem Moment?</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>Die Diagramme sind als Bild in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>Verlauf %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>Neue Seite</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>Diese Seite wegnehmen</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>Standard-Diagramme</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Eine Aufzeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>Die Aufzeichnungen schließen</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>Die Diagramme als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>Diese Anordnung speichern…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>Eine Anordnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>Speicher für den Verlauf</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>die Anordnung nach %1 speichern</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>die Anordnung %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>Aufzeichnung %1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Eine Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>Aufzeichnungen (*.mcap *.csv *.h5 *.hdf5);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>Die Anordnung der Diagramme speichern</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>Anordnung von Diagrammen (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>Eine Anordnung der Diagramme öffnen</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 und weitere</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>Liste der Signale</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>Alles, was der Roboter meldet: auf ein Diagramm ziehen, an seinen Rand für ein eigenes, oder Doppelklick</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Werte an den Cursorn</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>Was jedes Signal an den Cursorn A und B hat und was dazwischen liegt: kleinster, größter, Mittelwert, RMS, Abweichung, Steigung</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>Seiten und Anordnung der Diagramme</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>Layout ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>eine Anordnung der Diagramme lesen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 unter %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>Seiten der Diagramme</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>Name der Seite</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>Doppelklick: anderer Name</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Werte an den Cursorn</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>Std</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>Spitze-Spitze</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>Steigung je s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>Klicken Sie in die Diagramme, um A, dann B zu setzen: Was dazwischen liegt, wird hier zusammengefasst.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotView</name>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s · Δ%2 %3</source>
+        <translation>A–B Δt %1 s · Δ%2 %3</translation>
+    </message>
+    <message>
+        <source>%1 (zeroed)</source>
+        <translation>%1 (auf null)</translation>
+    </message>
+    <message>
+        <source>%1 %2 s · %3 %4</source>
+        <translation>%1 %2 s · %3 %4</translation>
+    </message>
+    <message>
+        <source>Scale held · double click the axis to let it go</source>
+        <translation>Skala gehalten · Doppelklick auf die Achse gibt sie frei</translation>
+    </message>
+    <message>
+        <source>No samples yet: connect to a robot</source>
+        <translation>Noch keine Werte: Verbinden Sie sich mit einem Roboter</translation>
+    </message>
+    <message>
+        <source>Zeroed: %1 %2 taken off</source>
+        <translation>Auf null: %1 %2 abgezogen</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>Diagramme über der Zeit</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A und B setzen die Cursor, die Pfeiltasten bewegen sie, auf und ab wählen das Signal, das sie ablesen; H verbirgt seine Kurve, Strg+Entf nimmt sie weg; Plus und Minus ändern das Zeitfenster, mit Strg die Skala der Werte, Strg+0 lässt wieder die Kurven entscheiden; N schreibt eine Notiz; F zeigt alles; Ende geht zurück zu den neuesten Werten</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>Signale hier ablegen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseEditor</name>
+    <message>
+        <source>%1 X</source>
+        <translation>%1 X</translation>
+    </message>
+    <message>
+        <source>%1 Y</source>
+        <translation>%1 Y</translation>
+    </message>
+    <message>
+        <source>%1 Z</source>
+        <translation>%1 Z</translation>
+    </message>
+    <message>
+        <source>Rotation about X (RX)</source>
+        <translation>Drehung um X (RX)</translation>
+    </message>
+    <message>
+        <source>Rotation about Y (RY)</source>
+        <translation>Drehung um Y (RY)</translation>
+    </message>
+    <message>
+        <source>Rotation about Z (RZ)</source>
+        <translation>Drehung um Z (RZ)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseView</name>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP am Flansch</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP %1 vom Flansch</translation>
+    </message>
+    <message>
+        <source>in %1 · %2</source>
+        <translation>in %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>TCP pose in %1</source>
+        <translation>TCP-Pose in %1</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <translation>Ausrichtung wie in den Einstellungen gewählt. Δ₀: Weg seit null. Klick: Weg seit dem Druck</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <translation>Ausrichtung wie in den Einstellungen gewählt. Δ: Weg seit dem Druck. Klick: hier null</translation>
+    </message>
+    <message>
+        <source>TCP in the frame of the flange: %1</source>
+        <translation>TCP im System des Flansches: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>Gelenke °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>Eine Stellung braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>„%1“ heißt schon eine andere Stellung. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>Noch keine Stellungen.
+Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hinzufügen“.</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>Sichere Höhe</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1. Eingabetaste übernimmt; nichts bewegt sich außer der Stellung.</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>Darüber steht im Basis-System nichts: Dort darf der TCP seitwärts fahren.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Hier</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>Die sichere Höhe ist dort, wo der TCP jetzt ist</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>Home hier</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>Hier hinzufügen</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>Die Stellung behalten, die der Arm hat</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>Als Home verwenden</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>Die gewählte Stellung als Home verwenden</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>Die Stellung nachteachen</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>Wieder das übliche Home verwenden</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>Das übliche Home verwenden</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>Stellung umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>Stellung löschen</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>„%1“ dorthin setzen, wo der Arm steht?</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>Die Taste Home fährt von nun an dorthin.</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>Home setzen</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Stellung</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>Die Stellung „%1“ hinzufügen</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>Wählen Sie eine Stellung zum Nachteachen.</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>„%1“ nachteachen?</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>Größte Gelenkänderung: %1 %2.</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Nachteachen</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>„%1“ nachteachen</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>„%1“ als Home verwenden</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>Wählen Sie eine Stellung als Home.</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>„%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>Die sichere Höhe setzen</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>Keine sichere Höhe</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>Die Taste Home fährt zum üblichen Home: aufrecht, frei von sich selbst.</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1: Die Taste Home fährt dorthin</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · %2 %3 von hier</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::Practice</name>
+    <message>
+        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <translation>Starten Sie zuerst den simulierten Roboter: Er steht im Menü Roboter.</translation>
+    </message>
+    <message>
+        <source>Power the arm on and release the brakes first.</source>
+        <translation>Schalten Sie zuerst den Arm ein und lösen Sie die Bremsen.</translation>
+    </message>
+    <message>
+        <source>The arm is in a stop. Recover from it first.</source>
+        <translation>Der Arm ist in einem Stopp. Stellen Sie ihn zuerst wieder her.</translation>
+    </message>
+    <message>
+        <source>Done. Start does it once more.</source>
+        <translation>Erledigt. Start beginnt noch einmal.</translation>
+    </message>
+    <message>
+        <source>Press Start.</source>
+        <translation>Drücken Sie Start.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PracticeCard</name>
+    <message>
+        <source>Practice</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Force Fz in newtons</source>
+        <translation>Kraft Fz in Newton</translation>
+    </message>
+    <message>
+        <source>figure, then Return</source>
+        <translation>Zahl, dann Eingabetaste</translation>
+    </message>
+    <message>
+        <source>Fz [N]</source>
+        <translation>Fz [N]</translation>
+    </message>
+    <message>
+        <source>The task before</source>
+        <translation>Die vorige Aufgabe</translation>
+    </message>
+    <message>
+        <source>The next task</source>
+        <translation>Die nächste Aufgabe</translation>
+    </message>
+    <message>
+        <source>Practice · %1 of %2</source>
+        <translation>Übung · %1 von %2</translation>
+    </message>
+    <message>
+        <source>Begins the task, or begins it anew</source>
+        <translation>Beginnt die Aufgabe, oder beginnt sie neu</translation>
+    </message>
+    <message>
+        <source>Goes on to the next task</source>
+        <translation>Weiter zur nächsten Aufgabe</translation>
+    </message>
+    <message>
+        <source>Possible once the check above says so</source>
+        <translation>Möglich, sobald die Prüfung oben es sagt</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PreflightPage</name>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Hinsehen</translation>
+    </message>
+    <message>
+        <source>Bad</source>
+        <translation>Schlecht</translation>
+    </message>
+    <message>
+        <source>Not looked at</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Before you connect to %1</source>
+        <translation>Bevor Sie sich mit %1 verbinden</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <translation>Trotzdem verbunden zeigt das Fenster, welche Daten es gibt. Was oben rot ist, kann verhindern, dass die Steuerung übernommen wird, oder eine Bewegung mittendrin beenden.</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Keep everybody out of the arm&apos;s reach.
+Keep the emergency stop at hand: STOP in this window is a software stop.
+Begin slowly: the first speed is %1.
+Watch the arm, not the screen, while a key is held.
+Let go of the key and the arm stops.</source>
+        <translation>Halten Sie alle aus der Reichweite des Arms.
+Halten Sie den Not-Halt griffbereit: STOP in diesem Fenster ist ein Software-Stopp.
+Beginnen Sie langsam: Die erste Geschwindigkeit ist %1.
+Sehen Sie auf den Arm, nicht auf den Bildschirm, während eine Taste gehalten wird.
+Lassen Sie die Taste los, und der Arm stoppt.</translation>
+    </message>
+    <message>
+        <source>Looking at %1…</source>
+        <translation>Prüfe %1…</translation>
+    </message>
+    <message>
+        <source>Something is in the way</source>
+        <translation>Etwas steht im Weg</translation>
+    </message>
+    <message>
+        <source>Ready, with warnings</source>
+        <translation>Bereit, mit Warnungen</translation>
+    </message>
+    <message>
+        <source>Everything is ready</source>
+        <translation>Alles ist bereit</translation>
+    </message>
+    <message>
+        <source>Connect anyway</source>
+        <translation>Trotzdem verbinden</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectDocument</name>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>„%1“ löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt löschen</numerusform>
+            <numerusform>%n Wegpunkte löschen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the order</source>
+        <translation>Die Reihenfolge ändern</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFiles</name>
+    <message>
+        <source>The damaged project file was kept as %1</source>
+        <translation>Die beschädigte Projektdatei wurde als %1 aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The project could not be saved</source>
+        <translation>Das Projekt konnte nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <translation>%1. Aktualisieren Sie Tiller, um sie zu öffnen. Die Datei wurde gelassen, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Tiller projects (*.tiller)</source>
+        <translation>Tiller-Projekte (*.tiller)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>The project could not be opened</source>
+        <translation>Das Projekt konnte nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <translation>Eine Kopie von „%1“ ist geöffnet. Speichern Sie sie in eine Datei, um Änderungen zu behalten.</translation>
+    </message>
+    <message>
+        <source>“%1” is a copy and has changes that are in no file.</source>
+        <translation>„%1“ ist eine Kopie und hat Änderungen, die in keiner Datei sind.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Drop the changes</source>
+        <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation>%1 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <translation>%1. Lesbare Wegpunkte: %2, nicht lesbare: %3. Die beschädigte Datei wird aufbewahrt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt öffnen</numerusform>
+            <numerusform>%n Wegpunkte öffnen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectStore</name>
+    <message>
+        <source>%1 — a copy, not saved to a file</source>
+        <translation>%1 — eine Kopie, nicht in einer Datei gespeichert</translation>
+    </message>
+    <message>
+        <source>project not saved to a file</source>
+        <translation>Projekt nicht in einer Datei gespeichert</translation>
+    </message>
+    <message>
+        <source>disk full</source>
+        <translation>Datenträger voll</translation>
+    </message>
+    <message>
+        <source>%1 — not saved: %2</source>
+        <translation>%1 — nicht gespeichert: %2</translation>
+    </message>
+    <message>
+        <source>%1 — saving…</source>
+        <translation>%1 — speichere…</translation>
+    </message>
+    <message>
+        <source>%1 — saved</source>
+        <translation>%1 — gespeichert</translation>
+    </message>
+    <message>
+        <source>no file chosen</source>
+        <translation>keine Datei gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecoveryPage</name>
+    <message>
+        <source>Recovery</source>
+        <translation>Wiederherstellung</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>Kraft am TCP</translation>
+    </message>
+    <message>
+        <source>Joint current</source>
+        <translation>Gelenkstrom</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>Geschwindigkeit des TCP</translation>
+    </message>
+    <message>
+        <source>Waiting for data from the robot…</source>
+        <translation>Warte auf Daten vom Roboter…</translation>
+    </message>
+    <message>
+        <source>At X %1, Y %2, Z %3.</source>
+        <translation>Bei X %1, Y %2, Z %3.</translation>
+    </message>
+    <message>
+        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <translation>Verdächtiges Gelenk: %1, dessen Strom am weitesten von seinem Sollwert abwich.</translation>
+    </message>
+    <message>
+        <source> (%1 s)</source>
+        <translation> (%1 s)</translation>
+    </message>
+    <message>
+        <source>Tick what you have looked at.</source>
+        <translation>Haken Sie ab, was Sie sich angesehen haben.</translation>
+    </message>
+    <message>
+        <source>Asked; waiting for the robot…</source>
+        <translation>Angefordert; warte auf den Roboter…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RegisterPanel</name>
+    <message>
+        <source>General purpose registers</source>
+        <translation>Allgemeine Register</translation>
+    </message>
+    <message>
+        <source>Int %1</source>
+        <translation>Ganzzahl %1</translation>
+    </message>
+    <message>
+        <source>Number %1</source>
+        <translation>Zahl %1</translation>
+    </message>
+    <message>
+        <source>Int</source>
+        <translation>Ganzzahl</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation>Bit</translation>
+    </message>
+    <message>
+        <source>Kind of input register</source>
+        <translation>Art des Eingangsregisters</translation>
+    </message>
+    <message>
+        <source>Number of the input register</source>
+        <translation>Nummer des Eingangsregisters</translation>
+    </message>
+    <message>
+        <source>Value for the input register</source>
+        <translation>Wert für das Eingangsregister</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotPopup</name>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Popup on the robot</source>
+        <translation>Meldungsfenster am Roboter</translation>
+    </message>
+    <message>
+        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <translation>Es konnte von hier nicht geschlossen werden: Schließen Sie es am Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>No data from the robot: close it on the teach pendant.</source>
+        <translation>Keine Daten vom Roboter: Schließen Sie es am Teach-Pendant.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the robot.</source>
+        <translation>
+            <numerusform>%n weiteres am Roboter.</numerusform>
+            <numerusform>%n weitere am Roboter.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <translation>Ein Programm, das darauf wartet, geht nach dem Schließen weiter: Halten Sie Abstand vom Arm.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Close the popup on the robot</source>
+        <translation>Das Meldungsfenster am Roboter schließen</translation>
+    </message>
+    <message>
+        <source>Hide the popup</source>
+        <translation>Das Meldungsfenster ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotSession</name>
+    <message>
+        <source>Stopped: %1 (%2 ms, %3)</source>
+        <translation>Gestoppt: %1 (%2 ms, %3)</translation>
+    </message>
+    <message>
+        <source>Connecting to %1 (%2)</source>
+        <translation>Verbinde mit %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Disconnected from %1</source>
+        <translation>Von %1 getrennt</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>Gesteuert</translation>
+    </message>
+    <message>
+        <source>Taking control was ended by a stop</source>
+        <translation>Das Übernehmen der Steuerung wurde durch einen Stopp beendet</translation>
+    </message>
+    <message>
+        <source>Connected to %1</source>
+        <translation>Mit %1 verbunden</translation>
+    </message>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>Die Sicherheit ist wieder normal</translation>
+    </message>
+    <message>
+        <source>Program: %1</source>
+        <translation>Programm: %1</translation>
+    </message>
+    <message>
+        <source>Program error in line %1, column %2: %3</source>
+        <translation>Programmfehler in Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>Popup on the robot: %1 %2</source>
+        <translation>Meldungsfenster am Roboter: %1 %2</translation>
+    </message>
+    <message>
+        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <translation>Das Programm auf dem Roboter wartet auf eine Antwort am Teach-Pendant: %1</translation>
+    </message>
+    <message>
+        <source>Not connected to a robot.</source>
+        <translation>Mit keinem Roboter verbunden.</translation>
+    </message>
+    <message>
+        <source>Waiting for data from %1.</source>
+        <translation>Warte auf Daten von %1.</translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation>Verbinde mit %1…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <translation>Keine Daten vom Roboter. Verbindet sich von selbst wieder; Bewegung geht nicht weiter.</translation>
+    </message>
+    <message>
+        <source>Data from the robot are late.</source>
+        <translation>Die Daten vom Roboter sind spät.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Übernehme Steuerung…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotiqLink</name>
+    <message>
+        <source>Connecting to the gripper…</source>
+        <translation>Verbinde mit dem Greifer…</translation>
+    </message>
+    <message>
+        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <translation>Der Greifer meldet keine Werte. Schalten Sie den Arm ein; bleibt es so, prüfen Sie das Kabel des Greifers am Handgelenk.</translation>
+    </message>
+    <message>
+        <source>The gripper answers again</source>
+        <translation>Der Greifer antwortet wieder</translation>
+    </message>
+    <message>
+        <source>The gripper is active</source>
+        <translation>Der Greifer ist aktiv</translation>
+    </message>
+    <message>
+        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <translation>Der Greifer wurde nicht aktiv. Sehen Sie nach, dass nichts seine Finger blockiert, dann drücken Sie wieder Aktivieren.</translation>
+    </message>
+    <message>
+        <source>The gripper holds an object (%1 open)</source>
+        <translation>Der Greifer hält ein Objekt (%1 offen)</translation>
+    </message>
+    <message>
+        <source>The gripper lost the object it held</source>
+        <translation>Der Greifer hat das Objekt verloren, das er hielt</translation>
+    </message>
+    <message>
+        <source>Gripper: activate</source>
+        <translation>Greifer: aktivieren</translation>
+    </message>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>%1 ist fehlgeschlagen. %2</translation>
+    </message>
+    <message>
+        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <translation>Bei %1:%2 antwortet niemand für den Greifer. Installieren Sie die URCap von Robotiq am Roboter und wählen Sie den Greifer in der Installation.</translation>
+    </message>
+    <message>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <translation>Der Greifer antwortet nicht. Prüfen Sie sein Kabel am Handgelenk und seine Seite in der Installation des Roboters; bleibt es so, starten Sie den Roboter neu.</translation>
+    </message>
+    <message>
+        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <translation>Der Roboter hat die Verbindung zum Greifer beendet, vielleicht startet er neu. Sie kommt von selbst zurück; der Greifer hält weiter.</translation>
+    </message>
+    <message>
+        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <translation>Der Greifer hat es nicht angenommen. Aktivieren Sie ihn; ist er aktiv, sehen Sie auf seine Seite in der Installation des Roboters.</translation>
+    </message>
+    <message>
+        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <translation>Der Greifer wird aktiviert: Was verlangt wurde, geschieht danach.</translation>
+    </message>
+    <message>
+        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <translation>Der Greifer bekam ein Ziel, bevor er aktiv war. Drücken Sie Aktivieren.</translation>
+    </message>
+    <message>
+        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <translation>Der Greifer ist zu heiß. Lassen Sie ihn abkühlen, dann drücken Sie Aktivieren.</translation>
+    </message>
+    <message>
+        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <translation>Der Greifer hat eine Sekunde lang nichts gehört. Prüfen Sie sein Kabel am Handgelenk, dann drücken Sie Aktivieren.</translation>
+    </message>
+    <message>
+        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <translation>Der Greifer hat zu wenig Spannung. Stellen Sie die Werkzeugspannung auf 24 V, dann drücken Sie Aktivieren.</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <translation>Das automatische Lösen des Greifers läuft. Warten Sie, bis es endet, dann drücken Sie Aktivieren.</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <translation>Das automatische Lösen des Greifers ist beendet. Drücken Sie Aktivieren.</translation>
+    </message>
+    <message>
+        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <translation>Der Greifer hat einen internen Fehler. Drücken Sie Aktivieren; kommt er wieder, fragen Sie Robotiq.</translation>
+    </message>
+    <message>
+        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>Die Aktivierung ist fehlgeschlagen. Sehen Sie nach, dass nichts die Finger blockiert, dann drücken Sie Aktivieren.</translation>
+    </message>
+    <message>
+        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>Der Greifer zieht zu viel Strom. Sehen Sie nach, dass nichts die Finger blockiert, dann drücken Sie Aktivieren.</translation>
+    </message>
+    <message>
+        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <translation>Der Greifer meldet Fehler %1. Drücken Sie Aktivieren; kommt er wieder, sehen Sie in sein Handbuch.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneDock</name>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneKeys</name>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>Blick von der ersten Seite, perspektivisch</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Look from the front: X of the base to the right, Z up</source>
+        <translation>Blick von vorn: X der Basis nach rechts, Z nach oben</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Look from the side: Y of the base to the right, Z up</source>
+        <translation>Blick von der Seite: Y der Basis nach rechts, Z nach oben</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Look from above: X of the base to the right, Y up</source>
+        <translation>Blick von oben: X der Basis nach rechts, Y nach oben</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture</source>
+        <translation>Arm, Ziel und Wegpunkte ins Bild</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneView</name>
+    <message>
+        <source>View of the arm</source>
+        <translation>Ansicht des Arms</translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <translation>Ziehen oder Pfeiltasten, um von einer anderen Seite zu blicken, mit Umschalt oder der rechten Taste, um das Bild zu verschieben, Mausrad oder Plus und Minus, um näher zu kommen, Doppelklick oder Pos1 für die erste Ansicht. Nichts hier bewegt den Roboter.</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>KEINE DATEN</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · out of reach</source>
+        <translation>Vorschau „%1“ · außer Reichweite</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <translation>Vorschau „%1“ · erreichbar · größte Drehung %2 %3 · %4 s bei %5</translation>
+    </message>
+    <message>
+        <source>1 name hidden: come nearer</source>
+        <translation>1 Name verborgen: Kommen Sie näher</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names hidden: come nearer</source>
+        <translation>
+            <numerusform>%n Name verborgen: Kommen Sie näher</numerusform>
+            <numerusform>%n Namen verborgen: Kommen Sie näher</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>Vorschau „%1“ · erreichbar</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>Vorschau „%1“ · %2 · größte Drehung %3 %4 · %5 s bei %6</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>ein Signal berechnen</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 kommt nicht in denselben Paketen wie die anderen.</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>Abgeleitet</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>Diese Signale sind mehr, als ein Roboter auf einmal sendet: Nehmen Sie zuerst andere weg.</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>In dieser Aufzeichnung ist keine Zeile.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>Der Speicher für den Verlauf reicht nicht, um %1 zu zeigen: Wählen Sie mehr im Menü Layout.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>Signale suchen</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>Signale des Roboters</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>Neu: |F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>Aus anderen berechnetes Signal</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>Ein Name, wenn gewünscht eine Einheit in Klammern, und ein Ausdruck über Signale: Ziehen Sie sie hierher für ihre Namen. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ und die üblichen Funktionen. Eingabetaste legt es an.</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1: Dieser Roboter sendet es nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SimulationChip</name>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <translation>Dieser Roboter ist simuliert. Nur Pixel bewegen sich.</translation>
+    </message>
+    <message>
+        <source>SIMULATION</source>
+        <translation>SIMULATION</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SpeedChip</name>
+    <message>
+        <source>Speed slider</source>
+        <translation>Geschwindigkeitsregler</translation>
+    </message>
+    <message>
+        <source>Speed slider of the robot, 2 to 100 %</source>
+        <translation>Geschwindigkeitsregler des Roboters, 2 bis 100 %</translation>
+    </message>
+    <message>
+        <source>SPEED</source>
+        <translation>TEMPO</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StatusLine</name>
+    <message>
+        <source>Recording, session and last message</source>
+        <translation>Aufzeichnung, Sitzung und letzte Meldung</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
+    </message>
+    <message>
+        <source>%1 samples · %2 · %3 free</source>
+        <translation>%1 Werte · %2 · %3 frei</translation>
+    </message>
+    <message>
+        <source>Recording ended</source>
+        <translation>Aufzeichnung beendet</translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation>Keine Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Software stop. Not an emergency stop. Power stays on.</source>
+        <translation>Software-Stopp. Kein Not-Halt. Der Strom bleibt an.</translation>
+    </message>
+    <message>
+        <source>Space / Esc
+not an e-stop</source>
+        <translation>Leertaste / Esc
+kein Not-Halt</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopPlot</name>
+    <message>
+        <source>Highest value %1 in the last five seconds</source>
+        <translation>Höchster Wert %1 in den letzten fünf Sekunden</translation>
+    </message>
+    <message>
+        <source>max %1</source>
+        <translation>max. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>Ein TCP braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>„%1“ heißt schon ein anderer TCP. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCPs</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>Noch kein TCP.
+Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um ihn mit dem Arm zu finden.</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>Vom Flansch. Eingabetaste übernimmt es ins Projekt; der Roboter behält das Seine.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>Diesen TCP verwenden und am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>Teachen…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>Einen TCP mit dem Arm teachen</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>Vom Roboter</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>Den TCP behalten, den der Roboter hat</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>Den gewählten TCP neu teachen…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>Neuer TCP in Zahlen</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>TCP umbenennen</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>TCP duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>TCP löschen</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>Den TCP „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>Den TCP „%1“ neu teachen</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>Den TCP „%1“ hinzufügen</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>„%1“ ist der TCP, den der Roboter hat.</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>„%1“ neu teachen</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>Einen neuen TCP teachen</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>Wählen Sie einen TCP zum Setzen.</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>Den TCP „%1“ verwenden</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>Den TCP „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1, vom Flansch</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, wie der Roboter ihn hat</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1, %2 von dem des Roboters</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>Der Roboter hat einen anderen TCP als „%1“</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>Am Roboter: %1. Im Projekt: %2. Sie liegen %3 auseinander. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>„%1“ am Roboter setzen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>Pose nehmen</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>Die schlechteste erneut nehmen</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Nehmen</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>TCP behalten</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>Den TCP teachen</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>Eine Pose der Drehung nehmen</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>Drehung des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>Drehung wie sie ist</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>Drehung aus einer Pose: Werkzeug senkrecht nach unten</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>Drehung aus drei Posen: entlang +Z, Richtung +X</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 passt am wenigsten, um %4.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>Das Werkzeug ist zwischen den Posen zu wenig gedreht. Nehmen Sie noch eine, um 30° oder mehr auf eine andere Seite geneigt.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie die Posen erneut.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Insgesamt viermal: die Spitze am selben Punkt, das Werkzeug jedes Mal auf eine andere Seite geneigt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+            <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>Das Werkzeug behält die Drehung, die es jetzt hat.</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und sein X entlang X der Basis liegt; nehmen Sie es.</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>Drehung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>Nehmen Sie das Werkzeug, wie es jetzt steht. Von hier an darf es sich nicht drehen: Verfahren Sie nur X, Y und Z.</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>Bewegen Sie das Werkzeug entlang seines eigenen +Z, vom Flansch weg, mindestens %1, und nehmen Sie es.</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>Nun auf die Seite seines +X, mindestens %1, und nehmen Sie es.</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>Drehung genommen: %1 entlang +Z, %2 daneben; der Flansch drehte sich dabei um %3, am meisten bei Pose %4.</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>Der Flansch drehte sich unterwegs um %1, am meisten bei Pose %2. Nehmen Sie die drei erneut, ohne das Werkzeug zu drehen.</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>Der Weg entlang +Z ist nur %1. Nehmen Sie die drei erneut, mindestens %2 auseinander.</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>Der Weg Richtung +X ist nur %1. Nehmen Sie die drei erneut, mindestens %2 auseinander.</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>Die drei Posen liegen auf einer Linie: Die dritte ist nur %1 daneben. Nehmen Sie die drei erneut.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie die drei erneut.</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>Die letzte erneut nehmen</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Pose %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ passt am wenigsten</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>Posen können genommen werden, solange der Roboter Daten sendet.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TickLine</name>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>noch nicht erledigt</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP, Nutzlast oder Stellungen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TravelWatch</name>
+    <message>
+        <source>%1: %2 left, then %3 is at its limit</source>
+        <translation>%1: noch %2, dann ist %3 an seiner Grenze</translation>
+    </message>
+    <message>
+        <source>%1: %2 left to the plane the base stands on</source>
+        <translation>%1: noch %2 bis zur Ebene, auf der die Basis steht</translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <translation>%1: noch %2, dann das Ende der Reichweite oder eine Singularität</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ViewCard</name>
+    <message>
+        <source>Fold</source>
+        <translation>Einklappen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The view is too small to unfold this</source>
+        <translation>Die Ansicht ist zu klein zum Ausklappen</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>Ausklappen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDetails</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <translation>Im System des Wegpunkts. Eingabetaste übernimmt; nichts bewegt sich außer dem Wegpunkt.</translation>
+    </message>
+    <message>
+        <source>Selected waypoint</source>
+        <translation>Gewählter Wegpunkt</translation>
+    </message>
+    <message>
+        <source>Frame of the waypoint</source>
+        <translation>System des Wegpunkts</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Koordinatensysteme</translation>
+    </message>
+    <message>
+        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <translation>Das System, in dem er angegeben ist und mit dem er sich bewegt. Der Ort bleibt, wo er ist. —: Die Gelenke bestimmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>used in %n steps</source>
+        <translation>
+            <numerusform>in %n Schritt verwendet</numerusform>
+            <numerusform>in %n Schritten verwendet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the live pose</source>
+        <translation>%1 von der jetzigen Pose</translation>
+    </message>
+    <message>
+        <source>joints rule</source>
+        <translation>Gelenke bestimmen</translation>
+    </message>
+    <message>
+        <source>pose rules</source>
+        <translation>Pose bestimmt</translation>
+    </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>Platz von „%1“</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>Ecke von „%1“</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>Home, „%1“</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>Stellung „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>Wählen Sie Wegpunkte zum Ändern.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>Eigenschaften von %n Wegpunkt ändern</numerusform>
+            <numerusform>Eigenschaften von %n Wegpunkten ändern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>Wählen Sie Wegpunkte zum Verschieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt verschieben</numerusform>
+            <numerusform>%n Wegpunkte verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>Das Muster „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>Teachen Sie zuerst die drei Ecken des Musters und wählen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>Das Muster „%1“ anlegen</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>Das Muster „%1“ auflösen</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>Wählen Sie einen Platz eines Musters.</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>Das Muster „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>Wählen Sie einen Wegpunkt, um seine Geschichte zu sehen.</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>Das Koordinatensystem, in dem er damals angegeben war, ist nicht mehr im Projekt.</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>Ein früheres „%1“ zurückholen</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>Wegpunkte importieren</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>Wegpunkte (*.csv *.txt *.json *.tiller);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>Wegpunkte exportieren</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>Kommagetrennt (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>Nichts wurde importiert</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>%1 ist zu groß für eine Liste von Wegpunkten.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>In %1 sind keine Wegpunkte.</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>Wegpunkt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt importieren</numerusform>
+            <numerusform>%n Wegpunkte importieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>Es gibt keine Wegpunkte zum Exportieren.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>Nichts wurde exportiert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n Wegpunkt nach %1 geschrieben</numerusform>
+            <numerusform>%n Wegpunkte nach %1 geschrieben</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointEditing</name>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>„%1“ duplizieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt duplizieren</numerusform>
+            <numerusform>%n Wegpunkte duplizieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was pasted</source>
+        <translation>Nichts wurde eingefügt</translation>
+    </message>
+    <message>
+        <source>There are no waypoints on the clipboard.</source>
+        <translation>In der Zwischenablage sind keine Wegpunkte.</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>Wegpunkt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt einfügen</numerusform>
+            <numerusform>%n Wegpunkte einfügen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>Geschichte von „%1“</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>Änderungen, die neueste zuerst</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>Zurück vor diese Änderung</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>Name: „%1“, jetzt „%2“</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>Ort: um %1 verschoben (%2, Basis-System)</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>Gelenke: %1 drehte sich am meisten, um %2</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>die Gelenke bestimmen</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>ein System, das es nicht mehr gibt</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>System: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>Art: MoveL, jetzt MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>Art: MoveJ, jetzt MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>Geschwindigkeit von MoveJ: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>Geschwindigkeit von MoveL: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>Überschleifen: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP: mit einem anderen geteacht</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>Gruppe: „%1“, jetzt „%2“</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>Farbe: %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>Notiz: „%1“, jetzt „%2“</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>Aktionen: andere als jetzt</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>Er wurde nicht geändert, seit er geteacht wurde.</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>Davor war er, wie er jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>Davor war er:</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointModel</name>
+    <message>
+        <source>✕ joint</source>
+        <translation>✕ Gelenk</translation>
+    </message>
+    <message>
+        <source>✕ frame</source>
+        <translation>✕ System</translation>
+    </message>
+    <message>
+        <source>✕ line</source>
+        <translation>✕ Linie</translation>
+    </message>
+    <message>
+        <source>✕ reach</source>
+        <translation>✕ zu weit</translation>
+    </message>
+    <message>
+        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <translation>Ein Gelenk würde seinen Bereich verlassen. Teachen Sie den Wegpunkt aus einer anderen Armstellung nach.</translation>
+    </message>
+    <message>
+        <source>Its frame is not in this project. Choose another frame.</source>
+        <translation>Sein Koordinatensystem ist nicht in diesem Projekt. Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <translation>Die gerade Linie von hier verlässt die Reichweite des Arms. Verwenden Sie MoveJ oder beginnen Sie anderswo.</translation>
+    </message>
+    <message>
+        <source>Out of reach. Touch it up nearer to the base.</source>
+        <translation>Außer Reichweite. Teachen Sie ihn näher an der Basis nach.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>MoveJ: all joints start and stop together</source>
+        <translation>MoveJ: Alle Gelenke beginnen und enden gemeinsam</translation>
+    </message>
+    <message>
+        <source>MoveL: the TCP goes along a straight line</source>
+        <translation>MoveL: Der TCP fährt eine gerade Linie</translation>
+    </message>
+    <message>
+        <source>The joints rule: the arm comes back in the same posture</source>
+        <translation>Die Gelenke bestimmen: Der Arm kommt in derselben Stellung zurück</translation>
+    </message>
+    <message>
+        <source>The pose rules: it moves with its frame</source>
+        <translation>Die Pose bestimmt: Er bewegt sich mit seinem Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Can be reached</source>
+        <translation>Erreichbar</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Blend %1</source>
+        <translation>Blend %1</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>A waypoint needs a name.</source>
+        <translation>Ein Wegpunkt braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <translation>„%1“ heißt schon Wegpunkt %2. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveJ</source>
+        <translation>„%1“ zu MoveJ machen</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveL</source>
+        <translation>„%1“ zu MoveL machen</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <translation>Der Arm kommt nicht dorthin. „%1“ blieb, wie er war.</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>Die Pose von „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Use joint positions for “%1”</source>
+        <translation>Gelenkstellungen für „%1“ verwenden</translation>
+    </message>
+    <message>
+        <source>There is no frame “%1” in this project.</source>
+        <translation>In diesem Projekt gibt es kein Koordinatensystem „%1“.</translation>
+    </message>
+    <message>
+        <source>Give “%1” in %2</source>
+        <translation>„%1“ in %2 angeben</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>„%1“ ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation>%1 liegt außerhalb von %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>Set the blend of “%1”</source>
+        <translation>Das Überschleifen von „%1“ setzen</translation>
+    </message>
+    <message>
+        <source>Set the speed of “%1”</source>
+        <translation>Die Geschwindigkeit von „%1“ setzen</translation>
+    </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>Gruppe: %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Farbe: %1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>Name %1, der kommende</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Himmelblau</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>Nur Angehaktes wird geändert.</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>Eigenschaften von „%1“</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>Eigenschaften von %n Wegpunkt</numerusform>
+            <numerusform>Eigenschaften von %n Wegpunkten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>Geschwindigkeit von MoveJ</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>Geschwindigkeit von MoveL</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Überschleifen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Wegpunkte suchen</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>Wegpunkte nach Name, Gruppe oder Notiz suchen</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>Name, Gruppe oder Notiz</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>Alle Wegpunkte zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n gefunden</numerusform>
+            <numerusform>%n gefunden</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt verschieben</numerusform>
+            <numerusform>%n Wegpunkte verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Art der Bewegung</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>Werkzeug, jeder das eigene</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>Um X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>Versatz %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>Um oder entlang</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>Der Arm kommt nicht dorthin: %1. Nichts würde verschoben.</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>Ein Koordinatensystem fehlt. Wählen Sie ein anderes.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>%n von ihnen wäre außer Reichweite; er wird behalten und markiert.</numerusform>
+            <numerusform>%n von ihnen wären außer Reichweite; sie werden behalten und markiert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>Gespiegelt an der Ebene durch den Ursprung, auf der die Achse senkrecht steht. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>Alle bleiben in Reichweite.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointTable</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>Wegpunkte</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointsTab</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>Wegpunkte</translation>
+    </message>
+    <message>
+        <source>Teach here  T</source>
+        <translation>Hier teachen  T</translation>
+    </message>
+    <message>
+        <source>Teach here</source>
+        <translation>Hier teachen</translation>
+    </message>
+    <message>
+        <source>Touch up  U</source>
+        <translation>Nachteachen  U</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Nachteachen</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>No waypoints yet.
+Jog the arm to a place and press Teach here (T).</source>
+        <translation>Noch keine Wegpunkte.
+Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to go to.</source>
+        <translation>Wählen Sie einen Wegpunkt zum Anfahren.</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>Add the place where the arm stands, after the selection (T)</source>
+        <translation>Den Ort, an dem der Arm steht, nach der Auswahl hinzufügen (T)</translation>
+    </message>
+    <message>
+        <source>Replace the selected place by where the arm stands (U)</source>
+        <translation>Den gewählten Ort durch den ersetzen, an dem der Arm steht (U)</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to touch up.</source>
+        <translation>Wählen Sie einen Wegpunkt zum Nachteachen.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Copy as table</source>
+        <translation>Als Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>Wegpunkt</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>„%1“ teachen</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
+        <translation>Das Koordinatensystem von „%1“ ist nicht in diesem Projekt. Wählen Sie zuerst ein anderes.</translation>
+    </message>
+    <message>
+        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <translation>Der jetzige Ort ist %1 entfernt (%2, Basis-System). Größte Gelenkänderung: %3 %4.</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>„%1“ nachteachen?</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>„%1“ nachteachen</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>Bahn aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>Wegpunkte importieren…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>Wegpunkte exportieren…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Wegpunkte suchen</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>Gruppe, Farbe, Notiz, Geschwindigkeiten…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>Versetzen, drehen oder spiegeln…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>Geschichte…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>Muster…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>Die Plätze des Musters zu gewöhnlichen Wegpunkten machen</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>Das Muster und seine Wegpunkte löschen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Search a command</source>
+        <translation>Einen Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Schreiben Sie, was Sie tun wollen</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Gefundene Befehle</translation>
+    </message>
+    <message>
+        <source>not possible now</source>
+        <translation>jetzt nicht möglich</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ConnectDialog</name>
+    <message>
+        <source>Enter the robot&apos;s address, as shown on the teach pendant under About.</source>
+        <translation>Geben Sie die Adresse des Roboters ein, wie das Teach-Pendant sie unter „Über“ zeigt.</translation>
+    </message>
+    <message>
+        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <translation>Eine Adresse hat vier Zahlen von 0 bis 255, wie 192.168.0.10.</translation>
+    </message>
+    <message>
+        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <translation>Ein Hostname hat nur Buchstaben, Ziffern, Punkte und Bindestriche.</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Start the simulated robot</source>
+        <translation>Den simulierten Roboter starten</translation>
+    </message>
+    <message>
+        <source>With a sample project…</source>
+        <translation>Mit einem Beispielprojekt…</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <translation>Bevor Sie einen echten Arm bewegen: Halten Sie alle aus seiner Reichweite, halten Sie den Not-Halt griffbereit, prüfen Sie Nutzlast und TCP, beginnen Sie langsam. Der STOP dieses Fensters ist kein Not-Halt.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation>Ein Projekt öffnen…</translation>
+    </message>
+    <message>
+        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <translation>Wegpunkte aus einer Datei, ohne Roboter: Alles außer Bewegen geht.</translation>
+    </message>
+    <message>
+        <source>Try the simulator</source>
+        <translation>Den Simulator probieren</translation>
+    </message>
+    <message>
+        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <translation>Ein simulierter UR5e in diesem Programm. Alles geht, nichts kann verletzt werden.</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <translation>Startet den simulierten Roboter und öffnet ein Projekt, das schon geteacht ist.</translation>
+    </message>
+    <message>
+        <source>Connect a robot</source>
+        <translation>Einen Roboter verbinden</translation>
+    </message>
+    <message>
+        <source>Address or host name of the robot</source>
+        <translation>Adresse oder Hostname des Roboters</translation>
+    </message>
+    <message>
+        <source>Name shown for the robot</source>
+        <translation>Gezeigter Name des Roboters</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>Labor-UR5e</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Robots connected to before</source>
+        <translation>Früher verbundene Roboter</translation>
+    </message>
+    <message>
+        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <translation>Nimmt den gewählten Roboter aus dieser Liste (Entf). Am Roboter ändert sich nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Demonstration</name>
+    <message>
+        <source>make the folder %1: choose one that may be written to</source>
+        <translation>den Ordner %1 anlegen: Wählen Sie einen, in den geschrieben werden darf</translation>
+    </message>
+    <message>
+        <source>connect</source>
+        <translation>verbinden</translation>
+    </message>
+    <message>
+        <source>power on</source>
+        <translation>einschalten</translation>
+    </message>
+    <message>
+        <source>release the brakes</source>
+        <translation>die Bremsen lösen</translation>
+    </message>
+    <message>
+        <source>take control</source>
+        <translation>die Steuerung übernehmen</translation>
+    </message>
+    <message>
+        <source>start recording</source>
+        <translation>die Aufzeichnung beginnen</translation>
+    </message>
+    <message>
+        <source>teach the first waypoint</source>
+        <translation>den ersten Wegpunkt teachen</translation>
+    </message>
+    <message>
+        <source>jog X+ in Base for 50 mm</source>
+        <translation>X+ in Basis 50 mm fahren</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>loslassen</translation>
+    </message>
+    <message>
+        <source>teach the second waypoint</source>
+        <translation>den zweiten Wegpunkt teachen</translation>
+    </message>
+    <message>
+        <source>go to the first waypoint (held)</source>
+        <translation>den ersten Wegpunkt anfahren (gehalten)</translation>
+    </message>
+    <message>
+        <source>let go of Go to</source>
+        <translation>Anfahren loslassen</translation>
+    </message>
+    <message>
+        <source>digital output 0 on</source>
+        <translation>Digitalausgang 0 ein</translation>
+    </message>
+    <message>
+        <source>digital output 0 off</source>
+        <translation>Digitalausgang 0 aus</translation>
+    </message>
+    <message>
+        <source>take the screenshots</source>
+        <translation>die Bildschirmfotos aufnehmen</translation>
+    </message>
+    <message>
+        <source>write the screenshots to %1</source>
+        <translation>die Bildschirmfotos nach %1 schreiben</translation>
+    </message>
+    <message>
+        <source>stop recording</source>
+        <translation>die Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>%1: did not happen within %2 s (%3)</source>
+        <translation>%1: geschah nicht binnen %2 s (%3)</translation>
+    </message>
+    <message>
+        <source>the robot reports no reason</source>
+        <translation>der Roboter nennt keinen Grund</translation>
+    </message>
+    <message>
+        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <translation>neu gedrückt          %1-mal: Die Bewegung hatte vor dem Loslassen gestoppt</translation>
+    </message>
+    <message>
+        <source>jogged               </source>
+        <translation>gefahren               </translation>
+    </message>
+    <message>
+        <source>release to standstill </source>
+        <translation>Loslassen bis Stillstand </translation>
+    </message>
+    <message>
+        <source>packets              </source>
+        <translation>Pakete              </translation>
+    </message>
+    <message>
+        <source> received, </source>
+        <translation> empfangen, </translation>
+    </message>
+    <message>
+        <source> late, </source>
+        <translation> spät, </translation>
+    </message>
+    <message>
+        <source> lost
+</source>
+        <translation> verloren
+</translation>
+    </message>
+    <message>
+        <source>recorded             </source>
+        <translation>aufgezeichnet             </translation>
+    </message>
+    <message>
+        <source> rows, </source>
+        <translation> Zeilen, </translation>
+    </message>
+    <message>
+        <source>files                </source>
+        <translation>Dateien                </translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot; in the window</source>
+        <translation>im Fenster gibt es keine Taste &quot;%1&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DeviceSettings</name>
+    <message>
+        <source>Device that moves the arm</source>
+        <translation>Gerät, das den Arm bewegt</translation>
+    </message>
+    <message>
+        <source>Try it out…</source>
+        <translation>Ausprobieren…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>Was jedes Gerät jetzt meldet und wohin es fahren wird.</translation>
+    </message>
+    <message>
+        <source>Moves the arm</source>
+        <translation>Bewegt den Arm</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation>SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Dead zone of the %1</source>
+        <translation>Totzone: %1</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>So far a stick may be out without moving anything.</source>
+        <translation>So weit darf ein Stick ausgelenkt sein, ohne etwas zu bewegen.</translation>
+    </message>
+    <message>
+        <source>Curve of the %1</source>
+        <translation>Kennlinie: %1</translation>
+    </message>
+    <message>
+        <source>exponent </source>
+        <translation>Exponent </translation>
+    </message>
+    <message>
+        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <translation>1: gleichmäßig. Höher: sanft nahe der Mitte, schnell am Ende des Wegs.</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>Nur die am weitesten ausgelenkte Achse</translation>
+    </message>
+    <message>
+        <source>%1: only the axis that is out furthest</source>
+        <translation>%1: nur die am weitesten ausgelenkte Achse</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Totzone</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kennlinie</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>Kein Gamepad und keine SpaceMouse ist da. Stecken Sie eines ein: Es erscheint von selbst.</translation>
+    </message>
+    <message>
+        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <translation>Nur solange die Zustimmtaste gehalten wird. Wird nicht gemerkt: Nach einem Start bewegt kein Gerät den Arm.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DockStage</name>
+    <message>
+        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <translation>Kein Bereich ist hier. Wählen Sie unten rechts eine Ansicht oder zeigen Sie einen Bereich mit dem Menü Ansicht.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::HelpPage</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange eine Taste des Felds gehalten wird, und stoppt, wenn sie losgelassen wird. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine zweite Maustaste gedrückt wird oder eine andere Hand dazukommt;&lt;/li&gt;&lt;li&gt;neben einer gehaltenen Taste der Tastatur eine Umschalttaste oder eine widersprechende Taste gedrückt wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, etwas darüber aufgeht oder ein anderes Koordinatensystem, Tempo, eine andere Schrittweite oder ein anderes Register gewählt wird;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter spät sind, dieses Programm hängt oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC schlafen geht oder das Gerät abgezogen wird oder verstummt;&lt;/li&gt;&lt;li&gt;niemand beweisen kann, dass die Taste noch gehalten wird: Unter X11 wird der Display-Server hundertmal je Sekunde gefragt, ob der Knopf oder die Taste gedrückt ist, und ein „Nein“ oder 100 ms ohne Antwort beenden die Bewegung. Wo niemand gefragt werden kann, sagen es Kopfzeile und Einstellungen;&lt;/li&gt;&lt;li&gt;sie lange gehalten wurde: eine Verfahrtaste %1 s (Einstellungen), Freedrive fünf Minuten, eine Bewegung zu einem Ort 5 s länger, als sie braucht. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Eine gestoppte Bewegung braucht einen neuen Druck. &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; stoppen von überall, auch Programme anderer. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Strg&lt;/b&gt; macht einen Druck zehnmal feiner, &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, nie über die Grenze. Auf einer Tastatur ohne lateinische Buchstaben meint ein Buchstabe unten seinen Platz auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Übungsaufgaben</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ImportDialog</name>
+    <message>
+        <source>Colours, sizes and units</source>
+        <translation>Farben, Größen und Einheiten</translation>
+    </message>
+    <message>
+        <source>Speed cap and longest hold</source>
+        <translation>Geschwindigkeitsgrenze und längstes Halten</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>Tasten der Befehle</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>Gamepad und SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Robots and their grippers</source>
+        <translation>Roboter und ihre Greifer</translation>
+    </message>
+    <message>
+        <source>Names and scales of inputs and outputs</source>
+        <translation>Namen und Skalen der Ein- und Ausgänge</translation>
+    </message>
+    <message>
+        <source>Layout of the window</source>
+        <translation>Anordnung des Fensters</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>Alles andere</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Einstellungen importieren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed.</source>
+        <translation>%1 wurde nicht importiert. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1 holds:</source>
+        <translation>Was angehakt ist, wird durch den Inhalt von %1 ersetzt:</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <translation>Was angehakt ist, wird durch den Inhalt von %1 ersetzt, geschrieben von Tiller %2:</translation>
+    </message>
+    <message>
+        <source>%1: the same already</source>
+        <translation>%1: schon gleich</translation>
+    </message>
+    <message>
+        <source>%1: none in the file</source>
+        <translation>%1: nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>%1: %2 here, %3 in the file</source>
+        <translation>%1: hier %2, in der Datei %3</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <translation>Was ersetzt wird, kommt in eine eigene Datei, die wieder importiert werden kann.</translation>
+    </message>
+    <message>
+        <source>There is nothing in the file that is not here already.</source>
+        <translation>Die Datei enthält nichts, was nicht schon hier ist.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Lessons</name>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>A checklist in the view: from power on to a recording.</source>
+        <translation>Eine Liste in der Ansicht: vom Einschalten bis zur Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Übungsaufgaben</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>Fünf Aufgaben am simulierten Roboter, jede mit Prüfung.</translation>
+    </message>
+    <message>
+        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <translation>Übungen gibt es nur für den simulierten Roboter dieses Programms. Dies ist „%1“.</translation>
+    </message>
+    <message>
+        <source>Practice: put “%1”</source>
+        <translation>Übung: „%1“ setzen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::MainWindow</name>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <translation>Tastatur scharf: Pfeile bewegen X und Y, BildAuf und BildAb bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − drehen ein Gelenk. Leertaste und Esc stoppen.</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging disarmed</source>
+        <translation>Tastatur abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Wegpunkte</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Systeme</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>E/A</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>%1 disconnected. The arm was stopped.</source>
+        <translation>%1 getrennt. Der Arm wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <translation>%1 ist verstummt, während es den Arm bewegte; er wurde gestoppt. Lassen Sie es los; bleibt es stumm, stecken Sie es neu ein.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Open recent project</source>
+        <translation>Zuletzt geöffnete Projekte</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Projekt öffnen…</translation>
+    </message>
+    <message>
+        <source>Opens waypoints and frames from a file.</source>
+        <translation>Öffnet Wegpunkte und Koordinatensysteme aus einer Datei.</translation>
+    </message>
+    <message>
+        <source>Open sample project…</source>
+        <translation>Beispielprojekt öffnen…</translation>
+    </message>
+    <message>
+        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <translation>Eine Kopie eines von drei Projekten, zum Ausprobieren am simulierten Roboter.</translation>
+    </message>
+    <message>
+        <source>Save project as…</source>
+        <translation>Projekt speichern unter…</translation>
+    </message>
+    <message>
+        <source>Saves to this file now, and every change from now on.</source>
+        <translation>Speichert jetzt in diese Datei, und jede Änderung von nun an.</translation>
+    </message>
+    <message>
+        <source>Show waypoints</source>
+        <translation>Wegpunkte zeigen</translation>
+    </message>
+    <message>
+        <source>Show frames</source>
+        <translation>Koordinatensysteme zeigen</translation>
+    </message>
+    <message>
+        <source>Show I/O</source>
+        <translation>E/A zeigen</translation>
+    </message>
+    <message>
+        <source>Show log</source>
+        <translation>Protokoll zeigen</translation>
+    </message>
+    <message>
+        <source>Brings this tab to the front.</source>
+        <translation>Bringt dieses Register nach vorn.</translation>
+    </message>
+    <message>
+        <source>Show gripper</source>
+        <translation>Greifer zeigen</translation>
+    </message>
+    <message>
+        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <translation>Bringt die Seite des Greifers in E/A nach vorn.</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Anordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All panels back to where the current perspective has them.</source>
+        <translation>Alle Bereiche dorthin zurück, wo die gewählte Ansicht sie hat.</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Dunkle Farben</translation>
+    </message>
+    <message>
+        <source>Changes the colours at once and remembers it.</source>
+        <translation>Wechselt die Farben sofort und merkt sie sich.</translation>
+    </message>
+    <message>
+        <source>Zero the force in the plots, or show it as measured</source>
+        <translation>Kraft in den Diagrammen auf null setzen, oder zeigen wie gemessen</translation>
+    </message>
+    <message>
+        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <translation>Zählt die TCP-Kraft ab dem jetzigen Wert; noch einmal: wie der Roboter sie misst.</translation>
+    </message>
+    <message>
+        <source>Commands…</source>
+        <translation>Befehle…</translation>
+    </message>
+    <message>
+        <source>Finds a command by its name.</source>
+        <translation>Findet einen Befehl nach seinem Namen.</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <translation>Farben, Größen, Einheiten, Geschwindigkeitsgrenze, Geräte und die Taste jedes Befehls.</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>Einstellungen exportieren…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <translation>Eine Datei mit allem, was gemerkt wird, für einen anderen Computer oder als Kopie.</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>Einstellungen importieren…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <translation>Übernimmt, was eine solche Datei enthält; sagt vorher, was sie ersetzt.</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>All commands with their keys, and the rules of jogging.</source>
+        <translation>Alle Befehle mit ihren Tasten und die Regeln des Verfahrens.</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Stops the arm, ends the connection and closes the window.</source>
+        <translation>Stoppt den Arm, beendet die Verbindung und schließt das Fenster.</translation>
+    </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>%1 zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>%1 lösen</translation>
+    </message>
+    <message>
+        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <translation>Macht daraus ein eigenes Fenster, für einen zweiten Bildschirm, oder setzt es zurück.</translation>
+    </message>
+    <message>
+        <source>Moves this panel to that side of the others.</source>
+        <translation>Verschiebt diesen Bereich auf jene Seite der anderen.</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 nach links</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 nach rechts</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>%1 nach unten</translation>
+    </message>
+    <message>
+        <source>Load program</source>
+        <translation>Programm laden</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as the tablet shows it</source>
+        <translation>Name des Programms auf dem Roboter, wie das Tablet ihn zeigt</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as in pick.urp</source>
+        <translation>Name des Programms auf dem Roboter, etwa pick.urp</translation>
+    </message>
+    <message>
+        <source>Speed cap %1</source>
+        <translation>Geschwindigkeitsgrenze %1</translation>
+    </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>Eine Aufzeichnung läuft. Beenden Sie sie zuerst: Nichts von ihr soll fehlen.</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>Wegpunkte, Koordinatensysteme, Werkzeuge, E/A, Protokoll</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PanelDock</name>
+    <message>
+        <source>Put back</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Back into the main window</source>
+        <translation>Zurück in das Hauptfenster</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closes this panel. The menu View brings it back.</source>
+        <translation>Schließt diesen Bereich. Das Menü Ansicht holt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Move, float or close %1</source>
+        <translation>%1 verschieben, lösen oder schließen</translation>
+    </message>
+    <message>
+        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <translation>Klick: diesen Bereich verschieben, lösen oder schließen. Ziehen: anderswohin bringen.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PerspectiveActions</name>
+    <message>
+        <source>Save perspective</source>
+        <translation>Arbeitsansicht speichern</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, into the current perspective.</source>
+        <translation>Die Bereiche, wie sie jetzt stehen, in die gewählte Arbeitsansicht.</translation>
+    </message>
+    <message>
+        <source>This perspective is built in. Save it under a name of your own.</source>
+        <translation>Diese Arbeitsansicht ist eingebaut. Speichern Sie sie unter eigenem Namen.</translation>
+    </message>
+    <message>
+        <source>Save perspective as…</source>
+        <translation>Arbeitsansicht speichern unter…</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, under a name of your own.</source>
+        <translation>Die Bereiche, wie sie jetzt stehen, unter eigenem Namen.</translation>
+    </message>
+    <message>
+        <source>Save perspective as</source>
+        <translation>Arbeitsansicht speichern unter</translation>
+    </message>
+    <message>
+        <source>Rename perspective…</source>
+        <translation>Arbeitsansicht umbenennen…</translation>
+    </message>
+    <message>
+        <source>Gives the current perspective another name.</source>
+        <translation>Gibt der gewählten Arbeitsansicht einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename perspective</source>
+        <translation>Arbeitsansicht umbenennen</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and keeps its name.</source>
+        <translation>Diese Arbeitsansicht ist eingebaut und behält ihren Namen.</translation>
+    </message>
+    <message>
+        <source>Delete perspective…</source>
+        <translation>Arbeitsansicht löschen…</translation>
+    </message>
+    <message>
+        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <translation>Vergisst die gewählte Arbeitsansicht. Die Bereiche bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and stays.</source>
+        <translation>Diese Arbeitsansicht ist eingebaut und bleibt.</translation>
+    </message>
+    <message>
+        <source>Perspective %1</source>
+        <translation>Arbeitsansicht %1</translation>
+    </message>
+    <message>
+        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <translation>Arbeitsansicht %1. Wählen Sie, wie die Bereiche stehen, oder speichern Sie, wie sie jetzt stehen.</translation>
+    </message>
+    <message>
+        <source>Name of the perspective</source>
+        <translation>Name der Arbeitsansicht</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Delete perspective</source>
+        <translation>Arbeitsansicht löschen</translation>
+    </message>
+    <message>
+        <source>Delete the perspective “%1”? This cannot be undone.</source>
+        <translation>Die Arbeitsansicht „%1“ löschen? Das kann nicht rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Perspectives</name>
+    <message>
+        <source>Teach</source>
+        <translation>Teachen</translation>
+    </message>
+    <message>
+        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <translation>Zeigt die Ansicht, die Wegpunkte daneben und die Diagramme darunter.</translation>
+    </message>
+    <message>
+        <source>Monitor</source>
+        <translation>Beobachten</translation>
+    </message>
+    <message>
+        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <translation>Zeigt Ein- und Ausgänge, daneben eine kleinere Ansicht und darunter höhere Diagramme.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Shows the plots alone, as large as the window allows.</source>
+        <translation>Zeigt nur die Diagramme, so groß wie das Fenster erlaubt.</translation>
+    </message>
+    <message>
+        <source>Shows the panels as you saved them.</source>
+        <translation>Zeigt die Bereiche, wie Sie sie gespeichert haben.</translation>
+    </message>
+    <message>
+        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <translation>Die Arbeitsansicht „%1“ kann nicht gezeigt werden: Ihre Anordnung in den Einstellungen ist beschädigt. Ordnen Sie die Bereiche an und speichern Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>Type a name.</source>
+        <translation>Geben Sie einen Namen ein.</translation>
+    </message>
+    <message>
+        <source>The name is too long.</source>
+        <translation>Der Name ist zu lang.</translation>
+    </message>
+    <message>
+        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <translation>Es gibt so viele Arbeitsansichten, wie behalten werden können. Löschen Sie zuerst eine.</translation>
+    </message>
+    <message>
+        <source>There is a perspective of this name. Choose another name.</source>
+        <translation>Eine Arbeitsansicht dieses Namens gibt es schon. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <translation>Die Bereiche stehen wie in der Arbeitsansicht „%1“: Die Anordnung der früheren Version passt nicht zu dieser. Ordnen Sie sie neu an; es wird gemerkt.</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <translation>Die Bereiche stehen wie in der Arbeitsansicht „%1“: Die Anordnung in den Einstellungen ist beschädigt oder von einer anderen Version. Ordnen Sie sie neu an; es wird gemerkt.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::RecordingSettings</name>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Ordner für Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder for recordings</source>
+        <translation>Den Ordner für Aufzeichnungen wählen</translation>
+    </message>
+    <message>
+        <source>Pattern of the file name</source>
+        <translation>Muster des Dateinamens</translation>
+    </message>
+    <message>
+        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <translation>{date}, {time}, {robot} und {number} werden eingesetzt, wenn eine Aufzeichnung beginnt.</translation>
+    </message>
+    <message>
+        <source>One row every so many packets</source>
+        <translation>Eine Zeile je so viele Pakete</translation>
+    </message>
+    <message>
+        <source>Search signals</source>
+        <translation>Signale suchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Signals in a recording</source>
+        <translation>Signale in einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>All signals</source>
+        <translation>Alle Signale</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation>Dateiname</translation>
+    </message>
+    <message>
+        <source>One row every</source>
+        <translation>Eine Zeile je</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>Labor-UR5e</translation>
+    </message>
+    <message>
+        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <translation>Zum Beispiel %1. {date}, {time}, {robot} und {number} werden eingesetzt; eine vorhandene Datei wird nie ersetzt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <translation>
+            <numerusform>%n Paket je Zeile: %1 Zeilen je Sekunde von einem Roboter, der 500 Pakete je Sekunde sendet.</numerusform>
+            <numerusform>%n Pakete je Zeile: %1 Zeilen je Sekunde von einem Roboter, der 500 Pakete je Sekunde sendet.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SampleDialog</name>
+    <message>
+        <source>Open sample project</source>
+        <translation>Beispielprojekt öffnen</translation>
+    </message>
+    <message>
+        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <translation>Jedes ist für einen UR5e geteacht und kann mit dem simulierten Roboter durchgegangen werden. Sie arbeiten an einer Kopie: Speichern fragt nach einer eigenen Datei.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open “%1”</source>
+        <translation>„%1“ öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Look and motion</source>
+        <translation>Aussehen und Bewegung</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>Einstellungen exportieren…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <translation>Eine Datei mit allem, was gemerkt wird, für einen anderen Computer oder als Kopie</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>Einstellungen importieren…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces</source>
+        <translation>Übernimmt, was eine solche Datei enthält; sagt vorher, was sie ersetzt</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Size of keys and rows</source>
+        <translation>Größe von Tasten und Zeilen</translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation>Kompakt</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Touch</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Größe von allem</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Rotations</source>
+        <translation>Drehungen</translation>
+    </message>
+    <message>
+        <source>Roll, pitch, yaw in degrees</source>
+        <translation>Roll, Nick, Gier in Grad</translation>
+    </message>
+    <message>
+        <source>Rotation vector in radians, as scripts write it</source>
+        <translation>Rotationsvektor in Radiant, wie Skripte ihn schreiben</translation>
+    </message>
+    <message>
+        <source>Speed cap of this program</source>
+        <translation>Geschwindigkeitsgrenze dieses Programms</translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation>Längstes Halten</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <translation>Nach dieser Zeit endet das Verfahren, und die Taste muss neu gedrückt werden. Freedrive hat fünf Minuten, eine Bewegung zu einem Ort ihre Dauer und 5 s.</translation>
+    </message>
+    <message>
+        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <translation>Touch: so hoch, wie ein Finger es braucht. In einem Fenster niedriger als %1 px bleiben die Tasten der Gelenke, Register und Titelleisten kleiner.</translation>
+    </message>
+    <message>
+        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <translation>Wie Längen, Geschwindigkeiten des TCP und Ausrichtungen gezeigt und eingegeben werden. Diagramme und Dateien behalten Meter, Millimeter und Grad.</translation>
+    </message>
+    <message>
+        <source>Speed cap</source>
+        <translation>Geschwindigkeitsgrenze</translation>
+    </message>
+    <message>
+        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <translation>Text, Tasten, Zeilen, Diagramme und die Ansicht, alle gleich.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <translation>Gilt ab dem nächsten Start von Tiller. Der Bildschirm hat nur Platz für %1 %, die es dann haben wird.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller.</source>
+        <translation>Gilt ab dem nächsten Start von Tiller.</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <translation>▲ Über %1. Nichts anderes begrenzt das Verfahren vom PC: weder der manuelle Modus noch das Zustimmgerät des Pendants. Die Kopfzeile sagt es, und es endet mit dem Programm.</translation>
+    </message>
+    <message>
+        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <translation>Keine Bewegung dieses Programms geht darüber, am TCP und am Ellbogen. Gilt sofort und stoppt, was sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>Tasten der Befehle</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>Restore default shortcuts</source>
+        <translation>Vorgegebene Tasten wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
+        <translation>Drücken Sie die neue Taste im Feld; die Rücktaste nimmt sie weg. Leertaste und Esc stoppen immer den Arm.</translation>
+    </message>
+    <message>
+        <source>Key for %1</source>
+        <translation>Taste für %1</translation>
+    </message>
+    <message>
+        <source>%1 stops the arm and nothing else.</source>
+        <translation>%1 stoppt den Arm und nichts sonst.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <translation>%1 gehört zu &quot;%2&quot;. Nehmen Sie sie zuerst dort weg.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>Wie das System: %1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>Fenster neu öffnen</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>Stoppt den Arm, gibt die Steuerung ab und verbindet sich neu; was die Diagramme zeigen, beginnt neu. Das Projekt wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>Von Fenster und Prüfungen. Dateien und Skripte sind in allen gleich.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>Gilt ab dem nächsten Start von Tiller oder sobald das Fenster neu geöffnet ist.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsTransfer</name>
+    <message>
+        <source>Settings of Tiller (*.json)</source>
+        <translation>Einstellungen von Tiller (*.json)</translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation>Einstellungen exportieren</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Einstellungen importieren</translation>
+    </message>
+    <message>
+        <source>Settings exported to %1</source>
+        <translation>Einstellungen exportiert nach %1</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed. %2</source>
+        <translation>%1 wurde nicht importiert. Nichts wurde geändert. %2</translation>
+    </message>
+    <message>
+        <source>Settings imported from %1. What was here before is in %2</source>
+        <translation>Einstellungen importiert aus %1. Was vorher hier war, ist in %2</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,9726 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es_ES" sourcelanguage="en">
+<context>
+    <name>ActionTable</name>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Proyecto</translation>
+    </message>
+    <message>
+        <source>Power and safety</source>
+        <translation>Alimentación y seguridad</translation>
+    </message>
+    <message>
+        <source>Control and programs</source>
+        <translation>Control y programas</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Movimiento manual</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Puntos de paso</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Sistemas de coordenadas</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>E/S</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Perspectives</source>
+        <translation>Perspectivas</translation>
+    </message>
+    <message>
+        <source>Move panels</source>
+        <translation>Mover paneles</translation>
+    </message>
+    <message>
+        <source>Program Tiller</source>
+        <translation>Programa Tiller</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+</context>
+<context>
+    <name>BackTrack</name>
+    <message>
+        <source>go back: nothing left to undo</source>
+        <translation>retroceder: no queda nada que deshacer</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
+        <translation>Mover, enseñar, ejecutar y supervisar un brazo de Universal Robots desde un PC.</translation>
+    </message>
+    <message>
+        <source>Start with the built-in simulated UR5e.</source>
+        <translation>Empezar con el UR5e simulado incorporado.</translation>
+    </message>
+    <message>
+        <source>Connect to the robot at this address or host name.</source>
+        <translation>Conectar con el robot en esta dirección o nombre de host.</translation>
+    </message>
+    <message>
+        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <translation>Ejecutar la demostración en el robot simulado, dejar sus archivos en esta carpeta y salir.</translation>
+    </message>
+    <message>
+        <source>Open this project file (.tiller).</source>
+        <translation>Abrir este archivo de proyecto (.tiller).</translation>
+    </message>
+    <message>
+        <source>Colours: light or dark.</source>
+        <translation>Colores: light (claro) o dark (oscuro).</translation>
+    </message>
+    <message>
+        <source>see tiller --help</source>
+        <translation>véase tiller --help</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not expected</source>
+        <translation>no se esperaba &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <translation>--theme admite light o dark, no &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--robot and --simulator exclude each other</source>
+        <translation>--robot y --simulator se excluyen</translation>
+    </message>
+    <message>
+        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <translation>--demo funciona solo con el robot simulado, no con --robot</translation>
+    </message>
+    <message>
+        <source>--demo needs a folder</source>
+        <translation>--demo necesita una carpeta</translation>
+    </message>
+    <message>
+        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <translation>--robot necesita una dirección, como --robot 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>solo se puede abrir un proyecto, no también &quot;%1&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>ControllerCodes</name>
+    <message>
+        <source>Near a joint limit</source>
+        <translation>Cerca del límite de una articulación</translation>
+    </message>
+    <message>
+        <source>A joint came close to the end of its range.</source>
+        <translation>Una articulación se acercó al final de su rango.</translation>
+    </message>
+    <message>
+        <source>Jog the joint back, and plan the move away from the limit.</source>
+        <translation>Mueva la articulación hacia atrás y planifique el movimiento lejos del límite.</translation>
+    </message>
+    <message>
+        <source>Near a tool orientation limit</source>
+        <translation>Cerca del límite de orientación de la herramienta</translation>
+    </message>
+    <message>
+        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <translation>La herramienta giró hasta cerca del límite de la configuración de seguridad.</translation>
+    </message>
+    <message>
+        <source>Turn the tool back, or change the waypoint.</source>
+        <translation>Gire la herramienta hacia atrás o cambie el punto de paso.</translation>
+    </message>
+    <message>
+        <source>Near a safety plane</source>
+        <translation>Cerca de un plano de seguridad</translation>
+    </message>
+    <message>
+        <source>The arm came close to a safety plane.</source>
+        <translation>El brazo se acercó a un plano de seguridad.</translation>
+    </message>
+    <message>
+        <source>Jog away from the plane, or change the waypoint.</source>
+        <translation>Aléjese del plano o cambie el punto de paso.</translation>
+    </message>
+    <message>
+        <source>Position deviates from path</source>
+        <translation>La posición se desvía de la trayectoria</translation>
+    </message>
+    <message>
+        <source>The arm is not where the controller sent it.</source>
+        <translation>El brazo no está donde el controlador lo envió.</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <translation>Busque un obstáculo; compruebe carga útil, centro de gravedad y montaje; reduzca la aceleración.</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>Singularidad</translation>
+    </message>
+    <message>
+        <source>The straight move leads through a singular position of the arm.</source>
+        <translation>El movimiento recto pasa por una posición singular del brazo.</translation>
+    </message>
+    <message>
+        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <translation>Salga moviendo articulaciones sueltas; use MoveJ en esta zona.</translation>
+    </message>
+    <message>
+        <source>Cannot hold its position</source>
+        <translation>No puede mantener su posición</translation>
+    </message>
+    <message>
+        <source>The arm sagged or was pushed while it stood.</source>
+        <translation>El brazo cedió o fue empujado mientras estaba parado.</translation>
+    </message>
+    <message>
+        <source>Check payload, centre of gravity and mounting.</source>
+        <translation>Compruebe carga útil, centro de gravedad y montaje.</translation>
+    </message>
+    <message>
+        <source>Wrong payload or mounting</source>
+        <translation>Carga útil o montaje incorrectos</translation>
+    </message>
+    <message>
+        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <translation>Las fuerzas no corresponden a la carga útil, o algo empujó el brazo al empezar el movimiento libre.</translation>
+    </message>
+    <message>
+        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <translation>Corrija la carga útil y el montaje, suelte el brazo e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Collision noticed by a joint</source>
+        <translation>Una articulación notó una colisión</translation>
+    </message>
+    <message>
+        <source>A joint needed more torque than the motion explains.</source>
+        <translation>Una articulación necesitó más par del que explica el movimiento.</translation>
+    </message>
+    <message>
+        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <translation>Quite el obstáculo; si no lo había, compruebe la carga útil.</translation>
+    </message>
+    <message>
+        <source>Collision noticed by the tool force</source>
+        <translation>Colisión notada por la fuerza en la herramienta</translation>
+    </message>
+    <message>
+        <source>The force at the tool exceeded what is allowed.</source>
+        <translation>La fuerza en la herramienta superó lo permitido.</translation>
+    </message>
+    <message>
+        <source>Position deviation</source>
+        <translation>Desviación de posición</translation>
+    </message>
+    <message>
+        <source>A joint left its commanded position.</source>
+        <translation>Una articulación se apartó de su posición ordenada.</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle and check payload and mounting.</source>
+        <translation>Busque un obstáculo y compruebe carga útil y montaje.</translation>
+    </message>
+    <message>
+        <source>Too many protective stops</source>
+        <translation>Demasiadas paradas de protección</translation>
+    </message>
+    <message>
+        <source>One joint had more than fifty protective stops in eight hours.</source>
+        <translation>Una articulación tuvo más de cincuenta paradas de protección en ocho horas.</translation>
+    </message>
+    <message>
+        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <translation>Encuentre la causa de las paradas antes de seguir; después reinicie el controlador.</translation>
+    </message>
+    <message>
+        <source>Sudden change of target position</source>
+        <translation>Cambio brusco de la posición objetivo</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in position.</source>
+        <translation>Un programa pidió un salto de posición.</translation>
+    </message>
+    <message>
+        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <translation>Haga que el programa empiece donde está el brazo y mantenga pequeños sus pasos servo.</translation>
+    </message>
+    <message>
+        <source>Sudden change of target speed</source>
+        <translation>Cambio brusco de la velocidad objetivo</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in speed.</source>
+        <translation>Un programa pidió un salto de velocidad.</translation>
+    </message>
+    <message>
+        <source>Lower the acceleration, or smooth the path.</source>
+        <translation>Reduzca la aceleración o suavice la trayectoria.</translation>
+    </message>
+    <message>
+        <source>Protective stop by a program</source>
+        <translation>Parada de protección por un programa</translation>
+    </message>
+    <message>
+        <source>The running program itself asked for the stop.</source>
+        <translation>El propio programa en marcha pidió la parada.</translation>
+    </message>
+    <message>
+        <source>See the program&apos;s own messages before it.</source>
+        <translation>Vea los mensajes anteriores del programa.</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>El robot está en control local</translation>
+    </message>
+    <message>
+        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <translation>Se envió un script, pero el robot solo escucha a su consola.</translation>
+    </message>
+    <message>
+        <source>Switch to Remote control on the teach pendant.</source>
+        <translation>Cambie a control remoto en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Controller message C%1</source>
+        <translation>Mensaje C%1 del controlador</translation>
+    </message>
+    <message>
+        <source>The controller reported this number.</source>
+        <translation>El controlador comunicó este número.</translation>
+    </message>
+    <message>
+        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <translation>Busque C%1 en el directorio de códigos de error del fabricante.</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>calcular una señal</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>No hay señal «%1». La lista de señales muestra los nombres.</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>No contiene ninguna señal.</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>Contiene demasiadas señales.</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>Debe dar un número.</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>El texto es demasiado largo.</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>Escriba un nombre, un signo igual y una expresión: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>Hay un signo igual de más; una comparación tiene dos: ==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>El intervalo de tiempo está entre 0.001 y 60 segundos.</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceTrainer</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>Axes of the device</source>
+        <translation>Ejes del dispositivo</translation>
+    </message>
+</context>
+<context>
+    <name>Doctor</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
+        <translation>Este software es demasiado antiguo. Actualice el robot a %1.%2 o posterior.</translation>
+    </message>
+    <message>
+        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <translation>Faltan algunos valores y los registros para el control. Actualice el robot a %1.%2 o posterior.</translation>
+    </message>
+    <message>
+        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <translation>Mire el brazo, quite la causa y recupérelo: Recuperar… en la cabecera, o en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <translation>Encienda y libere los frenos: el botón de la cabecera le guía.</translation>
+    </message>
+    <message>
+        <source>the RTDE port takes connections but does not answer</source>
+        <translation>el puerto RTDE acepta conexiones pero no responde</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 does not speak RTDE</source>
+        <translation>lo que responde en el puerto %1 no habla RTDE</translation>
+    </message>
+    <message>
+        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <translation>Demasiados clientes RTDE, o un controlador colgado: cierre otros programas y reinicie el controlador.</translation>
+    </message>
+    <message>
+        <source>Check the address: this is another device, or another program took the port.</source>
+        <translation>Compruebe la dirección: es otro dispositivo, u otro programa ocupa el puerto.</translation>
+    </message>
+    <message>
+        <source>protocol version %1</source>
+        <translation>versión de protocolo %1</translation>
+    </message>
+    <message>
+        <source>another program holds %1</source>
+        <translation>otro programa ocupa %1</translation>
+    </message>
+    <message>
+        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <translation>Cierre el otro programa que controla este robot (otra ventana, ROS, ur_rtde).</translation>
+    </message>
+    <message>
+        <source>this software has no registers 24 to 47</source>
+        <translation>este software no tiene registros 24 a 47</translation>
+    </message>
+    <message>
+        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
+        <translation>Actualice el software del robot a 3.9 o 5.3.</translation>
+    </message>
+    <message>
+        <source>24 to 47 are free</source>
+        <translation>24 a 47 están libres</translation>
+    </message>
+    <message>
+        <source>a fieldbus adapter or another program holds %1</source>
+        <translation>un adaptador de bus de campo u otro programa ocupa %1</translation>
+    </message>
+    <message>
+        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <translation>Para mover a mano no hay nada que hacer. Para usar estos registros, desactive EtherNet/IP, PROFINET o MODBUS en la instalación del robot.</translation>
+    </message>
+    <message>
+        <source>0 to 23 are free</source>
+        <translation>0 a 23 están libres</translation>
+    </message>
+    <message>
+        <source>the robot takes the subscription but sends no data</source>
+        <translation>el robot acepta la suscripción pero no envía datos</translation>
+    </message>
+    <message>
+        <source>Close other RTDE programs, then restart the robot&apos;s controller.</source>
+        <translation>Cierre otros programas RTDE y reinicie el controlador del robot.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 packages a second</source>
+        <translation>%1 de %2 paquetes por segundo</translation>
+    </message>
+    <message>
+        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <translation>Faltan paquetes: use un cable, no un enlace por radio; cierre otros programas que cargan el robot o este PC.</translation>
+    </message>
+    <message>
+        <source>priority %1</source>
+        <translation>prioridad %1</translation>
+    </message>
+    <message>
+        <source>the system grants this user no real-time priority</source>
+        <translation>el sistema no concede a este usuario prioridad de tiempo real</translation>
+    </message>
+    <message>
+        <source>permitted, and asked for by loops with priority</source>
+        <translation>permitido, y pedido por los bucles con prioridad</translation>
+    </message>
+    <message>
+        <source>processors may sleep deeply, loops begin later</source>
+        <translation>los procesadores pueden dormir profundamente, los bucles empiezan más tarde</translation>
+    </message>
+    <message>
+        <source>TCP %1 mm from the flange, payload %2 kg</source>
+        <translation>TCP a %1 mm de la brida, carga útil %2 kg</translation>
+    </message>
+    <message>
+        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
+        <translation>Si hay una herramienta montada, ajuste TCP y carga útil en la instalación del robot: una carga útil incorrecta causa paradas de protección y hace ceder el brazo en movimiento libre.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <translation>&quot;%1&quot; no es una dirección y no se conoce ningún host de ese nombre</translation>
+    </message>
+    <message>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <translation>Introduzca los cuatro números que muestra la consola portátil en Acerca de, o pregunte el nombre a quien administra la red.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 no responde</translation>
+    </message>
+    <message>
+        <source>There is no way to %1</source>
+        <translation>No hay camino hasta %1</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <translation>Compruebe que el robot está encendido, el cable conectado y que no hay un cortafuegos en medio.</translation>
+    </message>
+    <message>
+        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <translation>Dé a este PC una dirección en la red del robot (los mismos tres primeros números) y compruebe el cable.</translation>
+    </message>
+    <message>
+        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <translation>%1 responde, pero no hay ningún servicio de robot</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <translation>Compruebe que es la dirección del robot. Un robot recién encendido necesita otro minuto.</translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation>%1 responde</translation>
+    </message>
+    <message>
+        <source>dashboard, port %1</source>
+        <translation>dashboard, puerto %1</translation>
+    </message>
+    <message>
+        <source>port %1</source>
+        <translation>puerto %1</translation>
+    </message>
+    <message>
+        <source>port %1 is closed</source>
+        <translation>el puerto %1 está cerrado</translation>
+    </message>
+    <message>
+        <source>port %1 does not answer</source>
+        <translation>el puerto %1 no responde</translation>
+    </message>
+    <message>
+        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <translation>Active esta interfaz en el robot: Ajustes, Seguridad, Servicios.</translation>
+    </message>
+    <message>
+        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <translation>Un cortafuegos se traga este puerto: permita el puerto TCP %1 hacia el robot.</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <translation>Cambie el robot a control remoto en la consola portátil, arriba a la derecha. Sin eso, Tiller solo observa.</translation>
+    </message>
+    <message>
+        <source>the dashboard takes connections but does not answer</source>
+        <translation>el dashboard acepta conexiones pero no responde</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 is not a dashboard</source>
+        <translation>lo que responde en el puerto %1 no es un dashboard</translation>
+    </message>
+    <message>
+        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <translation>Reinicie el controlador del robot; si sigue así, mire su registro.</translation>
+    </message>
+    <message>
+        <source>Check the address, and that no other program uses this port.</source>
+        <translation>Compruebe la dirección y que ningún otro programa use este puerto.</translation>
+    </message>
+    <message>
+        <source>this series has no Local/Remote switch</source>
+        <translation>esta serie no tiene conmutador Local/Remoto</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>Remoto</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Local</translation>
+    </message>
+    <message>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <translation>no están ni el dashboard (puerto %1) ni la Robot API (puerto %2)</translation>
+    </message>
+    <message>
+        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <translation>Active el Dashboard Server en el robot: Ajustes, Seguridad, Servicios. PolyScope X necesita 10.11 o posterior para la Robot API.</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <translation>Robot API %1, puerto %2; los avisos se cierran en la tableta</translation>
+    </message>
+    <message>
+        <source>the primary interface does not describe the arm</source>
+        <translation>la interfaz primaria no describe el brazo</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <translation>Compruebe que es la dirección del robot y reinicie su controlador.</translation>
+    </message>
+    <message>
+        <source>robot type %1 is newer than this program</source>
+        <translation>el tipo de robot %1 es más nuevo que este programa</translation>
+    </message>
+    <message>
+        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <translation>Observar funciona. Los límites y las vistas previas usan las medidas que comunica el robot; muévalo despacio al principio.</translation>
+    </message>
+    <message>
+        <source>Address resolves</source>
+        <translation>La dirección se resuelve</translation>
+    </message>
+    <message>
+        <source>Host answers</source>
+        <translation>El host responde</translation>
+    </message>
+    <message>
+        <source>RTDE port</source>
+        <translation>Puerto RTDE</translation>
+    </message>
+    <message>
+        <source>Primary port</source>
+        <translation>Puerto primario</translation>
+    </message>
+    <message>
+        <source>Secondary port</source>
+        <translation>Puerto secundario</translation>
+    </message>
+    <message>
+        <source>Real-time port</source>
+        <translation>Puerto de tiempo real</translation>
+    </message>
+    <message>
+        <source>Dashboard or Robot API</source>
+        <translation>Dashboard o Robot API</translation>
+    </message>
+    <message>
+        <source>RTDE is understood</source>
+        <translation>RTDE se entiende</translation>
+    </message>
+    <message>
+        <source>Controller software</source>
+        <translation>Software del controlador</translation>
+    </message>
+    <message>
+        <source>Robot model</source>
+        <translation>Modelo de robot</translation>
+    </message>
+    <message>
+        <source>Remote control</source>
+        <translation>Control remoto</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Seguridad</translation>
+    </message>
+    <message>
+        <source>Power and brakes</source>
+        <translation>Alimentación y frenos</translation>
+    </message>
+    <message>
+        <source>Registers for control free</source>
+        <translation>Registros para el control libres</translation>
+    </message>
+    <message>
+        <source>No fieldbus holds registers</source>
+        <translation>Ningún bus de campo ocupa registros</translation>
+    </message>
+    <message>
+        <source>Data rate</source>
+        <translation>Frecuencia de datos</translation>
+    </message>
+    <message>
+        <source>Real-time privilege of this PC</source>
+        <translation>Privilegio de tiempo real de este PC</translation>
+    </message>
+    <message>
+        <source>Fast wake-ups of this PC</source>
+        <translation>Despertar rápido de este PC</translation>
+    </message>
+    <message>
+        <source>TCP and payload</source>
+        <translation>TCP y carga útil</translation>
+    </message>
+</context>
+<context>
+    <name>Freedrive</name>
+    <message>
+        <source>All axes</source>
+        <translation>Todos los ejes</translation>
+    </message>
+    <message>
+        <source>Position only</source>
+        <translation>Solo posición</translation>
+    </message>
+    <message>
+        <source>Orientation only</source>
+        <translation>Solo orientación</translation>
+    </message>
+    <message>
+        <source>Plane X Y</source>
+        <translation>Plano X Y</translation>
+    </message>
+    <message>
+        <source>Line Z</source>
+        <translation>Línea Z</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest before freedrive.</source>
+        <translation>Deje que el brazo se detenga antes del movimiento libre.</translation>
+    </message>
+    <message>
+        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <translation>El brazo siente %1 con una carga útil de %2 kg: se movería solo. Suelte la herramienta o corrija carga útil y TCP.</translation>
+    </message>
+</context>
+<context>
+    <name>Gamepad</name>
+    <message>
+        <source>left shoulder</source>
+        <translation>hombro izquierdo</translation>
+    </message>
+    <message>
+        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <translation>Palanca izquierda X e Y, palanca derecha Z y giro. Hombro derecho: las palancas giran.</translation>
+    </message>
+</context>
+<context>
+    <name>HoldWitness</name>
+    <message>
+        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>No hay segundo testigo en esta pantalla (%1): si una tecla sigue pulsada solo se sabe por los eventos de la ventana.</translation>
+    </message>
+    <message>
+        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <translation>Se pregunta al servidor gráfico cada 10 ms si el botón o la tecla sigue pulsado.</translation>
+    </message>
+    <message>
+        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>No se puede preguntar una segunda vez al servidor gráfico: si una tecla sigue pulsada solo se sabe por los eventos de la ventana.</translation>
+    </message>
+</context>
+<context>
+    <name>InterfaceSize</name>
+    <message>
+        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <translation>Esta pantalla tiene píxeles pequeños. «Tamaño de todo» en Ajustes agranda texto, teclas y gráficos.</translation>
+    </message>
+</context>
+<context>
+    <name>JogActions</name>
+    <message>
+        <source>Jog speed %1</source>
+        <translation>Velocidad manual %1</translation>
+    </message>
+    <message>
+        <source>Jog step %1, %2°</source>
+        <translation>Paso manual %1, %2°</translation>
+    </message>
+    <message>
+        <source>Arm or disarm the keyboard</source>
+        <translation>Armar o desarmar el teclado</translation>
+    </message>
+    <message>
+        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <translation>Armado, las flechas mueven el brazo; un marco rodea la ventana. Termina solo tras medio minuto.</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse…</source>
+        <translation>Gamepad y SpaceMouse…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>Qué dice ahora cada dispositivo y hacia dónde irá.</translation>
+    </message>
+    <message>
+        <source>Zero here</source>
+        <translation>Cero aquí</translation>
+    </message>
+    <message>
+        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <translation>Cuenta el recorrido del TCP desde aquí; otra vez: de nuevo desde la pulsación.</translation>
+    </message>
+    <message>
+        <source>Stops the arm; the next press has this speed.</source>
+        <translation>Detiene el brazo; la próxima pulsación tiene esta velocidad.</translation>
+    </message>
+    <message>
+        <source>Moves by this much, only while the key is held.</source>
+        <translation>Mueve esta cantidad, solo mientras se mantiene la tecla.</translation>
+    </message>
+    <message>
+        <source>Moves by this much at each press.</source>
+        <translation>Mueve esta cantidad en cada pulsación.</translation>
+    </message>
+    <message>
+        <source>Jog until contact, %1 N</source>
+        <translation>Mover hasta contacto, %1 N</translation>
+    </message>
+    <message>
+        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <translation>Una tecla mantenida mueve despacio y termina cuando la herramienta encuentra esta fuerza.</translation>
+    </message>
+    <message>
+        <source>Jog speed, other…</source>
+        <translation>Otra velocidad manual…</translation>
+    </message>
+    <message>
+        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <translation>Pregunta la velocidad del TCP; giros y articulaciones en proporción.</translation>
+    </message>
+    <message>
+        <source>Jog step, other…</source>
+        <translation>Otro paso manual…</translation>
+    </message>
+    <message>
+        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <translation>Pregunta la longitud de un paso; el ángulo de los giros se mantiene.</translation>
+    </message>
+    <message>
+        <source>Jog turn, other…</source>
+        <translation>Otro giro manual…</translation>
+    </message>
+    <message>
+        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <translation>Pregunta el ángulo de un paso que gira la herramienta o una articulación; la longitud se mantiene.</translation>
+    </message>
+    <message>
+        <source>Jog until contact, other force…</source>
+        <translation>Mover hasta contacto, otra fuerza…</translation>
+    </message>
+    <message>
+        <source>Asks for the force in N at which the motion ends.</source>
+        <translation>Pregunta la fuerza en N a la que termina el movimiento.</translation>
+    </message>
+    <message>
+        <source>Freedrive: %1</source>
+        <translation>Movimiento libre: %1</translation>
+    </message>
+    <message>
+        <source>What the hand can move while Freedrive is held.</source>
+        <translation>Qué puede mover la mano mientras se mantiene el movimiento libre.</translation>
+    </message>
+</context>
+<context>
+    <name>JogColumn</name>
+    <message>
+        <source>Tool</source>
+        <translation>Herramienta</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+</context>
+<context>
+    <name>JointNames</name>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Hombro</translation>
+    </message>
+    <message>
+        <source>Elbow</source>
+        <translation>Codo</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>Muñeca 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>Muñeca 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>Muñeca 3</translation>
+    </message>
+</context>
+<context>
+    <name>LimiterAdvice</name>
+    <message>
+        <source>Elbow almost straight</source>
+        <translation>Codo casi recto</translation>
+    </message>
+    <message>
+        <source>Elbow almost straight: %1 of the speed</source>
+        <translation>Codo casi recto: %1 de la velocidad</translation>
+    </message>
+    <message>
+        <source>bend the elbow</source>
+        <translation>doble el codo</translation>
+    </message>
+    <message>
+        <source>jog %1 or bend the elbow</source>
+        <translation>mueva %1 o doble el codo</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis</source>
+        <translation>Muñeca sobre el eje de la base</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis: %1 of the speed</source>
+        <translation>Muñeca sobre el eje de la base: %1 de la velocidad</translation>
+    </message>
+    <message>
+        <source>move outwards</source>
+        <translation>mueva hacia fuera</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn the base</source>
+        <translation>mueva %1 o gire la base</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°</source>
+        <translation>Muñeca 2 cerca de 0° o 180°</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <translation>Muñeca 2 cerca de 0° o 180°: %1 de la velocidad</translation>
+    </message>
+    <message>
+        <source>turn wrist 2</source>
+        <translation>gire la muñeca 2</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn wrist 2</source>
+        <translation>mueva %1 o gire la muñeca 2</translation>
+    </message>
+    <message>
+        <source>%1 %2° from its limit</source>
+        <translation>%1 a %2° de su límite</translation>
+    </message>
+    <message>
+        <source>turn %1 %2</source>
+        <translation>gire %1 %2</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn %2 %3</source>
+        <translation>mueva %1 o gire %2 %3</translation>
+    </message>
+    <message>
+        <source>TCP at its speed cap: %1</source>
+        <translation>TCP en su límite de velocidad: %1</translation>
+    </message>
+    <message>
+        <source>the cap is in the settings</source>
+        <translation>el límite está en los ajustes</translation>
+    </message>
+    <message>
+        <source>Elbow at its speed cap: %1</source>
+        <translation>Codo en su límite de velocidad: %1</translation>
+    </message>
+    <message>
+        <source>move less sideways</source>
+        <translation>mueva menos de lado</translation>
+    </message>
+    <message>
+        <source>Turning at its cap: %1</source>
+        <translation>Giro en su límite: %1</translation>
+    </message>
+    <message>
+        <source>%1 at its top speed: %2</source>
+        <translation>%1 a su velocidad máxima: %2</translation>
+    </message>
+    <message>
+        <source>choose a slower class</source>
+        <translation>elija una clase más lenta</translation>
+    </message>
+</context>
+<context>
+    <name>LocalSimulator</name>
+    <message>
+        <source>Simulated UR5e</source>
+        <translation>UR5e simulado</translation>
+    </message>
+</context>
+<context>
+    <name>ModeLook</name>
+    <message>
+        <source>FREEDRIVE</source>
+        <translation>MOVIMIENTO LIBRE</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand that moves it.</source>
+        <translation>El brazo sigue la mano que lo mueve.</translation>
+    </message>
+    <message>
+        <source>MOVING</source>
+        <translation>EN MOVIMIENTO</translation>
+    </message>
+    <message>
+        <source>The robot confirms that the arm moves.</source>
+        <translation>El robot confirma que el brazo se mueve.</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>Remoto</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Local</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>SIN DATOS</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Tomando el control…</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>Movimiento libre</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>Con control</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Rechazado</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>Sin control</translation>
+    </message>
+    <message>
+        <source>monitoring</source>
+        <translation>observando</translation>
+    </message>
+    <message>
+        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <translation>Los paquetes llegan tarde o no llegan: el movimiento puede detenerse solo y los gráficos tienen huecos. Use un cable, no un enlace por radio, y cierre otros programas.</translation>
+    </message>
+    <message>
+        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <translation>Las órdenes tardan más de 20 ms: el brazo sigue la tecla con retraso. Mueva despacio.</translation>
+    </message>
+    <message>
+        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <translation>Bien: el brazo sigue la tecla enseguida, y un enlace cortado lo detiene en un cuarto de segundo.</translation>
+    </message>
+    <message>
+        <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
+        <translation>Últimos 10 s: %1 paquetes, %2 tarde, %3 perdidos</translation>
+    </message>
+    <message>
+        <source>Since connecting: %1 packets, %2 late, %3 lost</source>
+        <translation>Desde la conexión: %1 paquetes, %2 tarde, %3 perdidos</translation>
+    </message>
+    <message>
+        <source>Late is a packet that comes more than half a period after its time.</source>
+        <translation>Tarde es un paquete que llega más de medio período después de su hora.</translation>
+    </message>
+    <message>
+        <source>No robot connected</source>
+        <translation>Ningún robot conectado</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Conectando…</translation>
+    </message>
+    <message>
+        <source>Late: %1 s</source>
+        <translation>Tarde: %1 s</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source> · %1 late</source>
+        <translation> · %1 tarde</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · %1 perdidos</translation>
+    </message>
+    <message>
+        <source>LINK · JOG STOPS</source>
+        <translation>ENLACE · SE DETIENE</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>ENLACE</translation>
+    </message>
+    <message>
+        <source>LINK · JOG MAY STOP</source>
+        <translation>ENLACE · PUEDE PARAR</translation>
+    </message>
+    <message>
+        <source>LINK · ARM LAGS</source>
+        <translation>ENLACE · CON RETRASO</translation>
+    </message>
+    <message>
+        <source>LINK · GOOD</source>
+        <translation>ENLACE · BUENO</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>Conectar…</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Encender</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>Liberar frenos</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>Recuperar…</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Tomar el control</translation>
+    </message>
+    <message>
+        <source>Choose the simulator or the address of a robot</source>
+        <translation>Elija el simulador o la dirección de un robot</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>Enciende el brazo. Los frenos siguen puestos.</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>El brazo puede ceder unos milímetros. Manténgase apartado.</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <translation>Muestra qué detuvo el brazo, los últimos cinco segundos y el camino de vuelta. Nada se mueve.</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>Inicia el programa de control en el robot, lo que detiene cualquier otro programa.</translation>
+    </message>
+</context>
+<context>
+    <name>ModeWords</name>
+    <message>
+        <source>No controller</source>
+        <translation>Sin controlador</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s controller is not running. Restart the control box.</source>
+        <translation>El controlador del robot no está en marcha. Reinicie la caja de control.</translation>
+    </message>
+    <message>
+        <source>Arm off line</source>
+        <translation>Brazo sin conexión</translation>
+    </message>
+    <message>
+        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <translation>El controlador no tiene conexión con el brazo. Mire la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Confirm safety</source>
+        <translation>Confirmar seguridad</translation>
+    </message>
+    <message>
+        <source>Confirm the safety configuration on the teach pendant.</source>
+        <translation>Confirme la configuración de seguridad en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Booting</source>
+        <translation>Arrancando</translation>
+    </message>
+    <message>
+        <source>The arm is starting. Wait a few seconds.</source>
+        <translation>El brazo está arrancando. Espere unos segundos.</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>Apagado</translation>
+    </message>
+    <message>
+        <source>The arm is off. Power it on.</source>
+        <translation>El brazo está apagado. Enciéndalo.</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Encendido</translation>
+    </message>
+    <message>
+        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <translation>El brazo tiene corriente y se prepara. Espere un momento.</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>En reposo</translation>
+    </message>
+    <message>
+        <source>The brakes are on. Release them.</source>
+        <translation>Los frenos están puestos. Libérelos.</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>Backdrive</translation>
+    </message>
+    <message>
+        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <translation>El brazo se mueve a mano venciendo sus frenos. Suelte el botón de movimiento libre.</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>Brakes are released. The arm stands still.</source>
+        <translation>Los frenos están liberados. El brazo está quieto.</translation>
+    </message>
+    <message>
+        <source>Updating firmware</source>
+        <translation>Actualizando firmware</translation>
+    </message>
+    <message>
+        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
+        <translation>Se actualiza el firmware de las articulaciones. No corte la corriente hasta que termine.</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>No safety function is active.</source>
+        <translation>Ninguna función de seguridad está activa.</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reducido</translation>
+    </message>
+    <message>
+        <source>The robot keeps to its reduced limits.</source>
+        <translation>El robot respeta sus límites reducidos.</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Parada de protección</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <translation>El controlador detuvo el brazo. Averigüe qué lo detuvo y después desbloquee (tras 5 s).</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Recuperación</translation>
+    </message>
+    <message>
+        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <translation>El brazo está fuera de un límite de seguridad. Devuélvalo a sus límites con la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Parada de salvaguarda</translation>
+    </message>
+    <message>
+        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <translation>Una salvaguarda está abierta. Ciérrela; donde haya un rearme configurado, púlselo.</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>Parada de emergencia del sistema</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>La parada de emergencia de la célula está pulsada. Suéltela, después encienda y libere los frenos.</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Parada de emergencia</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
+        <translation>La parada de emergencia del robot está pulsada. Tire del botón, después encienda y libere los frenos.</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>Infracción de seguridad</translation>
+    </message>
+    <message>
+        <source>A safety limit was exceeded and power was cut. Check the cause, then restart the safety system.</source>
+        <translation>Se superó un límite de seguridad y se cortó la corriente. Compruebe la causa y reinicie el sistema de seguridad.</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>Fallo de seguridad</translation>
+    </message>
+    <message>
+        <source>The safety system found a fault. Check the robot&apos;s log, then restart the safety system.</source>
+        <translation>El sistema de seguridad encontró un fallo. Compruebe el registro del robot y reinicie el sistema de seguridad.</translation>
+    </message>
+    <message>
+        <source>Validate joints</source>
+        <translation>Validar articulaciones</translation>
+    </message>
+    <message>
+        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <translation>Se cambió una articulación. Valide las articulaciones en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Undefined</source>
+        <translation>Indefinido</translation>
+    </message>
+    <message>
+        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <translation>El controlador no dice su modo de seguridad. Mire la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Automatic safeguard stop</source>
+        <translation>Parada de salvaguarda automática</translation>
+    </message>
+    <message>
+        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <translation>La salvaguarda del modo automático está abierta. Ciérrela o cambie al modo manual.</translation>
+    </message>
+    <message>
+        <source>Enabling device stop</source>
+        <translation>Parada del dispositivo de habilitación</translation>
+    </message>
+    <message>
+        <source>The enabling device is not held. Hold it in its middle position.</source>
+        <translation>El dispositivo de habilitación no está pulsado. Manténgalo en su posición media.</translation>
+    </message>
+    <message>
+        <source>Pendant enabling stop</source>
+        <translation>Parada de habilitación de la consola</translation>
+    </message>
+    <message>
+        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <translation>La tecla de habilitación de la consola no está pulsada. Manténgala en su posición media.</translation>
+    </message>
+    <message>
+        <source>IMMI emergency stop</source>
+        <translation>Parada de emergencia IMMI</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>La parada de emergencia de la inyectora está pulsada. Suéltela, después encienda y libere los frenos.</translation>
+    </message>
+    <message>
+        <source>IMMI safeguard stop</source>
+        <translation>Parada de salvaguarda IMMI</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s safeguard is open. Close it.</source>
+        <translation>La salvaguarda de la inyectora está abierta. Ciérrela.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe waiting</source>
+        <translation>PROFIsafe en espera</translation>
+    </message>
+    <message>
+        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <translation>El robot espera a su controlador PROFIsafe. Compruebe el bus de campo y sus parámetros.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe automatic stop</source>
+        <translation>Parada automática PROFIsafe</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
+        <translation>El controlador PROFIsafe mantiene abierta la salvaguarda del modo automático. Ciérrela allí.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe safeguard stop</source>
+        <translation>Parada de salvaguarda PROFIsafe</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
+        <translation>El controlador PROFIsafe mantiene abierta una salvaguarda. Ciérrela allí.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe emergency stop</source>
+        <translation>Parada de emergencia PROFIsafe</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <translation>El controlador PROFIsafe pide una parada de emergencia. Suéltela allí, después encienda y libere los frenos.</translation>
+    </message>
+    <message>
+        <source>Safety API stop</source>
+        <translation>Parada por Safety API</translation>
+    </message>
+    <message>
+        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
+        <translation>Un programa detiene el brazo a través de la interfaz de seguridad. Termine la parada en ese programa.</translation>
+    </message>
+    <message>
+        <source>I/O plane stop</source>
+        <translation>Parada por plano de E/S</translation>
+    </message>
+    <message>
+        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <translation>La herramienta cruzó un plano de seguridad activado por una entrada. Sáquela con la consola portátil o desactive la entrada.</translation>
+    </message>
+    <message>
+        <source>Program stopping</source>
+        <translation>Programa deteniéndose</translation>
+    </message>
+    <message>
+        <source>The program on the robot is ending.</source>
+        <translation>El programa del robot está terminando.</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Sin programa</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>No hay ningún programa en marcha en el robot.</translation>
+    </message>
+    <message>
+        <source>Program plays</source>
+        <translation>Programa en marcha</translation>
+    </message>
+    <message>
+        <source>A program runs on the robot and may move the arm.</source>
+        <translation>Un programa está en marcha en el robot y puede mover el brazo.</translation>
+    </message>
+    <message>
+        <source>Program pausing</source>
+        <translation>Programa pausándose</translation>
+    </message>
+    <message>
+        <source>The program is coming to a halt.</source>
+        <translation>El programa se está deteniendo.</translation>
+    </message>
+    <message>
+        <source>Program paused</source>
+        <translation>Programa en pausa</translation>
+    </message>
+    <message>
+        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <translation>Reproducir sigue con el movimiento interrumpido; detenga el programa para abandonarlo.</translation>
+    </message>
+    <message>
+        <source>Program resuming</source>
+        <translation>Programa reanudándose</translation>
+    </message>
+    <message>
+        <source>The program is going on: the arm may move.</source>
+        <translation>El programa continúa: el brazo puede moverse.</translation>
+    </message>
+    <message>
+        <source>Unknown robot mode %1. See the teach pendant.</source>
+        <translation>Modo de robot desconocido %1. Mire la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Unknown safety mode %1. See the teach pendant.</source>
+        <translation>Modo de seguridad desconocido %1. Mire la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Unknown program state %1. See the teach pendant.</source>
+        <translation>Estado de programa desconocido %1. Mire la consola portátil.</translation>
+    </message>
+</context>
+<context>
+    <name>OutputGripper</name>
+    <message>
+        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <translation>El robot no confirmó las salidas. Quizá pertenezcan a otro programa o a la instalación.</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>Pinza: cerrar</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>Pinza: abrir</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>pendiente…</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>told to open</source>
+        <translation>orden de abrir</translation>
+    </message>
+    <message>
+        <source>told to close</source>
+        <translation>orden de cerrar</translation>
+    </message>
+    <message>
+        <source>both outputs off</source>
+        <translation>ambas salidas desactivadas</translation>
+    </message>
+    <message>
+        <source>both outputs on</source>
+        <translation>ambas salidas activadas</translation>
+    </message>
+    <message>
+        <source>Choose two different outputs: one closes, the other opens.</source>
+        <translation>Elija dos salidas distintas: una cierra, la otra abre.</translation>
+    </message>
+</context>
+<context>
+    <name>PanelActions</name>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <translation>Escribe cada paquete del robot en un archivo CSV, hasta que se detenga.</translation>
+    </message>
+    <message>
+        <source>A recording runs already.</source>
+        <translation>Ya hay una grabación en marcha.</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>Conéctese primero a un robot.</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Detener grabación</translation>
+    </message>
+    <message>
+        <source>Ends the recording; its file is complete.</source>
+        <translation>Termina la grabación; su archivo está completo.</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded.</source>
+        <translation>No se graba nada.</translation>
+    </message>
+    <message>
+        <source>Pause or resume the plots</source>
+        <translation>Pausar o reanudar los gráficos</translation>
+    </message>
+    <message>
+        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <translation>Congela los gráficos; los datos y la grabación siguen. Otra vez: vuelta a las muestras más nuevas.</translation>
+    </message>
+    <message>
+        <source>Export the plots…</source>
+        <translation>Exportar los gráficos…</translation>
+    </message>
+    <message>
+        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <translation>Guarda el intervalo mostrado como imagen, dibujo, página o valores.</translation>
+    </message>
+    <message>
+        <source>Plots show %1</source>
+        <translation>Los gráficos muestran %1</translation>
+    </message>
+    <message>
+        <source>How much time the plots show.</source>
+        <translation>Cuánto tiempo muestran los gráficos.</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>Buscar entradas y salidas</translation>
+    </message>
+    <message>
+        <source>Finds a terminal or a register by its number or name.</source>
+        <translation>Encuentra un borne o un registro por su número o nombre.</translation>
+    </message>
+    <message>
+        <source>Rename the chosen input or output</source>
+        <translation>Renombrar la entrada o salida elegida</translation>
+    </message>
+    <message>
+        <source>The row of the tab I/O that has the focus.</source>
+        <translation>La fila de la pestaña E/S que tiene el foco.</translation>
+    </message>
+    <message>
+        <source>Switch the chosen output</source>
+        <translation>Conmutar la salida elegida</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <translation>La salida de la pestaña E/S que tiene el foco: activada, o desactivada de nuevo.</translation>
+    </message>
+    <message>
+        <source>Pulse the chosen output</source>
+        <translation>Pulso en la salida elegida</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <translation>La salida de la pestaña E/S que tiene el foco: activada medio segundo, después desactivada.</translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation>Buscar en el registro</translation>
+    </message>
+    <message>
+        <source>Shows only the lines with these words.</source>
+        <translation>Muestra solo las líneas con estas palabras.</translation>
+    </message>
+    <message>
+        <source>Log: show all</source>
+        <translation>Registro: mostrar todo</translation>
+    </message>
+    <message>
+        <source>Log: show warnings and worse</source>
+        <translation>Registro: mostrar avisos y peores</translation>
+    </message>
+    <message>
+        <source>Log: show errors</source>
+        <translation>Registro: mostrar errores</translation>
+    </message>
+    <message>
+        <source>Chooses which lines of the log are shown.</source>
+        <translation>Elige qué líneas del registro se muestran.</translation>
+    </message>
+    <message>
+        <source>Copy the log</source>
+        <translation>Copiar el registro</translation>
+    </message>
+    <message>
+        <source>Copies the selected lines, or all that are shown.</source>
+        <translation>Copia las líneas seleccionadas, o todas las mostradas.</translation>
+    </message>
+    <message>
+        <source>Export the log…</source>
+        <translation>Exportar el registro…</translation>
+    </message>
+    <message>
+        <source>Writes the lines that are shown to a file.</source>
+        <translation>Escribe en un archivo las líneas mostradas.</translation>
+    </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>Buscar señales para los gráficos</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>Abre la lista de todo lo que dice el robot: a un gráfico arrastrando, con doble clic o Intro.</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>Nueva página de gráficos</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>Una página vacía tras las demás; todas muestran el mismo tiempo.</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>Mostrar todo el historial de los gráficos</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>Todo lo que hay en memoria, cada gráfico en su mejor escala.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>Quitar la pista %1</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>Anotar aquí…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Mostrar %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>Ocultar %1</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>Que los cursores lean %1</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>Pasar %1 a un gráfico propio</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>Alarma cuando %1</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>Sin alarma cuando %1</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>Tasa de cambio de %1</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>Media móvil de %1 en medio segundo</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>Media %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>Norma de las curvas de este gráfico</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>Nuevo gráfico debajo</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>Nuevo gráfico al lado</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>Quitar este gráfico</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>Que las curvas decidan la escala</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
+</context>
+<context>
+    <name>Practice</name>
+    <message>
+        <source>Waiting for the stop.</source>
+        <translation>Esperando la parada.</translation>
+    </message>
+    <message>
+        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <translation>El brazo está en una parada de protección. Pulse Recuperar en la cabecera.</translation>
+    </message>
+    <message>
+        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <translation>Desbloqueado. El brazo aún no está en marcha: siga la página de recuperación.</translation>
+    </message>
+    <message>
+        <source>Unlocked. Take control again.</source>
+        <translation>Desbloqueado. Tome de nuevo el control.</translation>
+    </message>
+    <message>
+        <source>The arm runs and is under your control again.</source>
+        <translation>El brazo está en marcha y de nuevo bajo su control.</translation>
+    </message>
+    <message>
+        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <translation>Aún no hay sistema de coordenadas nuevo. «3 puntos» está en la pestaña Sistemas.</translation>
+    </message>
+    <message>
+        <source>“%1” lies as it was asked for.</source>
+        <translation>«%1» está donde se pedía.</translation>
+    </message>
+    <message>
+        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <translation>«%1»: su Z se desvía %2° de la de la base. El tercer punto está del lado de +Y.</translation>
+    </message>
+    <message>
+        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <translation>«%1»: su X se desvía %2° de la Y de la base.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <translation>«%1» no se tomó con el brazo: el TCP no ha estado en su origen.</translation>
+    </message>
+    <message>
+        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <translation>El punto de paso ya no está. Iniciar pone uno nuevo.</translation>
+    </message>
+    <message>
+        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <translation>«%1» está donde estaba. El brazo está a %2 a lo largo de X.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <translation>«%1» se movió %2 y está a %3 de donde debería.</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the tool was turned.</source>
+        <translation>«%1» está en el sitio, pero la herramienta giró.</translation>
+    </message>
+    <message>
+        <source>“%1” is at the part again.</source>
+        <translation>«%1» está de nuevo en la pieza.</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <translation>«%1» está en el sitio, pero el brazo no está allí. Retoque con el brazo en la pieza.</translation>
+    </message>
+    <message>
+        <source>Slowed down to %1. Go on.</source>
+        <translation>Ralentizado a %1. Continúe.</translation>
+    </message>
+    <message>
+        <source>No limit yet. The line below the pad will name it.</source>
+        <translation>Aún sin límite. La línea bajo el teclado lo nombrará.</translation>
+    </message>
+    <message>
+        <source>That is the limit. Now back: %1 of %2.</source>
+        <translation>Ese es el límite. Ahora atrás: %1 de %2.</translation>
+    </message>
+    <message>
+        <source>Found it, and out of it again.</source>
+        <translation>Encontrado, y de nuevo fuera.</translation>
+    </message>
+    <message>
+        <source>Recording: %1 s of %2 s.</source>
+        <translation>Grabando: %1 s de %2 s.</translation>
+    </message>
+    <message>
+        <source>That recording is too short. Record again.</source>
+        <translation>Esa grabación es demasiado corta. Grabe de nuevo.</translation>
+    </message>
+    <message>
+        <source>No recording yet. Record is above the plots.</source>
+        <translation>Aún sin grabación. Grabar está sobre los gráficos.</translation>
+    </message>
+    <message>
+        <source>Recorded. Enter the force that the plot shows.</source>
+        <translation>Grabado. Introduzca la fuerza que muestra el gráfico.</translation>
+    </message>
+    <message>
+        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <translation>%1 no es lo que se grabó. Mire la curva Fz.</translation>
+    </message>
+    <message>
+        <source>Right: it was %1.</source>
+        <translation>Correcto: era %1.</translation>
+    </message>
+    <message>
+        <source>Recover from a protective stop</source>
+        <translation>Recuperarse de una parada de protección</translation>
+    </message>
+    <message>
+        <source>Teach a frame</source>
+        <translation>Enseñar un sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>Touch up a waypoint</source>
+        <translation>Retocar un punto de paso</translation>
+    </message>
+    <message>
+        <source>Find the reach limit</source>
+        <translation>Encontrar el límite de alcance</translation>
+    </message>
+    <message>
+        <source>Record and measure</source>
+        <translation>Grabar y medir</translation>
+    </message>
+    <message>
+        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <translation>Iniciar hace chocar el brazo simulado, que entra en parada de protección. Mire qué lo detuvo, espere los cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <translation>Enseñe un sistema de coordenadas con tres puntos en la pestaña Sistemas. Su X debe ir a lo largo de Y+ de la base, su Z hacia arriba: tome el origen, después un punto más allá por Y+, después otro más allá por X−.</translation>
+    </message>
+    <message>
+        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>Iniciar pone un punto de paso «pieza» donde está el brazo. Desde entonces la pieza se movió %1 por X+ de la base. Vaya allí, seleccione el punto y retóquelo (U).</translation>
+    </message>
+    <message>
+        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <translation>Aléjese de la base, hacia fuera, hasta que un límite frene el brazo a la mitad. La línea bajo el teclado lo nombra y dice la salida. Después vuelva %1.</translation>
+    </message>
+    <message>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <translation>Iniciar hace que una mano presione la herramienta desde arriba. Grabe al menos tres segundos y detenga. Lea en los gráficos cuánta es la fuerza Fz e introdúzcala.</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>pieza</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>No robot connected. Choose one at the top left.</source>
+        <translation>Ningún robot conectado. Elija uno arriba a la izquierda.</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Conectando…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself.</source>
+        <translation>Sin datos del robot. Se reconecta solo.</translation>
+    </message>
+    <message>
+        <source>Robot data is late. Waiting for it to come back.</source>
+        <translation>Los datos del robot llegan tarde. Esperando a que vuelvan.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Tomando el control…</translation>
+    </message>
+    <message>
+        <source>Not in control. Press “Take control” in the header.</source>
+        <translation>Sin control. Pulse «Tomar el control» en la cabecera.</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingChoice</name>
+    <message>
+        <source>A file needs a name that does not begin with a point.</source>
+        <translation>Un archivo necesita un nombre que no empiece por un punto.</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain “%1”.</source>
+        <translation>Un nombre de archivo no puede contener «%1».</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>Este nombre es demasiado largo.</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryGuide</name>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>La seguridad vuelve a ser normal</translation>
+    </message>
+    <message>
+        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <translation>El brazo se puede mover. Lo armado antes de la parada no lo mueve: cada movimiento necesita una nueva pulsación.</translation>
+    </message>
+    <message>
+        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <translation>El brazo está listo. Tome el control para moverlo, o siga en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Tomando el control…</translation>
+    </message>
+    <message>
+        <source>No data from the robot</source>
+        <translation>Sin datos del robot</translation>
+    </message>
+    <message>
+        <source>Waiting for the connection</source>
+        <translation>Esperando la conexión</translation>
+    </message>
+    <message>
+        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <translation>Miré el brazo: nadie lo toca, nada está atrapado.</translation>
+    </message>
+    <message>
+        <source>What stopped it is known and removed.</source>
+        <translation>Se sabe qué lo detuvo, y está quitado.</translation>
+    </message>
+    <message>
+        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <translation>Carga útil y TCP son los de la herramienta montada.</translation>
+    </message>
+    <message>
+        <source>Possible in %1 s</source>
+        <translation>Posible en %1 s</translation>
+    </message>
+    <message>
+        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <translation>Miré el brazo y el registro del robot: la causa se conoce.</translation>
+    </message>
+    <message>
+        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <translation>La causa está quitada y nadie está al alcance del brazo.</translation>
+    </message>
+    <message>
+        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <translation>Aquí no hay nada que pulsar: termina cuando desaparece su causa.</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Desbloquear</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>Reiniciar seguridad</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Encender</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>Liberar frenos</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Tomar el control</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>RobotActions</name>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>Conéctese primero a un robot.</translation>
+    </message>
+    <message>
+        <source>Give control back first.</source>
+        <translation>Devuelva primero el control.</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>No hay ningún programa en marcha en el robot.</translation>
+    </message>
+    <message>
+        <source>A program runs already.</source>
+        <translation>Ya hay un programa en marcha.</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>Conectar…</translation>
+    </message>
+    <message>
+        <source>Choose the simulator, a robot or a project.</source>
+        <translation>Elegir el simulador, un robot o un proyecto.</translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation>Robot simulado</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot and connects to it.</source>
+        <translation>Inicia el robot simulado y se conecta a él.</translation>
+    </message>
+    <message>
+        <source>Check the connection…</source>
+        <translation>Comprobar la conexión…</translation>
+    </message>
+    <message>
+        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <translation>Mira todo lo que hay entre este PC y el robot, cada cosa con su remedio.</translation>
+    </message>
+    <message>
+        <source>Choose a robot first.</source>
+        <translation>Elija primero un robot.</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Desconectar</translation>
+    </message>
+    <message>
+        <source>Ends the connection; a motion of ours stops first.</source>
+        <translation>Termina la conexión; un movimiento nuestro se detiene antes.</translation>
+    </message>
+    <message>
+        <source>No robot is connected.</source>
+        <translation>Ningún robot está conectado.</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>Enciende el brazo. Los frenos siguen puestos.</translation>
+    </message>
+    <message>
+        <source>The arm has power, or is getting it.</source>
+        <translation>El brazo tiene corriente, o la está recibiendo.</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>El brazo puede ceder unos milímetros. Manténgase apartado.</translation>
+    </message>
+    <message>
+        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <translation>Pone los frenos y quita la corriente al brazo; los programas se detienen.</translation>
+    </message>
+    <message>
+        <source>The arm is off.</source>
+        <translation>El brazo está apagado.</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>Recuperar…</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, and the way back.</source>
+        <translation>Muestra qué detuvo el brazo y el camino de vuelta.</translation>
+    </message>
+    <message>
+        <source>No stop of the safety system.</source>
+        <translation>Ninguna parada del sistema de seguridad.</translation>
+    </message>
+    <message>
+        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <translation>Tras una infracción o un fallo, una vez hallada la causa. El brazo sigue apagado.</translation>
+    </message>
+    <message>
+        <source>Only after a violation or a fault.</source>
+        <translation>Solo tras una infracción o un fallo.</translation>
+    </message>
+    <message>
+        <source>Closes the popups on the teach pendant.</source>
+        <translation>Cierra los avisos de la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Tomar el control</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>Inicia el programa de control en el robot, lo que detiene cualquier otro programa.</translation>
+    </message>
+    <message>
+        <source>In control already.</source>
+        <translation>Ya con control.</translation>
+    </message>
+    <message>
+        <source>Give control back</source>
+        <translation>Devolver el control</translation>
+    </message>
+    <message>
+        <source>Ends the control program on the robot.</source>
+        <translation>Termina el programa de control en el robot.</translation>
+    </message>
+    <message>
+        <source>Not in control.</source>
+        <translation>Sin control.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <translation>Parada por software de todo lo que se mueve. No es una parada de emergencia.</translation>
+    </message>
+    <message>
+        <source>Load program…</source>
+        <translation>Cargar programa…</translation>
+    </message>
+    <message>
+        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <translation>Carga por su nombre un programa propio del robot.</translation>
+    </message>
+    <message>
+        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <translation>Inicia el programa cargado, o sigue con uno en pausa: el brazo puede moverse enseguida.</translation>
+    </message>
+    <message>
+        <source>Pauses the program that runs.</source>
+        <translation>Pausa el programa en marcha.</translation>
+    </message>
+    <message>
+        <source>Stops the robot&apos;s own program.</source>
+        <translation>Detiene el programa propio del robot.</translation>
+    </message>
+</context>
+<context>
+    <name>RobotOutputs</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Output %1: %2</source>
+        <translation>Salida %1: %2</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activada</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivada</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <translation>%1: activada</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1: desactivada</translation>
+    </message>
+    <message>
+        <source>Analog output %1: %2 %3</source>
+        <translation>Salida analógica %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Input register %1: %2</source>
+        <translation>Registro de entrada %1: %2</translation>
+    </message>
+    <message>
+        <source>Speed slider: %1 %</source>
+        <translation>Deslizador de velocidad: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>RobotServices</name>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>%1 falló. %2</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Encender</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>Liberar frenos</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>Apagar</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>Reiniciar seguridad</translation>
+    </message>
+    <message>
+        <source>Close popups</source>
+        <translation>Cerrar avisos</translation>
+    </message>
+    <message>
+        <source>Play program</source>
+        <translation>Reproducir programa</translation>
+    </message>
+    <message>
+        <source>Pause program</source>
+        <translation>Pausar programa</translation>
+    </message>
+    <message>
+        <source>Stop program</source>
+        <translation>Detener programa</translation>
+    </message>
+    <message>
+        <source>Protective stop unlocked by the operator</source>
+        <translation>Parada de protección desbloqueada por el operador</translation>
+    </message>
+    <message>
+        <source>Load program %1</source>
+        <translation>Cargar programa %1</translation>
+    </message>
+    <message>
+        <source>The program on the robot was stopped</source>
+        <translation>Se detuvo el programa del robot</translation>
+    </message>
+    <message>
+        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <translation>El programa del robot no se detuvo: deténgalo en la consola portátil. %1</translation>
+    </message>
+    <message>
+        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <translation>El robot se cambió a control local: se detuvo el movimiento y se devolvió el control. Cámbielo a control remoto en la consola portátil y tome de nuevo el control.</translation>
+    </message>
+</context>
+<context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP y carga útil se fijan con el brazo parado. Deje que se detenga.</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>TCP fijado en el robot: %1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>Carga útil fijada en el robot: %1</translation>
+    </message>
+</context>
+<context>
+    <name>SampleProjects</name>
+    <message>
+        <source>Pick and place</source>
+        <translation>Tomar y colocar</translation>
+    </message>
+    <message>
+        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <translation>Se toma una pieza de un alimentador y se pone en uno de seis sitios de una bandeja. Los sitios se dan en el sistema de la bandeja y se mueven con ella.</translation>
+    </message>
+    <message>
+        <source>Gluing along a path</source>
+        <translation>Encolado a lo largo de una trayectoria</translation>
+    </message>
+    <message>
+        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <translation>Un cordón alrededor de una tapa con esquinas redondeadas, lento y en rectas. La fusión mantiene la boquilla en movimiento en las esquinas.</translation>
+    </message>
+    <message>
+        <source>Measuring round</source>
+        <translation>Ronda de medición</translation>
+    </message>
+    <message>
+        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <translation>Un palpador toca una pieza desde arriba y por cuatro lados, cada vez desde un punto de aproximación y con la herramienta inclinada.</translation>
+    </message>
+</context>
+<context>
+    <name>SceneActions</name>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>Mirar desde el primer lado, en perspectiva</translation>
+    </message>
+    <message>
+        <source>From between front and side, a little above, with everything in the picture.</source>
+        <translation>Entre el frente y el lado, un poco desde arriba, con todo en la imagen.</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Mirar desde el frente</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Z up.</source>
+        <translation>X de la base a la derecha, Z arriba.</translation>
+    </message>
+    <message>
+        <source>Look from the side</source>
+        <translation>Mirar desde el lado</translation>
+    </message>
+    <message>
+        <source>Y of the base to the right, Z up.</source>
+        <translation>Y de la base a la derecha, Z arriba.</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Mirar desde arriba</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Y up.</source>
+        <translation>X de la base a la derecha, Y arriba.</translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation>Ajustar todo a la vista</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <translation>Brazo, objetivo y puntos de paso en la imagen, desde el lado actual.</translation>
+    </message>
+</context>
+<context>
+    <name>SessionRecording</name>
+    <message>
+        <source>Nothing is recorded: connect to a robot first.</source>
+        <translation>No se graba nada: conéctese primero a un robot.</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Grabando en %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n rows to %1</source>
+        <translation>
+            <numerusform>%n fila grabada en %1</numerusform>
+            <numerusform>%n filas grabadas en %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SettingsFile</name>
+    <message>
+        <source>write %1</source>
+        <translation>escribir %1</translation>
+    </message>
+    <message>
+        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <translation>El valor de &quot;%1&quot; no puede estar en los ajustes.</translation>
+    </message>
+    <message>
+        <source>The file is too large for settings.</source>
+        <translation>El archivo es demasiado grande para ser de ajustes.</translation>
+    </message>
+    <message>
+        <source>The file is damaged at byte %1: %2.</source>
+        <translation>El archivo está dañado en el byte %1: %2.</translation>
+    </message>
+    <message>
+        <source>The file holds no settings of Tiller.</source>
+        <translation>El archivo no contiene ajustes de Tiller.</translation>
+    </message>
+    <message>
+        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
+        <translation>El archivo lo escribió un Tiller más nuevo. Actualice Tiller para importarlo.</translation>
+    </message>
+    <message>
+        <source>The file does not say which version it has.</source>
+        <translation>El archivo no dice qué versión tiene.</translation>
+    </message>
+    <message>
+        <source>The file has no list of values, or one that is too long.</source>
+        <translation>El archivo no tiene lista de valores, o es demasiado larga.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a setting.</source>
+        <translation>&quot;%1&quot; no es el nombre de un ajuste.</translation>
+    </message>
+    <message>
+        <source>read %1</source>
+        <translation>leer %1</translation>
+    </message>
+</context>
+<context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulaciones</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Entradas y salidas</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>Modos y estados</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>Potencia y temperatura</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>Velocidad y programa</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>Carga útil y herramienta</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Registros</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>Fuerza en el TCP</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>Par en el TCP</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>Posición del TCP</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>Vector de rotación del TCP</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>Velocidad del TCP</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>Velocidad de rotación del TCP</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>Aceleración del TCP</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>Posición objetivo del TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>Vector de rotación objetivo del TCP</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>Velocidad objetivo del TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>Velocidad de rotación objetivo del TCP</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>Fuerza bruta del sensor</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>Par bruto del sensor</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>Fuerza en el TCP, norma</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>Acelerómetro en la brida</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>Posición del codo</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>Velocidad del codo</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Momento lineal</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>Posiciones articulares</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>Velocidades articulares</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Corrientes articulares</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>Temperaturas articulares</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>Tensiones articulares</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>Posiciones articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>Velocidades articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>Aceleraciones articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>Corrientes articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>Pares articulares objetivo</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>Corrientes de control articulares</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>Desviación permitida de las corrientes</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>Desviación de posición sobre su límite</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>Medida de colisión sobre su límite</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>Modos articulares</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Entradas digitales</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>Salidas digitales</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>Entrada analógica 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>Entrada analógica 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>Salida analógica 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>Salida analógica 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>Entrada analógica de herramienta 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>Entrada analógica de herramienta 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>Modo de robot</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>Modo de seguridad</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>Estado de seguridad</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>Estado del programa</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>Estado del robot</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>Bits de seguridad</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>Modo de herramienta</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>Tensión principal</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>Tensión del brazo</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>Corriente del brazo</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>Corriente de las E/S</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>Temperatura de herramienta</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>Tensión de herramienta</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>Corriente de herramienta</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>Escala de velocidad</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>Deslizador de velocidad</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>Tiempo de un paso de control</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>Línea del script</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>Tiempo del controlador</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Carga útil</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>Centro de gravedad de la carga útil</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>Desplazamiento del TCP</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>Rotación del TCP</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Encender</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>Programa en marcha</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>Botón de movimiento libre</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>Botón de encendido</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reducido</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Parada de protección</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Recuperación</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Parada de salvaguarda</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>Parada de emergencia del sistema</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>Parada de emergencia del robot</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Parada de emergencia</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>Infracción</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fallo</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>Detenido por seguridad</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>Dispositivo de habilitación</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>Bit %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>Registros de salida, números</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>Registros de entrada, números</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>Registros de salida, enteros</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>Registros de entrada, enteros</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>Registros de salida, bits</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>Registros de entrada, bits</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activada</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivada</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMouse</name>
+    <message>
+        <source>left key</source>
+        <translation>tecla izquierda</translation>
+    </message>
+    <message>
+        <source>The cap moves and turns as the tool shall.</source>
+        <translation>La tapa se mueve y gira como debe hacerlo la herramienta.</translation>
+    </message>
+</context>
+<context>
+    <name>StartProject</name>
+    <message>
+        <source>The project worked in last is not there any more: %1</source>
+        <translation>El último proyecto en el que se trabajó ya no está: %1</translation>
+    </message>
+</context>
+<context>
+    <name>StateLane</name>
+    <message>
+        <source>Protective stop</source>
+        <translation>Parada de protección</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Recuperación</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Parada de salvaguarda</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Parada de emergencia</translation>
+    </message>
+    <message>
+        <source>Enabling device released</source>
+        <translation>Dispositivo de habilitación suelto</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>Infracción de seguridad</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>Fallo de seguridad</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Detenido</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>Apagado</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Arrancando</translation>
+    </message>
+    <message>
+        <source>Brakes on</source>
+        <translation>Frenos puestos</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>Backdrive</translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>No está en marcha</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Sin datos</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>Movimiento libre</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>Mover %1</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>En movimiento</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>En reposo</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <translation>Compruebe la dirección: cuatro números como 192.168.0.10, o un nombre que la red conozca.</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <translation>Compruebe que el robot está encendido, el cable conectado y que este PC está en la misma red.</translation>
+    </message>
+    <message>
+        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <translation>Active la interfaz en el robot: Ajustes, Seguridad, Servicios. Un robot recién arrancado puede necesitar otro minuto.</translation>
+    </message>
+    <message>
+        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <translation>El robot terminó la conexión: quizá se está reiniciando o se cambió entre Local y Remoto.</translation>
+    </message>
+    <message>
+        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <translation>El robot no responde. Compruebe el cable y que la dirección es la del robot.</translation>
+    </message>
+    <message>
+        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <translation>Dejaron de llegar datos. Compruebe el cable; la conexión vuelve sola, el movimiento no.</translation>
+    </message>
+    <message>
+        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <translation>Lo que responde allí no habla RTDE como debe. Compruebe dirección y puerto.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software is too old for this.</source>
+        <translation>El software del robot es demasiado antiguo para esto.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software does not have this value.</source>
+        <translation>El software del robot no tiene este valor.</translation>
+    </message>
+    <message>
+        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <translation>Otro programa o un bus de campo del robot ocupa estos registros: cierre el otro programa o desactive el bus de campo en la instalación.</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>Conéctese primero a un robot.</translation>
+    </message>
+    <message>
+        <source>Take control first.</source>
+        <translation>Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>Bring the robot to Running and its safety to Normal first.</source>
+        <translation>Lleve primero el robot a «En marcha» y su seguridad a «Normal».</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <translation>Cambie el robot a control remoto en la consola portátil, arriba a la derecha.</translation>
+    </message>
+    <message>
+        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <translation>Elija un objetivo dentro del rango del brazo y una velocidad dentro del límite.</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <translation>El brazo no puede alcanzar esta pose: acerque el punto o gire la herramienta.</translation>
+    </message>
+    <message>
+        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <translation>El robot no pudo ejecutar el programa enviado. Vea sus propias palabras en el registro.</translation>
+    </message>
+    <message>
+        <source>Check that the file exists and may be read.</source>
+        <translation>Compruebe que el archivo existe y se puede leer.</translation>
+    </message>
+    <message>
+        <source>Choose a folder you may write to.</source>
+        <translation>Elija una carpeta en la que pueda escribir.</translation>
+    </message>
+    <message>
+        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <translation>El archivo quedó como estaba. Abra una copia de seguridad o repare el lugar indicado.</translation>
+    </message>
+    <message>
+        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
+        <translation>El disco está lleno: lo grabado hasta ahora se conserva. Libere espacio y grabe de nuevo.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Hecho</translation>
+    </message>
+    <message>
+        <source>Address not found</source>
+        <translation>Dirección no encontrada</translation>
+    </message>
+    <message>
+        <source>Robot not reachable</source>
+        <translation>Robot inaccesible</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Conexión rechazada</translation>
+    </message>
+    <message>
+        <source>Connection ended by the robot</source>
+        <translation>Conexión terminada por el robot</translation>
+    </message>
+    <message>
+        <source>No answer in time</source>
+        <translation>Sin respuesta a tiempo</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Cancelado</translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation>Enlace perdido</translation>
+    </message>
+    <message>
+        <source>Not understood</source>
+        <translation>No se entiende</translation>
+    </message>
+    <message>
+        <source>Not supported by this robot</source>
+        <translation>No admitido por este robot</translation>
+    </message>
+    <message>
+        <source>Value not available</source>
+        <translation>Valor no disponible</translation>
+    </message>
+    <message>
+        <source>Registers in use</source>
+        <translation>Registros ocupados</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Sin conexión</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>Sin control</translation>
+    </message>
+    <message>
+        <source>Not possible in this state</source>
+        <translation>No es posible en este estado</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>El robot está en control local</translation>
+    </message>
+    <message>
+        <source>Outside the limits</source>
+        <translation>Fuera de los límites</translation>
+    </message>
+    <message>
+        <source>Not a valid value</source>
+        <translation>Valor no válido</translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation>Fuera de alcance</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Detenido</translation>
+    </message>
+    <message>
+        <source>Refused by the robot</source>
+        <translation>Rechazado por el robot</translation>
+    </message>
+    <message>
+        <source>Program error on the robot</source>
+        <translation>Error de programa en el robot</translation>
+    </message>
+    <message>
+        <source>File cannot be read</source>
+        <translation>No se puede leer el archivo</translation>
+    </message>
+    <message>
+        <source>File cannot be written</source>
+        <translation>No se puede escribir el archivo</translation>
+    </message>
+    <message>
+        <source>File is damaged</source>
+        <translation>El archivo está dañado</translation>
+    </message>
+    <message>
+        <source>Disk full</source>
+        <translation>Disco lleno</translation>
+    </message>
+    <message>
+        <source>Internal error</source>
+        <translation>Error interno</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>terminado</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>tecla soltada</translation>
+    </message>
+    <message>
+        <source>pointer left the key</source>
+        <translation>el puntero dejó la tecla</translation>
+    </message>
+    <message>
+        <source>focus lost</source>
+        <translation>foco perdido</translation>
+    </message>
+    <message>
+        <source>window no longer active</source>
+        <translation>la ventana ya no está activa</translation>
+    </message>
+    <message>
+        <source>window closed</source>
+        <translation>ventana cerrada</translation>
+    </message>
+    <message>
+        <source>a dialog or menu opened</source>
+        <translation>se abrió un diálogo o menú</translation>
+    </message>
+    <message>
+        <source>selection changed</source>
+        <translation>cambió la selección</translation>
+    </message>
+    <message>
+        <source>second button</source>
+        <translation>segundo botón</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>input device lost</source>
+        <translation>dispositivo de entrada perdido</translation>
+    </message>
+    <message>
+        <source>robot data too old</source>
+        <translation>datos del robot demasiado viejos</translation>
+    </message>
+    <message>
+        <source>robot or safety mode changed</source>
+        <translation>cambió el modo del robot o de seguridad</translation>
+    </message>
+    <message>
+        <source>not refreshed in time</source>
+        <translation>no renovado a tiempo</translation>
+    </message>
+    <message>
+        <source>PC going to sleep</source>
+        <translation>el PC entra en suspensión</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>enlace perdido</translation>
+    </message>
+    <message>
+        <source>limit reached</source>
+        <translation>límite alcanzado</translation>
+    </message>
+    <message>
+        <source>control lost</source>
+        <translation>control perdido</translation>
+    </message>
+    <message>
+        <source>target reached</source>
+        <translation>objetivo alcanzado</translation>
+    </message>
+    <message>
+        <source>stopped by a program</source>
+        <translation>detenido por un programa</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>contacto</translation>
+    </message>
+    <message>
+        <source>target cannot be reached</source>
+        <translation>objetivo inalcanzable</translation>
+    </message>
+    <message>
+        <source>target too far away for one step</source>
+        <translation>objetivo demasiado lejos para un paso</translation>
+    </message>
+    <message>
+        <source>no sign that it was still held</source>
+        <translation>sin señal de que siguiera pulsada</translation>
+    </message>
+    <message>
+        <source>held for the longest time; press again</source>
+        <translation>pulsada el máximo tiempo; pulse de nuevo</translation>
+    </message>
+    <message>
+        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <translation>PolyScope X anterior a 10.11 no acepta tales órdenes por la red: use la tableta.</translation>
+    </message>
+    <message>
+        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <translation>PolyScope X no tiene orden para cerrar avisos por la red: use la tableta.</translation>
+    </message>
+    <message>
+        <source>Only watching. Take control to move the arm.</source>
+        <translation>Solo observando. Tome el control para mover el brazo.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Tomando el control…</translation>
+    </message>
+    <message>
+        <source>Control was given back. Take control to move the arm.</source>
+        <translation>El control se devolvió. Tome el control para mover el brazo.</translation>
+    </message>
+    <message>
+        <source>The control program was stopped on the robot. Take control again.</source>
+        <translation>El programa de control se detuvo en el robot. Tome de nuevo el control.</translation>
+    </message>
+    <message>
+        <source>The control program does not answer. Take control again.</source>
+        <translation>El programa de control no responde. Tome de nuevo el control.</translation>
+    </message>
+    <message>
+        <source>The link was lost. Take control again.</source>
+        <translation>Se perdió el enlace. Tome de nuevo el control.</translation>
+    </message>
+    <message>
+        <source>A script of your own is running. Control comes back when it ends.</source>
+        <translation>Un script propio está en marcha. El control vuelve cuando termine.</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointClipboard</name>
+    <message>
+        <source>is missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation>«%1» no es un número</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3</source>
+        <translation>%1 está fuera de %2 a %3</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: %3</source>
+        <translation>Línea %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>“%1” is neither J nor L</source>
+        <translation>«%1» no es J ni L</translation>
+    </message>
+    <message>
+        <source>“%1” is neither joints nor pose</source>
+        <translation>«%1» no es joints ni pose</translation>
+    </message>
+    <message>
+        <source>there is no frame “%1” in this project</source>
+        <translation>en este proyecto no hay sistema «%1»</translation>
+    </message>
+    <message>
+        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <translation>Esto no es una tabla de puntos de paso. Copie uno de la lista para ver sus columnas, o pegue los seis números de una pose.</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>«%1» no es un color de punto de paso</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>Línea %1: unas comillas no se cierran</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::AnalogRow</name>
+    <message>
+        <source>4–20 mA</source>
+        <translation>4–20 mA</translation>
+    </message>
+    <message>
+        <source>0–10 V</source>
+        <translation>0–10 V</translation>
+    </message>
+    <message>
+        <source>%1 domain</source>
+        <translation>%1 rango</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 valor</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Fijar</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>Fijar %1</translation>
+    </message>
+    <message>
+        <source>%1: %2
+Right click or F2 to rename and scale.</source>
+        <translation>%1: %2
+Clic derecho o F2 para renombrar y escalar.</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renombrar…</translation>
+    </message>
+    <message>
+        <source>Scale…</source>
+        <translation>Escalar…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Nombre de %1</translation>
+    </message>
+    <message>
+        <source>Scale of %1</source>
+        <translation>Escala de %1</translation>
+    </message>
+    <message>
+        <source>bar; empty: not scaled</source>
+        <translation>bar; vacío: sin escala</translation>
+    </message>
+    <message>
+        <source>At 4 mA or 0 V</source>
+        <translation>Con 4 mA o 0 V</translation>
+    </message>
+    <message>
+        <source>At 20 mA or 10 V</source>
+        <translation>Con 20 mA o 10 V</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ArmKey</name>
+    <message>
+        <source>Keyboard armed</source>
+        <translation>Teclado armado</translation>
+    </message>
+    <message>
+        <source>Arm keyboard</source>
+        <translation>Armar teclado</translation>
+    </message>
+    <message>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − giran una articulación. Espacio y Esc detienen. Haga clic o espere medio minuto: el teclado se desarma.</translation>
+    </message>
+    <message>
+        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <translation>Después las flechas mueven el brazo mientras se mantienen; un marco rodea la ventana.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::DeviceTrainer</name>
+    <message>
+        <source>Moves the arm (until the program ends)</source>
+        <translation>Mueve el brazo (hasta que termine el programa)</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>Solo el eje más desviado</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>Gamepad y SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Dispositivo</translation>
+    </message>
+    <message>
+        <source>Which way the arm would go</source>
+        <translation>Hacia dónde iría el brazo</translation>
+    </message>
+    <message>
+        <source>Dead-man</source>
+        <translation>Hombre muerto</translation>
+    </message>
+    <message>
+        <source>Would move</source>
+        <translation>Movería</translation>
+    </message>
+    <message>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <translation>Teclado, mientras está armado (Ctrl+J): flechas X e Y, RePág y AvPág Z, con Alt giran, 1 a 6 con + y − una articulación, Inicio, Fin alinea, Retroceso atrás, F movimiento libre. Ctrl más lento, Mayús más rápido. Espacio y Esc detienen.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>No hay gamepad ni SpaceMouse. Conecte uno: aparece solo.</translation>
+    </message>
+    <message>
+        <source>● held (%1)</source>
+        <translation>● mantenido (%1)</translation>
+    </message>
+    <message>
+        <source>○ not held: hold the %1</source>
+        <translation>○ no mantenido: mantenga %1</translation>
+    </message>
+    <message>
+        <source>nothing: neutral</source>
+        <translation>nada: neutro</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FigureBox</name>
+    <message>
+        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <translation>No se tomó «%1»: de %2 a %3. No se cambió nada.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstSteps</name>
+    <message>
+        <source>Power on (header)</source>
+        <translation>Encender (cabecera)</translation>
+    </message>
+    <message>
+        <source>Release brakes (header)</source>
+        <translation>Liberar frenos (cabecera)</translation>
+    </message>
+    <message>
+        <source>Take control, hold a pad key</source>
+        <translation>Tomar el control, mantener una tecla</translation>
+    </message>
+    <message>
+        <source>Teach here (T)</source>
+        <translation>Enseñar aquí (T)</translation>
+    </message>
+    <message>
+        <source>Jog away, hold Go to (G)</source>
+        <translation>Alejarse, mantener Ir a (G)</translation>
+    </message>
+    <message>
+        <source>Record (above the plots)</source>
+        <translation>Grabar (sobre los gráficos)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstStepsCard</name>
+    <message>
+        <source>First steps</source>
+        <translation>Primeros pasos</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Ejercicios</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <translation>La lista no vuelve sola. La orden «Primeros pasos» la trae de nuevo.</translation>
+    </message>
+    <message>
+        <source>First steps · %1 of %2</source>
+        <translation>Primeros pasos · %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameDetails</name>
+    <message>
+        <source>Selected frame</source>
+        <translation>Sistema seleccionado</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origen</translation>
+    </message>
+    <message>
+        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <translation>En Base. Intro lo aplica; no se mueve nada salvo el sistema.</translation>
+    </message>
+    <message>
+        <source>no waypoint uses it</source>
+        <translation>ningún punto de paso lo usa</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it</source>
+        <translation>
+            <numerusform>%n punto de paso se mueve con él</numerusform>
+            <numerusform>%n puntos de paso se mueven con él</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the TCP</source>
+        <translation>a %1 del TCP</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameEditing</name>
+    <message>
+        <source>No waypoint moved with it.</source>
+        <translation>Ningún punto de paso se movió con él.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints moved with it.</source>
+        <translation>
+            <numerusform>%n punto de paso se movió con él.</numerusform>
+            <numerusform>%n puntos de paso se movieron con él.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach there.</source>
+        <translation>
+            <numerusform>%n de ellos queda allí fuera de alcance.</numerusform>
+            <numerusform>%n de ellos quedan allí fuera de alcance.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>sistema</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>Enseñar «%1»</translation>
+    </message>
+    <message>
+        <source>It moves by %1 (%2, base frame).</source>
+        <translation>Se mueve %1 (%2, sistema base).</translation>
+    </message>
+    <message>
+        <source>No waypoint is given in it.</source>
+        <translation>Ningún punto de paso está dado en él.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it.</source>
+        <translation>
+            <numerusform>%n punto de paso se mueve con él.</numerusform>
+            <numerusform>%n puntos de paso se mueven con él.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>¿Retocar «%1»?</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retocar</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>Retocar «%1»</translation>
+    </message>
+    <message>
+        <source>“%1” is touched up</source>
+        <translation>«%1» está retocado</translation>
+    </message>
+    <message>
+        <source>Set the place of “%1”</source>
+        <translation>Fijar el lugar de «%1»</translation>
+    </message>
+    <message>
+        <source>“%1” is set in figures. %2</source>
+        <translation>«%1» está fijado en cifras. %2</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Duplicar «%1»</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>¿Eliminar «%1»?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <translation>
+            <numerusform>%n punto de paso está dado en él. Se queda donde está, dado en Base.</numerusform>
+            <numerusform>%n puntos de paso están dados en él. Se quedan donde están, dados en Base.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>Eliminar sistema</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameModel</name>
+    <message>
+        <source>A frame needs a name.</source>
+        <translation>Un sistema necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Herramienta</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <translation>«%1» es un sistema que tiene todo robot. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another frame. Choose another name.</source>
+        <translation>«%1» ya es el nombre de otro sistema. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renombrar «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>Origen %1</translation>
+    </message>
+    <message>
+        <source>Origin in Base, X Y Z, %1</source>
+        <translation>Origen en Base, X Y Z, %1</translation>
+    </message>
+    <message>
+        <source>Rotation rad</source>
+        <translation>Rotación rad</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotación</translation>
+    </message>
+    <message>
+        <source>Rotation vector in Base, radians</source>
+        <translation>Vector de rotación en Base, radianes</translation>
+    </message>
+    <message>
+        <source>Roll, pitch and yaw in Base</source>
+        <translation>Alabeo, cabeceo y guiñada en Base</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Waypoints that move with it</source>
+        <translation>Puntos de paso que se mueven con él</translation>
+    </message>
+    <message>
+        <source>TCP %1</source>
+        <translation>TCP %1</translation>
+    </message>
+    <message>
+        <source>Distance of the TCP, %1</source>
+        <translation>Distancia del TCP, %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTable</name>
+    <message>
+        <source>Frames</source>
+        <translation>Sistemas de coordenadas</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTeacher</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Frame from three points</source>
+        <translation>Sistema con tres puntos</translation>
+    </message>
+    <message>
+        <source>Cancel the frame</source>
+        <translation>Cancelar el sistema</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origen</translation>
+    </message>
+    <message>
+        <source>On +X</source>
+        <translation>En +X</translation>
+    </message>
+    <message>
+        <source>Towards +Y</source>
+        <translation>Hacia +Y</translation>
+    </message>
+    <message>
+        <source>Take the origin here</source>
+        <translation>Tomar aquí el origen</translation>
+    </message>
+    <message>
+        <source>Take the point on +X here</source>
+        <translation>Tomar aquí el punto en +X</translation>
+    </message>
+    <message>
+        <source>Take the point towards +Y here</source>
+        <translation>Tomar aquí el punto hacia +Y</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Tomar</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>Crear sistema</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the point again.</source>
+        <translation>El robot no envió un lugar válido. Tome el punto de nuevo.</translation>
+    </message>
+    <message>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <translation>El punto en +X está a solo %1 del origen. Tómelo de nuevo al menos a %2: cuanto más lejos, más exactos los ejes.</translation>
+    </message>
+    <message>
+        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <translation>El tercer punto está a solo %1 del origen. Tómelo de nuevo al menos a %2.</translation>
+    </message>
+    <message>
+        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <translation>Los tres puntos están en línea: el tercero está a solo %1 del eje X. Tómelo de nuevo al menos a %2 hacia +Y.</translation>
+    </message>
+    <message>
+        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <translation>Listo: el punto en +X está a %1, el tercero a %2 del eje X.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <translation>Lleve la punta adonde empieza el sistema y tómelo (P).</translation>
+    </message>
+    <message>
+        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <translation>Ahora a un punto en +X: a %1 del origen, %2 es lo mínimo.</translation>
+    </message>
+    <message>
+        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <translation>Ahora hacia +Y: a %1 del eje X, %2 es lo mínimo.</translation>
+    </message>
+    <message>
+        <source>Take  P</source>
+        <translation>Tomar  P</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Otra vez</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FramesTab</name>
+    <message>
+        <source>Frames</source>
+        <translation>Sistemas de coordenadas</translation>
+    </message>
+    <message>
+        <source>From TCP</source>
+        <translation>Del TCP</translation>
+    </message>
+    <message>
+        <source>Teach a frame from the TCP</source>
+        <translation>Enseñar un sistema desde el TCP</translation>
+    </message>
+    <message>
+        <source>3 points</source>
+        <translation>3 puntos</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points</source>
+        <translation>Enseñar un sistema con tres puntos</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retocar</translation>
+    </message>
+    <message>
+        <source>Touch up the frame</source>
+        <translation>Retocar el sistema</translation>
+    </message>
+    <message>
+        <source>More about frames</source>
+        <translation>Más sobre sistemas</translation>
+    </message>
+    <message>
+        <source>No frames yet.
+Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+        <translation>Aún no hay sistemas.
+Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos para tomar origen, +X y +Y.</translation>
+    </message>
+    <message>
+        <source>new frame</source>
+        <translation>sistema nuevo</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <translation>Un sistema donde está el TCP, con los ejes de la herramienta (Mayús+T)</translation>
+    </message>
+    <message>
+        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>Origen, un punto en +X, un punto hacia +Y (Ctrl+Mayús+T)</translation>
+    </message>
+    <message>
+        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <translation>El sistema seleccionado va adonde está el TCP (Mayús+U)</translation>
+    </message>
+    <message>
+        <source>Select a frame to touch up.</source>
+        <translation>Seleccione un sistema para retocar.</translation>
+    </message>
+    <message>
+        <source>Teach frame from the TCP</source>
+        <translation>Enseñar sistema desde el TCP</translation>
+    </message>
+    <message>
+        <source>Teach frame from three points</source>
+        <translation>Enseñar sistema con tres puntos</translation>
+    </message>
+    <message>
+        <source>Take the next point of the frame</source>
+        <translation>Tomar el siguiente punto del sistema</translation>
+    </message>
+    <message>
+        <source>Make the frame of the points taken</source>
+        <translation>Crear el sistema con los puntos tomados</translation>
+    </message>
+    <message>
+        <source>Cancel frame teaching</source>
+        <translation>Cancelar la enseñanza del sistema</translation>
+    </message>
+    <message>
+        <source>Touch up frame from the TCP</source>
+        <translation>Retocar sistema desde el TCP</translation>
+    </message>
+    <message>
+        <source>Touch up frame from three points</source>
+        <translation>Retocar sistema con tres puntos</translation>
+    </message>
+    <message>
+        <source>Jog in this frame</source>
+        <translation>Mover en este sistema</translation>
+    </message>
+    <message>
+        <source>Rename frame</source>
+        <translation>Renombrar sistema</translation>
+    </message>
+    <message>
+        <source>Set frame in figures</source>
+        <translation>Fijar sistema en cifras</translation>
+    </message>
+    <message>
+        <source>Duplicate frame</source>
+        <translation>Duplicar sistema</translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>Eliminar sistema</translation>
+    </message>
+    <message>
+        <source>Touch up “%1” from three points</source>
+        <translation>Retocar «%1» con tres puntos</translation>
+    </message>
+    <message>
+        <source>New frame from three points</source>
+        <translation>Sistema nuevo con tres puntos</translation>
+    </message>
+    <message>
+        <source>Touch up…</source>
+        <translation>Retocar…</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>Crear sistema</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>No hay puntos que recorrer. Enseñe algunos o selecciónelos.</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>No hay punto de paso antes de este.</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>Un punto del recorrido ya no está en este proyecto.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>«%1»: %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>Bucle</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>Recorrer los puntos de paso</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>Recorrer (mantener)</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>Recorrer, mantener</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>Va de punto en punto mientras se mantiene la tecla, no más rápido que la velocidad manual. Suelte para pausar; la próxima pulsación sigue al punto siguiente.</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ Paso</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>Un punto atrás, mantener</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>Vuelve al punto anterior mientras se mantiene la tecla</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>Paso ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>Un punto adelante, mantener</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>Va al punto siguiente mientras se mantiene la tecla, y para allí</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>Qué puntos recorrer</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>Qué puntos</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>Qué puntos recorrer, en el orden de la lista</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Desde aquí</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Selección</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todo</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>En bucle</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>Tras el último punto viene de nuevo el primero, mientras se mantenga la tecla</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>El siguiente: %1 de %2, %3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>hecho</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>Hecho. La próxima pulsación empieza en el primero.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n punto de paso</numerusform>
+            <numerusform>%n puntos de paso</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoToButton</name>
+    <message>
+        <source>Go to (hold)  G</source>
+        <translation>Ir a (mantener)  G</translation>
+    </message>
+    <message>
+        <source>Go to, hold</source>
+        <translation>Ir a, mantener</translation>
+    </message>
+    <message>
+        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
+        <translation>Mueve el brazo al punto seleccionado mientras se mantiene la tecla (G), no más rápido que la velocidad manual</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GripperPanel</name>
+    <message>
+        <source>State of the gripper</source>
+        <translation>Estado de la pinza</translation>
+    </message>
+    <message>
+        <source>How far the gripper is open</source>
+        <translation>Cuánto está abierta la pinza</translation>
+    </message>
+    <message>
+        <source>What the gripper holds</source>
+        <translation>Qué sujeta la pinza</translation>
+    </message>
+    <message>
+        <source>Activate</source>
+        <translation>Activar</translation>
+    </message>
+    <message>
+        <source>Activate the gripper</source>
+        <translation>Activar la pinza</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>Abrir la pinza</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>Cerrar la pinza</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Move the fingers to this opening</source>
+        <translation>Mover los dedos a esta apertura</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Pinza</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>Pinza: abrir</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>Pinza: cerrar</translation>
+    </message>
+    <message>
+        <source>Gripper: to %1</source>
+        <translation>Pinza: a %1</translation>
+    </message>
+    <message>
+        <source>Which gripper</source>
+        <translation>Qué pinza</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Robotiq %1</source>
+        <translation>Robotiq %1</translation>
+    </message>
+    <message>
+        <source>One output: on closes</source>
+        <translation>Una salida: activada cierra</translation>
+    </message>
+    <message>
+        <source>Two outputs: open, close</source>
+        <translation>Dos salidas: abrir, cerrar</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>Salida que cierra</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>Salida que abre</translation>
+    </message>
+    <message>
+        <source>Opening wanted</source>
+        <translation>Apertura deseada</translation>
+    </message>
+    <message>
+        <source>Speed of the fingers</source>
+        <translation>Velocidad de los dedos</translation>
+    </message>
+    <message>
+        <source>Force of the fingers</source>
+        <translation>Fuerza de los dedos</translation>
+    </message>
+    <message>
+        <source>What to do about the gripper</source>
+        <translation>Qué hacer con la pinza</translation>
+    </message>
+    <message>
+        <source>Closes</source>
+        <translation>Cierra</translation>
+    </message>
+    <message>
+        <source>Opens</source>
+        <translation>Abre</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Apertura</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Sujeta</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Ir a</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <translation>Cuánto deben abrirse los dedos, 0 a %1. «Mover» los envía allí.</translation>
+    </message>
+    <message>
+        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <translation>Del próximo movimiento. 0 % es unos %1, 100 % unos %2.</translation>
+    </message>
+    <message>
+        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <translation>Del próximo agarre. 0 % es unos %1, 100 % unos %2.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Gripper of this robot: %1</source>
+        <translation>Pinza de este robot: %1</translation>
+    </message>
+    <message>
+        <source>%1 (speed %2, force %3)</source>
+        <translation>%1 (velocidad %2, fuerza %3)</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first: each robot remembers its gripper.</source>
+        <translation>Conéctese primero a un robot: cada robot recuerda su pinza.</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>Sin datos del robot.</translation>
+    </message>
+    <message>
+        <source>One moment…</source>
+        <translation>Un momento…</translation>
+    </message>
+    <message>
+        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <translation>Elija qué hay en la muñeca. Se recuerda con este robot.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>being activated…</source>
+        <translation>activándose…</translation>
+    </message>
+    <message>
+        <source>not active</source>
+        <translation>no activa</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>pendiente…</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>activa</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>en movimiento</translation>
+    </message>
+    <message>
+        <source>active, standing</source>
+        <translation>activa, quieta</translation>
+    </message>
+    <message>
+        <source>unknown while it moves</source>
+        <translation>desconocido mientras se mueve</translation>
+    </message>
+    <message>
+        <source>an object, from outside</source>
+        <translation>un objeto, por fuera</translation>
+    </message>
+    <message>
+        <source>an object, from inside</source>
+        <translation>un objeto, por dentro</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>With this port offset no gripper can be reached.</source>
+        <translation>Con este desplazamiento de puertos no se alcanza ninguna pinza.</translation>
+    </message>
+    <message>
+        <source>Being activated: the fingers open and close once.</source>
+        <translation>Activándose: los dedos abren y cierran una vez.</translation>
+    </message>
+    <message>
+        <source>Activate the gripper first.</source>
+        <translation>Active primero la pinza.</translation>
+    </message>
+    <message>
+        <source>The gripper is active.</source>
+        <translation>La pinza está activa.</translation>
+    </message>
+    <message>
+        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <translation>Una parada del brazo deja la pinza como está: sigue sujetando.</translation>
+    </message>
+    <message>
+        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <translation>Los dedos abren y cierran una vez; lo que sujetan cae. Aparte los dedos de la pinza.</translation>
+    </message>
+    <message>
+        <source>Opens the gripper; what it holds is let go.</source>
+        <translation>Abre la pinza; lo que sujeta se suelta.</translation>
+    </message>
+    <message>
+        <source>Closes the gripper. Keep fingers out of it.</source>
+        <translation>Cierra la pinza. Aparte los dedos.</translation>
+    </message>
+    <message>
+        <source>Sends the fingers to this opening.</source>
+        <translation>Envía los dedos a esta apertura.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HeaderBar</name>
+    <message>
+        <source>ROBOT</source>
+        <translation>ROBOT</translation>
+    </message>
+    <message>
+        <source>ROBOT MODE</source>
+        <translation>MODO DE ROBOT</translation>
+    </message>
+    <message>
+        <source>SAFETY</source>
+        <translation>SEGURIDAD</translation>
+    </message>
+    <message>
+        <source>CONTROL</source>
+        <translation>CONTROL</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>ENLACE</translation>
+    </message>
+    <message>
+        <source>LAST STOP</source>
+        <translation>ÚLTIMA PARADA</translation>
+    </message>
+    <message>
+        <source>State of the robot</source>
+        <translation>Estado del robot</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Siguiente paso</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>SIN DATOS</translation>
+    </message>
+    <message>
+        <source>LAST STOP · no witness</source>
+        <translation>ÚLTIMA PARADA · sin testigo</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>no vista</translation>
+    </message>
+    <message>
+        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <translation>Los datos acabaron mientras el brazo se movía: no se sabe cómo se detuvo.</translation>
+    </message>
+    <message>
+        <source>%1 ms · %2</source>
+        <translation>%1 ms · %2</translation>
+    </message>
+    <message>
+        <source>From the stop to standstill, measured. Cause: %1</source>
+        <translation>De la parada al reposo, medido. Causa: %1</translation>
+    </message>
+    <message>
+        <source>No stop measured yet</source>
+        <translation>Aún sin parada medida</translation>
+    </message>
+    <message>
+        <source>▲ Speed cap raised to %1</source>
+        <translation>▲ Límite de velocidad elevado a %1</translation>
+    </message>
+    <message>
+        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <translation>El brazo puede superar %1. Baje el límite en Ajustes; termina con el programa.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldButton</name>
+    <message>
+        <source>hold</source>
+        <translation>mantener</translation>
+    </message>
+    <message>
+        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <translation>Mantenga esta tecla: mueve el brazo solo mientras se mantiene.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldRules</name>
+    <message>
+        <source>The window was not the active one. Press again.</source>
+        <translation>La ventana no era la activa. Pulse de nuevo.</translation>
+    </message>
+    <message>
+        <source>Click into the window first.</source>
+        <translation>Haga clic primero en la ventana.</translation>
+    </message>
+    <message>
+        <source>A dialog or a menu is open. Close it first.</source>
+        <translation>Hay un diálogo o menú abierto. Ciérrelo primero.</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>Se mantiene otra tecla.</translation>
+    </message>
+    <message>
+        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <translation>El servidor gráfico no responde: nadie podría decir cuándo se suelta la tecla.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>parada de protección</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>parada de emergencia</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>infracción de seguridad</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>fallo</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>El incidente (%1) no se pudo grabar.</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>Incidente grabado: %1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>Todo desde %1 s antes está en %2. Doble clic en esta línea para abrirlo.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoChannel</name>
+    <message>
+        <source>no data</source>
+        <translation>sin datos</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivada</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activada</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>pendiente…</translation>
+    </message>
+    <message>
+        <source>%1, old data</source>
+        <translation>%1, datos viejos</translation>
+    </message>
+    <message>
+        <source>
+Cannot be switched while no data come from the robot.</source>
+        <translation>
+No se puede conmutar mientras no lleguen datos del robot.</translation>
+    </message>
+    <message>
+        <source>
+Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+        <translation>
+Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
+    </message>
+    <message>
+        <source>%1 (held by another)</source>
+        <translation>%1 (ocupada por otro)</translation>
+    </message>
+    <message>
+        <source>Pulse</source>
+        <translation>Pulso</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renombrar…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Nombre de %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoPages</name>
+    <message>
+        <source>Signals</source>
+        <translation>Señales</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Pinza</translation>
+    </message>
+    <message>
+        <source>Part of I/O</source>
+        <translation>Parte de E/S</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoTab</name>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Entradas y salidas</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>Buscar entradas y salidas</translation>
+    </message>
+    <message>
+        <source>Search by terminal or name</source>
+        <translation>Buscar por borne o nombre</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>Salidas digitales</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Entradas digitales</translation>
+    </message>
+    <message>
+        <source>Configurable outputs</source>
+        <translation>Salidas configurables</translation>
+    </message>
+    <message>
+        <source>Configurable inputs</source>
+        <translation>Entradas configurables</translation>
+    </message>
+    <message>
+        <source>Tool outputs</source>
+        <translation>Salidas de herramienta</translation>
+    </message>
+    <message>
+        <source>Tool inputs</source>
+        <translation>Entradas de herramienta</translation>
+    </message>
+    <message>
+        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <translation>Vaya primero a una fila de la pestaña E/S con la tecla Tab.</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm %1</source>
+        <translation>El robot no confirmó %1</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may own it.</source>
+        <translation>Quizá pertenezca a otro programa o a la instalación.</translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation>Analógicas</translation>
+    </message>
+    <message>
+        <source>Registers of the robot&apos;s programs</source>
+        <translation>Registros de los programas del robot</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>Sin datos del robot.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogColumn</name>
+    <message>
+        <source>Jog</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation>Mantener para mover</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulaciones</translation>
+    </message>
+    <message>
+        <source>Shown below the pad</source>
+        <translation>Mostrado bajo el teclado</translation>
+    </message>
+    <message>
+        <source>The arm has not moved yet.</source>
+        <translation>El brazo aún no se ha movido.</translation>
+    </message>
+    <message>
+        <source>let go and press again</source>
+        <translation>suelte y pulse de nuevo</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>Mov. libre</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Moves every joint to the home position while held</source>
+        <translation>Mueve cada articulación a la posición inicial mientras se mantiene</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Alinear</translation>
+    </message>
+    <message>
+        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <translation>Gira la herramienta al eje más cercano del sistema elegido mientras se mantiene</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Goes back the way the arm came while held</source>
+        <translation>Vuelve por donde vino el brazo mientras se mantiene</translation>
+    </message>
+    <message>
+        <source>home</source>
+        <translation>en inicio</translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation>alineado</translation>
+    </message>
+    <message>
+        <source>Ends in %1 s</source>
+        <translation>Termina en %1 s</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>Se mantiene otra tecla.</translation>
+    </message>
+    <message>
+        <source>Last stop: not seen, data ended while the arm moved</source>
+        <translation>Última parada: no vista, los datos acabaron mientras el brazo se movía</translation>
+    </message>
+    <message>
+        <source>Last stop: %1, standstill after %2 ms, %3</source>
+        <translation>Última parada: %1, reposo tras %2 ms, %3</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <translation>El brazo sigue la mano mientras se mantiene: %1. Clic derecho: otros ejes</translation>
+    </message>
+    <message>
+        <source>Freedrive, %1</source>
+        <translation>Movimiento libre, %1</translation>
+    </message>
+    <message>
+        <source>Freedrive…</source>
+        <translation>Mov. libre…</translation>
+    </message>
+    <message>
+        <source>Check the payload first (until the next connection)</source>
+        <translation>Comprobar primero la carga útil (hasta la próxima conexión)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogKey</name>
+    <message>
+        <source>%1 left this way</source>
+        <translation>quedan %1 en este sentido</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogPad</name>
+    <message>
+        <source>Jog keys</source>
+        <translation>Teclas de movimiento</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>Mover %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogSelectors</name>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Herram.</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Sistema</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Mantener</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Modo</translation>
+    </message>
+    <message>
+        <source>Moves while the key is held</source>
+        <translation>Mueve mientras se mantiene la tecla</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source>Turns while the key is held</source>
+        <translation>Gira mientras se mantiene la tecla</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <translation>Ejes de la imagen: X derecha, Y alejándose, Z arriba</translation>
+    </message>
+    <message>
+        <source>Needs the 3D view</source>
+        <translation>Necesita la vista 3D</translation>
+    </message>
+    <message>
+        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <translation>Aún no se enseñó ningún sistema. Enseñe uno en la pestaña Sistemas.</translation>
+    </message>
+    <message>
+        <source>One step a press: %1</source>
+        <translation>Un paso por pulsación: %1</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1</source>
+        <translation>Un giro por pulsación, de la herramienta o una articulación: %1</translation>
+    </message>
+    <message>
+        <source>≤ %1</source>
+        <translation>≤ %1</translation>
+    </message>
+    <message>
+        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <translation>Despacio hasta que la herramienta toque algo con %1 N, mientras se mantiene. Otro clic para otros pasos</translation>
+    </message>
+    <message>
+        <source>One step a press: %1. Click again for other steps</source>
+        <translation>Un paso por pulsación: %1. Otro clic para otros pasos</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <translation>Un giro por pulsación, de la herramienta o una articulación: %1. Otro clic para otros giros</translation>
+    </message>
+    <message>
+        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <translation>%1 · giros %2 · articulaciones %3 · Ctrl × 0,1, Mayús × 3</translation>
+    </message>
+    <message>
+        <source>Other turn…</source>
+        <translation>Otro giro…</translation>
+    </message>
+    <message>
+        <source>Other step…</source>
+        <translation>Otro paso…</translation>
+    </message>
+    <message>
+        <source>Until contact, %1 N</source>
+        <translation>Hasta contacto, %1 N</translation>
+    </message>
+    <message>
+        <source>Until contact, other force…</source>
+        <translation>Hasta contacto, otra fuerza…</translation>
+    </message>
+    <message>
+        <source>Other speed…</source>
+        <translation>Otra velocidad…</translation>
+    </message>
+    <message>
+        <source>Step in %1</source>
+        <translation>Paso en %1</translation>
+    </message>
+    <message>
+        <source>Turn in degrees</source>
+        <translation>Giro en grados</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP in %1</source>
+        <translation>Velocidad del TCP en %1</translation>
+    </message>
+    <message>
+        <source>Force that ends the motion, in N</source>
+        <translation>Fuerza que termina el movimiento, en N</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRow</name>
+    <message>
+        <source>%1 minus</source>
+        <translation>%1 menos</translation>
+    </message>
+    <message>
+        <source>%1 plus</source>
+        <translation>%1 más</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRows</name>
+    <message>
+        <source>Joints</source>
+        <translation>Articulaciones</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::KeyboardJog</name>
+    <message>
+        <source>Keyboard jogging is armed</source>
+        <translation>El movimiento por teclado está armado</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimiterLine</name>
+    <message>
+        <source>Limiter</source>
+        <translation>Limitador</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogModel</name>
+    <message>
+        <source>Info</source>
+        <translation>Información</translation>
+    </message>
+    <message>
+        <source>▲ Warning</source>
+        <translation>▲ Aviso</translation>
+    </message>
+    <message>
+        <source>⬣ Error</source>
+        <translation>⬣ Error</translation>
+    </message>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>el operador</translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation>el robot</translation>
+    </message>
+    <message>
+        <source>(×%1 until %2) %3</source>
+        <translation>(×%1 hasta %2) %3</translation>
+    </message>
+    <message>
+        <source>%1 · from %2</source>
+        <translation>%1 · de %2</translation>
+    </message>
+    <message>
+        <source>%1 times from %2 to %3 · from %4</source>
+        <translation>%1 veces de %2 a %3 · de %4</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Qué ocurrió</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogTab</name>
+    <message>
+        <source>All</source>
+        <translation>Todo</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Errores</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Show from severity</source>
+        <translation>Mostrar desde gravedad</translation>
+    </message>
+    <message>
+        <source>Filter the log by words</source>
+        <translation>Filtrar el registro por palabras</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <translation>Copiar las líneas seleccionadas, o todas las mostradas (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Write the lines that are shown to a file</source>
+        <translation>Escribir en un archivo las líneas mostradas</translation>
+    </message>
+    <message>
+        <source>The selected line in full</source>
+        <translation>La línea seleccionada completa</translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation>escribir %1</translation>
+    </message>
+    <message>
+        <source>Export the log</source>
+        <translation>Exportar el registro</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texto (*.txt)</translation>
+    </message>
+    <message>
+        <source>Log written to %1</source>
+        <translation>Registro escrito en %1</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Abrir grabación</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>Abrir la grabación de la línea seleccionada: los incidentes tienen una</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 ya toca %2 del brazo aquí</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 choca con %2 del brazo tras %3 del recorrido</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 ya toca el suelo aquí</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 choca con el suelo tras %2 del recorrido</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 ya toca «%2» aquí</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 choca con «%2» tras %3 del recorrido</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>La línea entra en la singularidad de muñeca tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>Lento cerca de la singularidad de muñeca al %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>La línea llega al codo estirado tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>Lento cerca del codo estirado al %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>La línea llega al eje de la base tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>Lento cerca del eje de la base al %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>Una articulación tendría que girar de golpe tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 sale de su rango tras %2 del recorrido</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>La línea sale del alcance del brazo tras %1 del recorrido</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Hombro</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>Brazo superior</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Antebrazo</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>Muñeca 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>Muñeca 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>Muñeca 3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Herramienta</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NothingFound</name>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nada encontrado</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>Nada encontrado con estos filtros.</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>Nada encontrado para «%1».
+Vacíe la búsqueda para verlo todo.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>Tolerancia de las trayectorias grabadas</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>Grabar trayectoria</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>Exportar trayectoria como CSV…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>Importar demostración (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>La grabación de la trayectoria terminó sola: cesaron los datos, o duró diez minutos.</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>Lo grabado hasta entonces se conserva.</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ Grabar trayectoria</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>Terminar la grabación de la trayectoria</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>La trayectoria se está simplificando.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>No llegan datos del robot: no hay nada que grabar.</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>Termina la grabación y conserva la trayectoria como puntos de paso</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>Graba por dónde se lleva el brazo, con movimiento libre o a mano, hasta pulsar de nuevo, y conserva la trayectoria como puntos. No mueve nada.</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Seleccione los puntos de la trayectoria, al menos dos.</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>Exportar trayectoria</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>La trayectoria no se escribió.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n punto escrito como trayectoria en %1</numerusform>
+            <numerusform>%n puntos escritos como trayectoria en %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>Importar una demostración</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 no tiene columna «%2». Necesita timestamp y actual_q_0 a actual_q_5.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>No llegan datos del robot: no hay nada que grabar.</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>No se leyó nada: se está grabando una trayectoria. Termínela primero.</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>La demostración no se pudo leer.</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>trayectoria %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>El brazo no se movió: no se conservó trayectoria.</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>Grabar «%1»</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>«%1»: %2 s en %3 puntos. Cada lugar grabado está a menos de %4 y %5 de ellos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n paquete no llegó.</numerusform>
+            <numerusform>%n paquetes no llegaron.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Seleccione los puntos de la trayectoria, al menos dos.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>«%1» no se puede alcanzar. Retóquelo u omítalo.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>patrón</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>Patrón con tres esquinas</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>Patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>Primer sitio</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>Fin de la primera fila</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>Comienzo de la última fila</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>elija un punto de paso</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>como se enseñó</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>Sitios por fila</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Filas</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>Altura de una capa</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>De una capa a la siguiente, contra la dirección de la herramienta.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>Fila por fila</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>Meandro</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>Crear patrón</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambiar</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>Un patrón necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>Ya hay un patrón con ese nombre. Elija otro.</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>Elija el punto de cada esquina. Enseñe primero las tres esquinas donde no las haya.</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>Dos esquinas son el mismo lugar. Elija otro punto para una.</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>La altura de una capa no es una cifra posible.</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>Las capas necesitan una altura.</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 sitios son más que los %2 que puede tener un patrón.</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>Todos los sitios están omitidos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n punto de paso.</numerusform>
+            <numerusform>%n puntos de paso.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 Todos son alcanzables.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>%n queda fuera de alcance y está marcado.</numerusform>
+            <numerusform>%n quedan fuera de alcance y están marcados.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>Sitios del patrón</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>Haga clic en un sitio para omitirlo o incluirlo de nuevo. La primera esquina está abajo a la izquierda.</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>Fila %1, columna %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>Pose siguiente (mantener)</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>Conservar carga útil</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>Hallar la carga útil</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>Hallar la carga útil pesándola en varias poses</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>Pose siguiente, mantener</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>Gira la muñeca a la pose siguiente mientras se mantiene la tecla, no más rápido que la velocidad manual. Vea que la herramienta tenga sitio para girar.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>Cancelar la búsqueda de la carga útil</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>El brazo se movió. Deje que se detenga, no toque nada y tome la pose de nuevo.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>El robot no envía fuerzas. Introduzca masa y centro en cifras.</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Pesando… que nada toque la herramienta.</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg, centro a %2 de la brida. Las poses coinciden en %3 y %4.</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 Eso es pobre: la pose %2 es la que menos encaja. Quítela y tome otra.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>La herramienta gira demasiado poco entre las poses. Tome otra, girada a otro lado.</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg: demasiado ligera para que el sensor diga dónde está su centro. Introdúzcalo en cifras.</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>Deje que el brazo se detenga, no toque nada y tome la pose. Después gire la muñeca, a mano o con «Pose siguiente», y tome tres más.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Gire la muñeca a otro lado y tome la pose. Faltan: %n</numerusform>
+            <numerusform>Gire la muñeca a otro lado y tome la pose. Faltan: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Tomar pose %1</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>Quitar la peor</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>Quitar la última</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>Pose %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ encaja menos</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>Masa kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>En uso</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>Una carga útil necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>«%1» ya es el nombre de otra carga útil. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renombrar «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>Nada montado</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85, vacía</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140, vacía</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>Cargas útiles</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>Aún no hay carga útil.
+Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el brazo.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masa</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>Masa de la carga útil</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>Centro de gravedad X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>Centro de gravedad Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>Centro de gravedad Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>Intro lo aplica al proyecto; el robot conserva lo suyo.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Fijar en el robot</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>Usar esta carga útil y fijarla en el robot</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>Pesar…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>Hallar la carga útil con el brazo</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>¿Es cierta?</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>Comprobar si la carga útil es cierta</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>Conservar la carga útil que tiene el robot</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>Nueva carga útil en cifras</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>carga útil</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>Añadir predefinida: %1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>Renombrar carga útil</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>Duplicar carga útil</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>Eliminar carga útil</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>Añadir la carga útil «%1»</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>Cambiar la carga útil «%1»</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>Seleccione una carga útil para fijar.</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>Usar la carga útil «%1»</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>Eliminar la carga útil «%1»</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Pesando… que nada toque la herramienta.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>El brazo se movió. Deje que se detenga, no toque nada y compruebe de nuevo.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>El robot no envía fuerzas: su carga útil no se puede comprobar.</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>Con %1 kg el brazo siente en reposo %2 y %3.</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>La carga útil es cierta. %1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>La carga útil es cierta</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>Cuelgan unos %1 kg más de lo que se le dijo.</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>Cuelgan unos %1 kg menos de lo que se le dijo.</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>Su centro está en otro sitio, o algo toca la herramienta.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 Pésela o elija otra carga útil. Poner a cero el sensor de fuerza oculta una carga útil falsa hasta que la herramienta gire.</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>La carga útil no es cierta. %1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>La carga útil no es cierta</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, como la tiene el robot</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1; al robot se le dijo %2 kg, centro %3</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>El robot tiene otra carga útil que «%1»</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>En el robot: %1 kg, centro %2. En el proyecto: %3 kg, centro %4. No se cambió nada.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Fijar «%1» en el robot</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotDock</name>
+    <message>
+        <source>5 s</source>
+        <translation>5 s</translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation>30 s</translation>
+    </message>
+    <message>
+        <source>2 min</source>
+        <translation>2 min</translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation>10 min</translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation>30 min</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Cursor read-out</source>
+        <translation>Lectura del cursor</translation>
+    </message>
+    <message>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <translation>Haga clic en los gráficos para poner los cursores A y B; arrástrelos, o use las teclas A, B y las flechas. Haga clic en un nombre de la leyenda para ocultar su curva, con Ctrl para leer esa señal.</translation>
+    </message>
+    <message>
+        <source>Time window</source>
+        <translation>Ventana de tiempo</translation>
+    </message>
+    <message>
+        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <translation>Cuánto tiempo muestran los gráficos. La rueda sobre los gráficos hace zoom; sobre los valores de la izquierda, o con Ctrl, los escala, y un doble clic allí deja decidir de nuevo a las curvas.</translation>
+    </message>
+    <message>
+        <source>Pause the plots</source>
+        <translation>Pausar los gráficos</translation>
+    </message>
+    <message>
+        <source>Zero the force shown</source>
+        <translation>Poner a cero la fuerza mostrada</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Cero</translation>
+    </message>
+    <message>
+        <source>Export the shown range</source>
+        <translation>Exportar el intervalo mostrado</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <translation>Guardar lo mostrado como imagen (PNG) o como valores (CSV)</translation>
+    </message>
+    <message>
+        <source>Record to a CSV file</source>
+        <translation>Grabar en un archivo CSV</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <translation>Grabar lo que envía el robot en un archivo CSV; la tecla de al lado dice qué y dónde</translation>
+    </message>
+    <message>
+        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>La fuerza no se puso a cero: los gráficos no muestran muestras. Conéctese a un robot o vaya a un tiempo con muestras.</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s back</source>
+        <translation>En pausa · %1 s atrás</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reanudar</translation>
+    </message>
+    <message>
+        <source>Hold the plots still; data and recording go on</source>
+        <translation>Congelar los gráficos; los datos y la grabación siguen</translation>
+    </message>
+    <message>
+        <source>Back to the newest samples</source>
+        <translation>Volver a las muestras más nuevas</translation>
+    </message>
+    <message>
+        <source>Show the force as the robot measures it again. %1</source>
+        <translation>Mostrar de nuevo la fuerza como la mide el robot. %1</translation>
+    </message>
+    <message>
+        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <translation>Contar la fuerza desde lo que es ahora. Solo lo que muestran los gráficos: el robot, las grabaciones y los valores exportados conservan lo medido.</translation>
+    </message>
+    <message>
+        <source>● REC %1</source>
+        <translation>● REC %1</translation>
+    </message>
+    <message>
+        <source>● Record</source>
+        <translation>● Grabar</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Detener grabación</translation>
+    </message>
+    <message>
+        <source>controller time %1 … %2 s</source>
+        <translation>tiempo del controlador %1 … %2 s</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simulado</translation>
+    </message>
+    <message>
+        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>No se exportó nada: los gráficos no muestran muestras. Conéctese a un robot o vaya a un tiempo con muestras.</translation>
+    </message>
+    <message>
+        <source>Exported the shown range to %1</source>
+        <translation>Intervalo mostrado exportado a %1</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Imagen (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation>Dibujo (*.svg)</translation>
+    </message>
+    <message>
+        <source>Page (*.pdf)</source>
+        <translation>Página (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation>Valores (*.csv)</translation>
+    </message>
+    <message>
+        <source>What is recorded</source>
+        <translation>Qué se graba</translation>
+    </message>
+    <message>
+        <source>Rows, signals, folder and file name of the next recording</source>
+        <translation>Filas, señales, carpeta y nombre de archivo de la próxima grabación</translation>
+    </message>
+    <message>
+        <source>A row for every packet</source>
+        <translation>Una fila por cada paquete</translation>
+    </message>
+    <message numerus="yes">
+        <source>A row for every %n packet(s)</source>
+        <translation>
+            <numerusform>Una fila por cada paquete</numerusform>
+            <numerusform>Una fila por cada %n paquetes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All signals…</source>
+        <translation>Todas las señales…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s)…</source>
+        <translation>
+            <numerusform>%n señal…</numerusform>
+            <numerusform>%n señales…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>File name %1…</source>
+        <translation>Nombre de archivo %1…</translation>
+    </message>
+    <message>
+        <source>Folder %1…</source>
+        <translation>Carpeta %1…</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>Mostrar la carpeta</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Carpeta de grabaciones</translation>
+    </message>
+    <message>
+        <source>export to %1</source>
+        <translation>exportar a %1</translation>
+    </message>
+    <message>
+        <source>export: there are no samples in this range</source>
+        <translation>exportar: no hay muestras en este intervalo</translation>
+    </message>
+    <message>
+        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <translation>nombre el archivo .png, .svg o .pdf para una imagen, .csv para valores</translation>
+    </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1, en %2 s del tiempo de los gráficos</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Nota: %1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>¿Qué ocurrió en este momento?</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>Los gráficos están en el portapapeles como imagen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>Historial %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>Página nueva</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>Quitar esta página</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>Gráficos estándar</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Abrir una grabación…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>Cerrar las grabaciones</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>Copiar los gráficos como imagen</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>Guardar esta disposición…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>Abrir una disposición…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>Memoria para el historial</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>guardar la disposición en %1</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>abrir la disposición %1</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>Grabación %1 abierta</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Abrir una grabación</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>Grabaciones (*.mcap *.csv *.h5 *.hdf5);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>Guardar la disposición de los gráficos</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>Disposición de gráficos (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>Abrir una disposición de gráficos</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 y más</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>Lista de señales</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Señales</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>Todo lo que dice el robot: arrástrelo a un gráfico, a su borde para uno propio, o doble clic</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valores en los cursores</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>Lo que tiene cada señal en los cursores A y B, y lo que hay entre ellos: menor, mayor, media, RMS, desviación, pendiente</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>Páginas y disposición de los gráficos</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>Layout ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>leer una disposición de gráficos</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 por encima de %2</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 por debajo de %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>Páginas de gráficos</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>Nombre de la página</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Página %1</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>Doble clic: otro nombre</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valores en los cursores</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Mín</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Máx</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>Desv.</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>Pico a pico</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>Pendiente por s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>Haga clic en los gráficos para poner A, después B: lo que hay entre ellos se resume aquí.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotView</name>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s · Δ%2 %3</source>
+        <translation>A–B Δt %1 s · Δ%2 %3</translation>
+    </message>
+    <message>
+        <source>%1 (zeroed)</source>
+        <translation>%1 (a cero)</translation>
+    </message>
+    <message>
+        <source>%1 %2 s · %3 %4</source>
+        <translation>%1 %2 s · %3 %4</translation>
+    </message>
+    <message>
+        <source>Scale held · double click the axis to let it go</source>
+        <translation>Escala fija · doble clic en el eje para soltarla</translation>
+    </message>
+    <message>
+        <source>No samples yet: connect to a robot</source>
+        <translation>Aún sin muestras: conéctese a un robot</translation>
+    </message>
+    <message>
+        <source>Zeroed: %1 %2 taken off</source>
+        <translation>A cero: %1 %2 descontados</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>Gráficos en el tiempo</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A y B ponen los cursores, las flechas los mueven, arriba y abajo eligen la señal que leen; H oculta su curva, Ctrl+Supr la quita; más y menos cambian la ventana de tiempo, con Ctrl la escala de los valores, Ctrl+0 deja decidir de nuevo a las curvas; N escribe una nota; F muestra todo; Fin vuelve a las muestras más nuevas</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>Suelte aquí las señales</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseEditor</name>
+    <message>
+        <source>%1 X</source>
+        <translation>%1 X</translation>
+    </message>
+    <message>
+        <source>%1 Y</source>
+        <translation>%1 Y</translation>
+    </message>
+    <message>
+        <source>%1 Z</source>
+        <translation>%1 Z</translation>
+    </message>
+    <message>
+        <source>Rotation about X (RX)</source>
+        <translation>Rotación sobre X (RX)</translation>
+    </message>
+    <message>
+        <source>Rotation about Y (RY)</source>
+        <translation>Rotación sobre Y (RY)</translation>
+    </message>
+    <message>
+        <source>Rotation about Z (RZ)</source>
+        <translation>Rotación sobre Z (RZ)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseView</name>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP en la brida</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP a %1 de la brida</translation>
+    </message>
+    <message>
+        <source>in %1 · %2</source>
+        <translation>en %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>TCP pose in %1</source>
+        <translation>Pose del TCP en %1</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <translation>orientación según Ajustes. Δ₀: recorrido desde cero. Clic: recorrido desde la pulsación</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <translation>orientación según Ajustes. Δ: recorrido desde la pulsación. Clic: cero aquí</translation>
+    </message>
+    <message>
+        <source>TCP in the frame of the flange: %1</source>
+        <translation>TCP en el sistema de la brida: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>Articulaciones °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>Una posición necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>«%1» ya es el nombre de otra posición. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renombrar «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Posiciones</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>Aún no hay posiciones.
+Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>Altura segura</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1. Intro lo aplica; no se mueve nada salvo la posición.</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>Por encima, en el sistema base, no hay nada: allí el TCP puede ir de lado.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Aquí</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>La altura segura es donde está ahora el TCP</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>Fijar inicio aquí</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>Añadir aquí</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>Conservar la posición que tiene el brazo</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>Usar como inicio</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>Usar la posición seleccionada como inicio</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>Retocar la posición</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>Usar de nuevo el inicio habitual</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>Usar el inicio habitual</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>Renombrar posición</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>Eliminar posición</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>¿Fijar «%1» donde está el brazo?</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>La tecla Inicio va allí desde ahora.</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>Fijar inicio</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>Añadir la posición «%1»</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>Seleccione una posición para retocar.</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>¿Retocar «%1»?</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>Mayor cambio articular: %1 %2.</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retocar</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>Retocar «%1»</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>Usar «%1» como inicio</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>Seleccione una posición como inicio.</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Eliminar «%1»</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Cambiar «%1»</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>Fijar la altura segura</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>Sin altura segura</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>La tecla Inicio va al inicio habitual: erguido, libre de sí mismo.</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1: la tecla Inicio va allí</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · %2 %3 desde aquí</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::Practice</name>
+    <message>
+        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <translation>Inicie primero el robot simulado: está en el menú Robot.</translation>
+    </message>
+    <message>
+        <source>Power the arm on and release the brakes first.</source>
+        <translation>Encienda primero el brazo y libere los frenos.</translation>
+    </message>
+    <message>
+        <source>The arm is in a stop. Recover from it first.</source>
+        <translation>El brazo está en una parada. Recupérelo primero.</translation>
+    </message>
+    <message>
+        <source>Done. Start does it once more.</source>
+        <translation>Hecho. Iniciar lo repite.</translation>
+    </message>
+    <message>
+        <source>Press Start.</source>
+        <translation>Pulse Iniciar.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PracticeCard</name>
+    <message>
+        <source>Practice</source>
+        <translation>Ejercicios</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Iniciar</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Hecho</translation>
+    </message>
+    <message>
+        <source>Force Fz in newtons</source>
+        <translation>Fuerza Fz en newtons</translation>
+    </message>
+    <message>
+        <source>figure, then Return</source>
+        <translation>cifra, después Intro</translation>
+    </message>
+    <message>
+        <source>Fz [N]</source>
+        <translation>Fz [N]</translation>
+    </message>
+    <message>
+        <source>The task before</source>
+        <translation>El ejercicio anterior</translation>
+    </message>
+    <message>
+        <source>The next task</source>
+        <translation>El ejercicio siguiente</translation>
+    </message>
+    <message>
+        <source>Practice · %1 of %2</source>
+        <translation>Ejercicios · %1 de %2</translation>
+    </message>
+    <message>
+        <source>Begins the task, or begins it anew</source>
+        <translation>Empieza el ejercicio, o lo empieza de nuevo</translation>
+    </message>
+    <message>
+        <source>Goes on to the next task</source>
+        <translation>Pasa al ejercicio siguiente</translation>
+    </message>
+    <message>
+        <source>Possible once the check above says so</source>
+        <translation>Posible cuando la comprobación de arriba lo diga</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PreflightPage</name>
+    <message>
+        <source>Good</source>
+        <translation>Bien</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Mirar</translation>
+    </message>
+    <message>
+        <source>Bad</source>
+        <translation>Mal</translation>
+    </message>
+    <message>
+        <source>Not looked at</source>
+        <translation>No comprobado</translation>
+    </message>
+    <message>
+        <source>Before you connect to %1</source>
+        <translation>Antes de conectarse a %1</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Condiciones</translation>
+    </message>
+    <message>
+        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <translation>Conectado de todos modos, la ventana muestra los datos que haya. Lo rojo de arriba puede impedir tomar el control o terminar un movimiento en marcha.</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Mirar de nuevo</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Conectar</translation>
+    </message>
+    <message>
+        <source>Keep everybody out of the arm&apos;s reach.
+Keep the emergency stop at hand: STOP in this window is a software stop.
+Begin slowly: the first speed is %1.
+Watch the arm, not the screen, while a key is held.
+Let go of the key and the arm stops.</source>
+        <translation>Mantenga a todos fuera del alcance del brazo.
+Tenga a mano la parada de emergencia: STOP en esta ventana es una parada por software.
+Empiece despacio: la primera velocidad es %1.
+Mire el brazo, no la pantalla, mientras mantiene una tecla.
+Suelte la tecla y el brazo se detiene.</translation>
+    </message>
+    <message>
+        <source>Looking at %1…</source>
+        <translation>Mirando %1…</translation>
+    </message>
+    <message>
+        <source>Something is in the way</source>
+        <translation>Algo lo impide</translation>
+    </message>
+    <message>
+        <source>Ready, with warnings</source>
+        <translation>Listo, con avisos</translation>
+    </message>
+    <message>
+        <source>Everything is ready</source>
+        <translation>Todo está listo</translation>
+    </message>
+    <message>
+        <source>Connect anyway</source>
+        <translation>Conectar de todos modos</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectDocument</name>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Eliminar «%1»</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n waypoints</source>
+        <translation>
+            <numerusform>Eliminar %n punto de paso</numerusform>
+            <numerusform>Eliminar %n puntos de paso</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the order</source>
+        <translation>Cambiar el orden</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFiles</name>
+    <message>
+        <source>The damaged project file was kept as %1</source>
+        <translation>El archivo de proyecto dañado se guardó como %1</translation>
+    </message>
+    <message>
+        <source>The project could not be saved</source>
+        <translation>No se pudo guardar el proyecto</translation>
+    </message>
+    <message>
+        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <translation>%1. Actualice Tiller para abrirlo. El archivo quedó como estaba.</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Abrir proyecto</translation>
+    </message>
+    <message>
+        <source>Tiller projects (*.tiller)</source>
+        <translation>Proyectos de Tiller (*.tiller)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Guardar proyecto</translation>
+    </message>
+    <message>
+        <source>The project could not be opened</source>
+        <translation>No se pudo abrir el proyecto</translation>
+    </message>
+    <message>
+        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <translation>Se abrió una copia de «%1». Guárdela en un archivo para conservar los cambios.</translation>
+    </message>
+    <message>
+        <source>“%1” is a copy and has changes that are in no file.</source>
+        <translation>«%1» es una copia y tiene cambios que no están en ningún archivo.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Drop the changes</source>
+        <translation>Abandonar los cambios</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation>%1 está dañado</translation>
+    </message>
+    <message>
+        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <translation>%1. Puntos de paso legibles: %2, no legibles: %3. El archivo dañado se conserva.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n waypoints</source>
+        <translation>
+            <numerusform>Abrir %n punto de paso</numerusform>
+            <numerusform>Abrir %n puntos de paso</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectStore</name>
+    <message>
+        <source>%1 — a copy, not saved to a file</source>
+        <translation>%1 — una copia, no guardada en un archivo</translation>
+    </message>
+    <message>
+        <source>project not saved to a file</source>
+        <translation>proyecto no guardado en un archivo</translation>
+    </message>
+    <message>
+        <source>disk full</source>
+        <translation>disco lleno</translation>
+    </message>
+    <message>
+        <source>%1 — not saved: %2</source>
+        <translation>%1 — no guardado: %2</translation>
+    </message>
+    <message>
+        <source>%1 — saving…</source>
+        <translation>%1 — guardando…</translation>
+    </message>
+    <message>
+        <source>%1 — saved</source>
+        <translation>%1 — guardado</translation>
+    </message>
+    <message>
+        <source>no file chosen</source>
+        <translation>ningún archivo elegido</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecoveryPage</name>
+    <message>
+        <source>Recovery</source>
+        <translation>Recuperación</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>Fuerza en el TCP</translation>
+    </message>
+    <message>
+        <source>Joint current</source>
+        <translation>Corriente de articulación</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>Velocidad del TCP</translation>
+    </message>
+    <message>
+        <source>Waiting for data from the robot…</source>
+        <translation>Esperando datos del robot…</translation>
+    </message>
+    <message>
+        <source>At X %1, Y %2, Z %3.</source>
+        <translation>En X %1, Y %2, Z %3.</translation>
+    </message>
+    <message>
+        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <translation>Articulación sospechosa: %1, cuya corriente se apartó más de su objetivo.</translation>
+    </message>
+    <message>
+        <source> (%1 s)</source>
+        <translation> (%1 s)</translation>
+    </message>
+    <message>
+        <source>Tick what you have looked at.</source>
+        <translation>Marque lo que ha mirado.</translation>
+    </message>
+    <message>
+        <source>Asked; waiting for the robot…</source>
+        <translation>Pedido; esperando al robot…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RegisterPanel</name>
+    <message>
+        <source>General purpose registers</source>
+        <translation>Registros de uso general</translation>
+    </message>
+    <message>
+        <source>Int %1</source>
+        <translation>Entero %1</translation>
+    </message>
+    <message>
+        <source>Number %1</source>
+        <translation>Número %1</translation>
+    </message>
+    <message>
+        <source>Int</source>
+        <translation>Entero</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation>Bit</translation>
+    </message>
+    <message>
+        <source>Kind of input register</source>
+        <translation>Tipo de registro de entrada</translation>
+    </message>
+    <message>
+        <source>Number of the input register</source>
+        <translation>Número del registro de entrada</translation>
+    </message>
+    <message>
+        <source>Value for the input register</source>
+        <translation>Valor para el registro de entrada</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Escribir</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotPopup</name>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>Popup on the robot</source>
+        <translation>Aviso en el robot</translation>
+    </message>
+    <message>
+        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <translation>No se pudo cerrar desde aquí: ciérrelo en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>No data from the robot: close it on the teach pendant.</source>
+        <translation>Sin datos del robot: ciérrelo en la consola portátil.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the robot.</source>
+        <translation>
+            <numerusform>%n más en el robot.</numerusform>
+            <numerusform>%n más en el robot.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <translation>Un programa que lo espera sigue cuando se cierra: apártese del brazo.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ocultar</translation>
+    </message>
+    <message>
+        <source>Close the popup on the robot</source>
+        <translation>Cerrar el aviso en el robot</translation>
+    </message>
+    <message>
+        <source>Hide the popup</source>
+        <translation>Ocultar el aviso</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotSession</name>
+    <message>
+        <source>Stopped: %1 (%2 ms, %3)</source>
+        <translation>Detenido: %1 (%2 ms, %3)</translation>
+    </message>
+    <message>
+        <source>Connecting to %1 (%2)</source>
+        <translation>Conectando con %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Disconnected from %1</source>
+        <translation>Desconectado de %1</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>Con control</translation>
+    </message>
+    <message>
+        <source>Taking control was ended by a stop</source>
+        <translation>Una parada terminó la toma de control</translation>
+    </message>
+    <message>
+        <source>Connected to %1</source>
+        <translation>Conectado con %1</translation>
+    </message>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>La seguridad vuelve a ser normal</translation>
+    </message>
+    <message>
+        <source>Program: %1</source>
+        <translation>Programa: %1</translation>
+    </message>
+    <message>
+        <source>Program error in line %1, column %2: %3</source>
+        <translation>Error de programa en línea %1, columna %2: %3</translation>
+    </message>
+    <message>
+        <source>Popup on the robot: %1 %2</source>
+        <translation>Aviso en el robot: %1 %2</translation>
+    </message>
+    <message>
+        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <translation>El programa del robot espera una respuesta en la consola portátil: %1</translation>
+    </message>
+    <message>
+        <source>Not connected to a robot.</source>
+        <translation>Sin conexión con un robot.</translation>
+    </message>
+    <message>
+        <source>Waiting for data from %1.</source>
+        <translation>Esperando datos de %1.</translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation>Conectando con %1…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <translation>Sin datos del robot. Se reconecta solo; el movimiento no se reanuda.</translation>
+    </message>
+    <message>
+        <source>Data from the robot are late.</source>
+        <translation>Los datos del robot llegan tarde.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Tomando el control…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotiqLink</name>
+    <message>
+        <source>Connecting to the gripper…</source>
+        <translation>Conectando con la pinza…</translation>
+    </message>
+    <message>
+        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <translation>La pinza no da valores. Encienda el brazo; si sigue así, compruebe el cable de la pinza en la muñeca.</translation>
+    </message>
+    <message>
+        <source>The gripper answers again</source>
+        <translation>La pinza responde de nuevo</translation>
+    </message>
+    <message>
+        <source>The gripper is active</source>
+        <translation>La pinza está activa</translation>
+    </message>
+    <message>
+        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <translation>La pinza no se activó. Vea que nada bloquee sus dedos y pulse de nuevo Activar.</translation>
+    </message>
+    <message>
+        <source>The gripper holds an object (%1 open)</source>
+        <translation>La pinza sujeta un objeto (abierta %1)</translation>
+    </message>
+    <message>
+        <source>The gripper lost the object it held</source>
+        <translation>La pinza perdió el objeto que sujetaba</translation>
+    </message>
+    <message>
+        <source>Gripper: activate</source>
+        <translation>Pinza: activar</translation>
+    </message>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>%1 falló. %2</translation>
+    </message>
+    <message>
+        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <translation>Nadie responde por la pinza en %1:%2. Instale el URCap de Robotiq en el robot y elija la pinza en su Instalación.</translation>
+    </message>
+    <message>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <translation>La pinza no responde. Compruebe su cable en la muñeca y su página en la Instalación del robot; si sigue así, reinicie el robot.</translation>
+    </message>
+    <message>
+        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <translation>El robot terminó la conexión con la pinza; quizá se está reiniciando. Vuelve sola; la pinza sigue sujetando.</translation>
+    </message>
+    <message>
+        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <translation>La pinza no lo aceptó. Actívela; si está activa, mire su página en la Instalación del robot.</translation>
+    </message>
+    <message>
+        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <translation>La pinza se está activando: lo pedido se hace después.</translation>
+    </message>
+    <message>
+        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <translation>Se envió la pinza a un sitio antes de estar activa. Pulse Activar.</translation>
+    </message>
+    <message>
+        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <translation>La pinza está demasiado caliente. Déjela enfriar y pulse Activar.</translation>
+    </message>
+    <message>
+        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <translation>La pinza no oyó nada durante un segundo. Compruebe su cable en la muñeca y pulse Activar.</translation>
+    </message>
+    <message>
+        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <translation>La pinza tiene poca tensión. Ponga la tensión de la herramienta a 24 V y pulse Activar.</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <translation>La liberación automática de la pinza está en curso. Espere a que termine y pulse Activar.</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <translation>La liberación automática de la pinza terminó. Pulse Activar.</translation>
+    </message>
+    <message>
+        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <translation>La pinza tiene un fallo interno. Pulse Activar; si vuelve, pregunte a Robotiq.</translation>
+    </message>
+    <message>
+        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>La activación falló. Vea que nada bloquee los dedos y pulse Activar.</translation>
+    </message>
+    <message>
+        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>La pinza consume demasiada corriente. Vea que nada bloquee los dedos y pulse Activar.</translation>
+    </message>
+    <message>
+        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <translation>La pinza comunica el fallo %1. Pulse Activar; si vuelve, vea su manual.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneDock</name>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneKeys</name>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>Mirar desde el primer lado, en perspectiva</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>Look from the front: X of the base to the right, Z up</source>
+        <translation>Mirar desde el frente: X de la base a la derecha, Z arriba</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>Look from the side: Y of the base to the right, Z up</source>
+        <translation>Mirar desde el lado: Y de la base a la derecha, Z arriba</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Look from above: X of the base to the right, Y up</source>
+        <translation>Mirar desde arriba: X de la base a la derecha, Y arriba</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture</source>
+        <translation>Brazo, objetivo y puntos de paso en la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneView</name>
+    <message>
+        <source>View of the arm</source>
+        <translation>Vista del brazo</translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <translation>Arrastre o use las flechas para mirar desde otro lado, con Mayús o el botón derecho para mover la imagen, la rueda o más y menos para acercarse, doble clic o Inicio para la primera vista. Nada de esto mueve el robot.</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>SIN DATOS</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Sin conexión</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · out of reach</source>
+        <translation>fantasma «%1» · fuera de alcance</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <translation>fantasma «%1» · alcanzable · mayor giro %2 %3 · %4 s a %5</translation>
+    </message>
+    <message>
+        <source>1 name hidden: come nearer</source>
+        <translation>1 nombre oculto: acérquese</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names hidden: come nearer</source>
+        <translation>
+            <numerusform>%n nombre oculto: acérquese</numerusform>
+            <numerusform>%n nombres ocultos: acérquese</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>fantasma «%1» · alcanzable</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>fantasma «%1» · %2 · mayor giro %3 %4 · %5 s a %6</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>calcular una señal</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 no llega en los mismos paquetes que las demás.</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>Derivadas</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>Son más señales de las que un robot envía a la vez: quite otras primero.</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>abrir %1</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>Esta grabación no tiene ninguna fila.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>Hay poca memoria de historial para mostrar %1: elija más en el menú Layout.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>Buscar señales</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>Señales del robot</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>Nueva: |F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>Señal calculada a partir de otras</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>Un nombre, una unidad entre corchetes si quiere, y una expresión sobre señales: arrástrelas aquí para sus nombres. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ y las funciones usuales. Intro la crea.</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1: este robot no lo envía.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SimulationChip</name>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulación</translation>
+    </message>
+    <message>
+        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <translation>Este robot es simulado. Solo se mueven píxeles.</translation>
+    </message>
+    <message>
+        <source>SIMULATION</source>
+        <translation>SIMULACIÓN</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SpeedChip</name>
+    <message>
+        <source>Speed slider</source>
+        <translation>Deslizador de velocidad</translation>
+    </message>
+    <message>
+        <source>Speed slider of the robot, 2 to 100 %</source>
+        <translation>Deslizador de velocidad del robot, 2 a 100 %</translation>
+    </message>
+    <message>
+        <source>SPEED</source>
+        <translation>VELOC.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StatusLine</name>
+    <message>
+        <source>Recording, session and last message</source>
+        <translation>Grabación, sesión y último mensaje</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>guardado</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>no guardado</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
+    </message>
+    <message>
+        <source>%1 samples · %2 · %3 free</source>
+        <translation>%1 muestras · %2 · %3 libres</translation>
+    </message>
+    <message>
+        <source>Recording ended</source>
+        <translation>Grabación terminada</translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation>Sin grabación</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>Software stop. Not an emergency stop. Power stays on.</source>
+        <translation>Parada por software. No es una parada de emergencia. La corriente sigue.</translation>
+    </message>
+    <message>
+        <source>Space / Esc
+not an e-stop</source>
+        <translation>Espacio / Esc
+no es emergencia</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopPlot</name>
+    <message>
+        <source>Highest value %1 in the last five seconds</source>
+        <translation>Valor más alto %1 en los últimos cinco segundos</translation>
+    </message>
+    <message>
+        <source>max %1</source>
+        <translation>máx. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>En uso</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>Un TCP necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>«%1» ya es el nombre de otro TCP. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renombrar «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>Aún no hay TCP.
+Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el brazo.</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>Desde la brida. Intro lo aplica al proyecto; el robot conserva lo suyo.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Fijar en el robot</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>Usar este TCP y fijarlo en el robot</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>Enseñar…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>Enseñar un TCP con el brazo</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>Del robot</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>Conservar el TCP que tiene el robot</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>Enseñar de nuevo el TCP seleccionado…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>Nuevo TCP en cifras</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>herramienta</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>Renombrar TCP</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>Duplicar TCP</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>Eliminar TCP</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>Cambiar el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>Enseñar de nuevo el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>Añadir el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>«%1» es el TCP que tiene el robot.</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>Enseñar de nuevo «%1»</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>Enseñar un TCP nuevo</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>Seleccione un TCP para fijar.</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>Usar el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>Eliminar el TCP «%1»</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1, desde la brida</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, como lo tiene el robot</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1, a %2 del que tiene el robot</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>El robot tiene otro TCP que «%1»</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>En el robot: %1. En el proyecto: %2. Están a %3. No se cambió nada.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Fijar «%1» en el robot</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>Tomar pose</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>Tomar de nuevo la peor</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Tomar</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>Conservar TCP</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>Enseñar el TCP</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>Tomar una pose de la rotación</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>Rotación de la herramienta</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>Rotación como está</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>Rotación con una pose: herramienta recta hacia abajo</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>Rotación con tres poses: por +Z, hacia +X</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>Punta en %1. Las poses coinciden en %2 (rms); la pose %3 es la que menos encaja, por %4.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>La herramienta gira demasiado poco entre las poses. Tome otra, inclinada 30° o más a otro lado.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>El robot no envió un lugar válido. Tome las poses de nuevo.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>Lleve la punta a un punto fijo y afilado y tome la pose. En total cuatro veces: la punta en el mismo punto, la herramienta inclinada cada vez a otro lado.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
+            <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>La herramienta conserva la rotación que tiene ahora.</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>Gire la herramienta hasta que apunte recta hacia abajo y su X vaya por la X de la base; tómela.</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>Rotación tomada. Tómela de nuevo para sustituirla.</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>Tome la herramienta como está ahora. Desde aquí no debe girar: mueva solo X, Y y Z.</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>Mueva la herramienta por su propio +Z, alejándose de la brida, al menos %1, y tómela.</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>Ahora al lado de su +X, al menos %1, y tómela.</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>Rotación tomada: %1 por +Z, %2 al lado; la brida giró %3 entretanto, sobre todo en la pose %4.</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>La brida giró %1 por el camino, sobre todo en la pose %2. Tome las tres de nuevo sin girar la herramienta.</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>El recorrido por +Z es solo %1. Tome las tres de nuevo, separadas al menos %2.</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>El recorrido hacia +X es solo %1. Tome las tres de nuevo, separadas al menos %2.</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>Las tres poses están en línea: la tercera está a solo %1. Tome las tres de nuevo.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>El robot no envió un lugar válido. Tome las tres de nuevo.</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>Tomar de nuevo la última</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Tomar pose %1</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ encaja menos</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>Las poses se pueden tomar mientras el robot envíe datos.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TickLine</name>
+    <message>
+        <source>done</source>
+        <translation>hecho</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>aún no hecho</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Carga útil</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Posiciones</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP, carga útil o posiciones</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TravelWatch</name>
+    <message>
+        <source>%1: %2 left, then %3 is at its limit</source>
+        <translation>%1: quedan %2, después %3 está en su límite</translation>
+    </message>
+    <message>
+        <source>%1: %2 left to the plane the base stands on</source>
+        <translation>%1: quedan %2 hasta el plano en que está la base</translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <translation>%1: quedan %2, después el fin del alcance o una singularidad</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ViewCard</name>
+    <message>
+        <source>Fold</source>
+        <translation>Plegar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>The view is too small to unfold this</source>
+        <translation>La vista es demasiado pequeña para desplegar esto</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>Desplegar</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDetails</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <translation>En el sistema del punto. Intro lo aplica; no se mueve nada salvo el punto.</translation>
+    </message>
+    <message>
+        <source>Selected waypoint</source>
+        <translation>Punto de paso seleccionado</translation>
+    </message>
+    <message>
+        <source>Frame of the waypoint</source>
+        <translation>Sistema del punto de paso</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Sistemas de coordenadas</translation>
+    </message>
+    <message>
+        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <translation>El sistema en que está dado y con el que se mueve. El lugar se queda donde está. —: mandan las articulaciones</translation>
+    </message>
+    <message numerus="yes">
+        <source>used in %n steps</source>
+        <translation>
+            <numerusform>usado en %n paso</numerusform>
+            <numerusform>usado en %n pasos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the live pose</source>
+        <translation>a %1 de la pose actual</translation>
+    </message>
+    <message>
+        <source>joints rule</source>
+        <translation>mandan las articulaciones</translation>
+    </message>
+    <message>
+        <source>pose rules</source>
+        <translation>manda la pose</translation>
+    </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>sitio de «%1»</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>esquina de «%1»</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>inicio, «%1»</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>posición «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>Seleccione puntos para cambiar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>Cambiar propiedades de %n punto</numerusform>
+            <numerusform>Cambiar propiedades de %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>Seleccione puntos para mover.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Mover %n punto</numerusform>
+            <numerusform>Mover %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>Cambiar el patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>Enseñe primero las tres esquinas del patrón y selecciónelas.</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>Crear el patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>Disolver el patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>Seleccione un sitio de un patrón.</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>Eliminar el patrón «%1»</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>Seleccione un punto para ver su historial.</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>El sistema en que estaba dado entonces ya no está en el proyecto.</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>Recuperar un «%1» anterior</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>Importar puntos de paso</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>Puntos de paso (*.csv *.txt *.json *.tiller);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>Exportar puntos de paso</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>Separado por comas (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>No se importó nada</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>%1 es demasiado grande para una lista de puntos.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>No hay puntos de paso en %1.</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>punto de paso</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>Importar %n punto</numerusform>
+            <numerusform>Importar %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>No hay puntos que exportar.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>No se exportó nada</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n punto escrito en %1</numerusform>
+            <numerusform>%n puntos escritos en %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointEditing</name>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Duplicar «%1»</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n waypoints</source>
+        <translation>
+            <numerusform>Duplicar %n punto de paso</numerusform>
+            <numerusform>Duplicar %n puntos de paso</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was pasted</source>
+        <translation>No se pegó nada</translation>
+    </message>
+    <message>
+        <source>There are no waypoints on the clipboard.</source>
+        <translation>No hay puntos de paso en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>punto de paso</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n waypoints</source>
+        <translation>
+            <numerusform>Pegar %n punto de paso</numerusform>
+            <numerusform>Pegar %n puntos de paso</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>Historial de «%1»</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>Cambios, el más nuevo primero</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>Volver a antes de esto</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>Nombre: «%1», ahora «%2»</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>Lugar: se movió %1 (%2, sistema base)</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>Articulaciones: %1 giró más, %2</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>mandan las articulaciones</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>un sistema que ya no existe</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>Sistema: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>Tipo: MoveL, ahora MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>Tipo: MoveJ, ahora MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>Velocidad de MoveJ: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>Velocidad de MoveL: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>Fusión: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP: enseñado con otro</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>Grupo: «%1», ahora «%2»</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>Color: %1, ahora %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>Nota: «%1», ahora «%2»</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>Acciones: otras que ahora</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>No cambió desde que se enseñó.</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>Antes de esto era como ahora.</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>Antes de esto era:</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointModel</name>
+    <message>
+        <source>✕ joint</source>
+        <translation>✕ art.</translation>
+    </message>
+    <message>
+        <source>✕ frame</source>
+        <translation>✕ sistema</translation>
+    </message>
+    <message>
+        <source>✕ line</source>
+        <translation>✕ línea</translation>
+    </message>
+    <message>
+        <source>✕ reach</source>
+        <translation>✕ alcance</translation>
+    </message>
+    <message>
+        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <translation>Una articulación saldría de su rango. Retoque el punto desde otra postura del brazo.</translation>
+    </message>
+    <message>
+        <source>Its frame is not in this project. Choose another frame.</source>
+        <translation>Su sistema no está en este proyecto. Elija otro sistema.</translation>
+    </message>
+    <message>
+        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <translation>La línea recta desde aquí sale del alcance del brazo. Use MoveJ o empiece en otro lugar.</translation>
+    </message>
+    <message>
+        <source>Out of reach. Touch it up nearer to the base.</source>
+        <translation>Fuera de alcance. Retóquelo más cerca de la base.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>MoveJ: all joints start and stop together</source>
+        <translation>MoveJ: todas las articulaciones empiezan y paran juntas</translation>
+    </message>
+    <message>
+        <source>MoveL: the TCP goes along a straight line</source>
+        <translation>MoveL: el TCP va en línea recta</translation>
+    </message>
+    <message>
+        <source>The joints rule: the arm comes back in the same posture</source>
+        <translation>Mandan las articulaciones: el brazo vuelve en la misma postura</translation>
+    </message>
+    <message>
+        <source>The pose rules: it moves with its frame</source>
+        <translation>Manda la pose: se mueve con su sistema</translation>
+    </message>
+    <message>
+        <source>Can be reached</source>
+        <translation>Alcanzable</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Sistema</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Blend %1</source>
+        <translation>Fusión %1</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source>A waypoint needs a name.</source>
+        <translation>Un punto de paso necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <translation>«%1» es el nombre del punto %2. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renombrar «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveJ</source>
+        <translation>Hacer «%1» MoveJ</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveL</source>
+        <translation>Hacer «%1» MoveL</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <translation>El brazo no puede llegar allí. «%1» quedó como estaba.</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>Cambiar la pose de «%1»</translation>
+    </message>
+    <message>
+        <source>Use joint positions for “%1”</source>
+        <translation>Usar posiciones articulares para «%1»</translation>
+    </message>
+    <message>
+        <source>There is no frame “%1” in this project.</source>
+        <translation>En este proyecto no hay sistema «%1».</translation>
+    </message>
+    <message>
+        <source>Give “%1” in %2</source>
+        <translation>Dar «%1» en %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation>%1 está fuera de %2 a %3.</translation>
+    </message>
+    <message>
+        <source>Set the blend of “%1”</source>
+        <translation>Fijar la fusión de «%1»</translation>
+    </message>
+    <message>
+        <source>Set the speed of “%1”</source>
+        <translation>Fijar la velocidad de «%1»</translation>
+    </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>Grupo: %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Color: %1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>Nombre %1, el siguiente</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Azul</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Naranja</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Verde</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Amarillo</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Celeste</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>Solo cambia lo marcado.</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>Propiedades de «%1»</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>Propiedades de %n punto</numerusform>
+            <numerusform>Propiedades de %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>Velocidad de MoveJ</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>Velocidad de MoveL</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Fusión</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambiar</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Buscar puntos</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>Buscar puntos por nombre, grupo o nota</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>Nombre, grupo o nota</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todos</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>Mostrar todos los puntos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n encontrado</numerusform>
+            <numerusform>%n encontrados</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Mover %n punto</numerusform>
+            <numerusform>Mover %n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Tipo de movimiento</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Reflejar</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Ejes</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>Herramienta, cada uno la suya</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>En X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>Desplazamiento %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>En torno a o a lo largo de</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>El brazo no puede llegar: %1. No se movería nada.</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>Falta un sistema. Elija otro.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>%n quedaría fuera de alcance; se conserva y se marca.</numerusform>
+            <numerusform>%n quedarían fuera de alcance; se conservan y se marcan.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>Reflejado en el plano por el origen perpendicular al eje. La herramienta se acerca desde el lado reflejado.</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>Todos siguen al alcance.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointTable</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>Puntos de paso</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointsTab</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>Puntos de paso</translation>
+    </message>
+    <message>
+        <source>Teach here  T</source>
+        <translation>Enseñar aquí  T</translation>
+    </message>
+    <message>
+        <source>Teach here</source>
+        <translation>Enseñar aquí</translation>
+    </message>
+    <message>
+        <source>Touch up  U</source>
+        <translation>Retocar  U</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retocar</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <source>No waypoints yet.
+Jog the arm to a place and press Teach here (T).</source>
+        <translation>Aún no hay puntos de paso.
+Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to go to.</source>
+        <translation>Seleccione un punto de paso al que ir.</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+    </message>
+    <message>
+        <source>Add the place where the arm stands, after the selection (T)</source>
+        <translation>Añadir el lugar donde está el brazo, tras la selección (T)</translation>
+    </message>
+    <message>
+        <source>Replace the selected place by where the arm stands (U)</source>
+        <translation>Sustituir el lugar seleccionado por donde está el brazo (U)</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to touch up.</source>
+        <translation>Seleccione un punto de paso para retocar.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplicar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Subir</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Bajar</translation>
+    </message>
+    <message>
+        <source>Copy as table</source>
+        <translation>Copiar como tabla</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Pegar</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>punto de paso</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>Enseñar «%1»</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
+        <translation>El sistema de «%1» no está en este proyecto. Elija antes otro sistema.</translation>
+    </message>
+    <message>
+        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <translation>El lugar actual está a %1 (%2, sistema base). Mayor cambio articular: %3 %4.</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>¿Retocar «%1»?</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>Retocar «%1»</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>Trayectoria grabada</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>Importar puntos de paso…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>Exportar puntos de paso…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Buscar puntos de paso</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>Grupo, color, nota, velocidades…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>Desplazar, girar o reflejar…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>Historial…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>Patrón…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>Hacer de los sitios del patrón puntos ordinarios</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>Eliminar el patrón y sus puntos</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation>Órdenes</translation>
+    </message>
+    <message>
+        <source>Search a command</source>
+        <translation>Buscar una orden</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Escriba lo que quiere hacer</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Órdenes encontradas</translation>
+    </message>
+    <message>
+        <source>not possible now</source>
+        <translation>ahora no es posible</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ConnectDialog</name>
+    <message>
+        <source>Enter the robot&apos;s address, as shown on the teach pendant under About.</source>
+        <translation>Introduzca la dirección del robot, como la muestra la consola portátil en Acerca de.</translation>
+    </message>
+    <message>
+        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <translation>Una dirección tiene cuatro números de 0 a 255, como 192.168.0.10.</translation>
+    </message>
+    <message>
+        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <translation>Un nombre de host solo tiene letras, cifras, puntos y guiones.</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Olvidar</translation>
+    </message>
+    <message>
+        <source>Start the simulated robot</source>
+        <translation>Iniciar el robot simulado</translation>
+    </message>
+    <message>
+        <source>With a sample project…</source>
+        <translation>Con un proyecto de ejemplo…</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Conectar</translation>
+    </message>
+    <message>
+        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <translation>Antes de mover un brazo real: mantenga a todos fuera de su alcance, tenga a mano la parada de emergencia, compruebe carga útil y TCP, empiece despacio. El STOP de esta ventana no es una parada de emergencia.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation>Abrir un proyecto…</translation>
+    </message>
+    <message>
+        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <translation>Puntos de paso de un archivo, sin robot: todo funciona salvo moverse.</translation>
+    </message>
+    <message>
+        <source>Try the simulator</source>
+        <translation>Probar el simulador</translation>
+    </message>
+    <message>
+        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <translation>Un UR5e simulado dentro de este programa. Todo funciona, nada puede dañarse.</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <translation>Inicia el robot simulado y abre un proyecto ya enseñado.</translation>
+    </message>
+    <message>
+        <source>Connect a robot</source>
+        <translation>Conectar un robot</translation>
+    </message>
+    <message>
+        <source>Address or host name of the robot</source>
+        <translation>Dirección o nombre de host del robot</translation>
+    </message>
+    <message>
+        <source>Name shown for the robot</source>
+        <translation>Nombre mostrado del robot</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>UR5e del laboratorio</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Robots connected to before</source>
+        <translation>Robots conectados antes</translation>
+    </message>
+    <message>
+        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <translation>Quita el robot seleccionado de esta lista (Supr). En el robot no cambia nada.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Demonstration</name>
+    <message>
+        <source>make the folder %1: choose one that may be written to</source>
+        <translation>crear la carpeta %1: elija una en la que se pueda escribir</translation>
+    </message>
+    <message>
+        <source>connect</source>
+        <translation>conectar</translation>
+    </message>
+    <message>
+        <source>power on</source>
+        <translation>encender</translation>
+    </message>
+    <message>
+        <source>release the brakes</source>
+        <translation>liberar los frenos</translation>
+    </message>
+    <message>
+        <source>take control</source>
+        <translation>tomar el control</translation>
+    </message>
+    <message>
+        <source>start recording</source>
+        <translation>empezar la grabación</translation>
+    </message>
+    <message>
+        <source>teach the first waypoint</source>
+        <translation>enseñar el primer punto de paso</translation>
+    </message>
+    <message>
+        <source>jog X+ in Base for 50 mm</source>
+        <translation>mover X+ en Base 50 mm</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>soltar</translation>
+    </message>
+    <message>
+        <source>teach the second waypoint</source>
+        <translation>enseñar el segundo punto de paso</translation>
+    </message>
+    <message>
+        <source>go to the first waypoint (held)</source>
+        <translation>ir al primer punto de paso (mantenido)</translation>
+    </message>
+    <message>
+        <source>let go of Go to</source>
+        <translation>soltar Ir a</translation>
+    </message>
+    <message>
+        <source>digital output 0 on</source>
+        <translation>salida digital 0 activada</translation>
+    </message>
+    <message>
+        <source>digital output 0 off</source>
+        <translation>salida digital 0 desactivada</translation>
+    </message>
+    <message>
+        <source>take the screenshots</source>
+        <translation>tomar las capturas de pantalla</translation>
+    </message>
+    <message>
+        <source>write the screenshots to %1</source>
+        <translation>escribir las capturas de pantalla en %1</translation>
+    </message>
+    <message>
+        <source>stop recording</source>
+        <translation>detener la grabación</translation>
+    </message>
+    <message>
+        <source>%1: did not happen within %2 s (%3)</source>
+        <translation>%1: no ocurrió en %2 s (%3)</translation>
+    </message>
+    <message>
+        <source>the robot reports no reason</source>
+        <translation>el robot no da motivo</translation>
+    </message>
+    <message>
+        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <translation>pulsado de nuevo     %1 veces: el movimiento se detuvo antes de soltar la tecla</translation>
+    </message>
+    <message>
+        <source>jogged               </source>
+        <translation>movido               </translation>
+    </message>
+    <message>
+        <source>release to standstill </source>
+        <translation>de soltar a reposo </translation>
+    </message>
+    <message>
+        <source>packets              </source>
+        <translation>paquetes              </translation>
+    </message>
+    <message>
+        <source> received, </source>
+        <translation> recibidos, </translation>
+    </message>
+    <message>
+        <source> late, </source>
+        <translation> tarde, </translation>
+    </message>
+    <message>
+        <source> lost
+</source>
+        <translation> perdidos
+</translation>
+    </message>
+    <message>
+        <source>recorded             </source>
+        <translation>grabado             </translation>
+    </message>
+    <message>
+        <source> rows, </source>
+        <translation> filas, </translation>
+    </message>
+    <message>
+        <source>files                </source>
+        <translation>archivos                </translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot; in the window</source>
+        <translation>no hay tecla &quot;%1&quot; en la ventana</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DeviceSettings</name>
+    <message>
+        <source>Device that moves the arm</source>
+        <translation>Dispositivo que mueve el brazo</translation>
+    </message>
+    <message>
+        <source>Try it out…</source>
+        <translation>Probarlo…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>Qué dice ahora cada dispositivo y hacia dónde irá.</translation>
+    </message>
+    <message>
+        <source>Moves the arm</source>
+        <translation>Mueve el brazo</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation>SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Dead zone of the %1</source>
+        <translation>Zona muerta: %1</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>So far a stick may be out without moving anything.</source>
+        <translation>Hasta aquí puede estar desviada una palanca sin mover nada.</translation>
+    </message>
+    <message>
+        <source>Curve of the %1</source>
+        <translation>Curva: %1</translation>
+    </message>
+    <message>
+        <source>exponent </source>
+        <translation>exponente </translation>
+    </message>
+    <message>
+        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <translation>1: uniforme. Más: suave cerca del centro, rápido al final del recorrido.</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>Solo el eje más desviado</translation>
+    </message>
+    <message>
+        <source>%1: only the axis that is out furthest</source>
+        <translation>%1: solo el eje más desviado</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Zona muerta</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>No hay gamepad ni SpaceMouse. Conecte uno: aparece solo.</translation>
+    </message>
+    <message>
+        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <translation>Solo mientras se mantiene su hombre muerto. No se recuerda: tras un inicio ningún dispositivo mueve el brazo.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DockStage</name>
+    <message>
+        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <translation>Aquí no hay ningún panel. Elija una perspectiva abajo a la derecha o muestre un panel con el menú Vista.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::HelpPage</name>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras se mantiene una tecla del teclado de la ventana y se detiene al soltarla. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero deja la tecla, se pulsa un segundo botón o interviene otra mano;&lt;/li&gt;&lt;li&gt;junto a una tecla mantenida del teclado se pulsa un modificador o una tecla que la contradice;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, algo se abre sobre ella o se elige otro sistema, velocidad, paso o pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa se cuelga o el robot deja «En marcha», su modo de seguridad o el control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo se desconecta o enmudece;&lt;/li&gt;&lt;li&gt;nadie puede probar que la tecla sigue pulsada: en X11 se pregunta al servidor gráfico cien veces por segundo si el botón o la tecla está pulsado, y un «no», o 100 ms sin respuesta, termina el movimiento. Donde no se puede preguntar a nadie, lo dicen la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se ha mantenido mucho tiempo: un movimiento manual %1 s (Ajustes), el movimiento libre cinco minutos, un movimiento a un lugar 5 s más de lo que tarda. Los últimos 3 s se cuentan atrás.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un movimiento detenido necesita una nueva pulsación. &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen desde cualquier parte, también programas de otros. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace una pulsación diez veces más fina, &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápida, nunca sobre el límite. En un teclado sin letras latinas, una letra de abajo significa su lugar en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Ejercicios</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ImportDialog</name>
+    <message>
+        <source>Colours, sizes and units</source>
+        <translation>Colores, tamaños y unidades</translation>
+    </message>
+    <message>
+        <source>Speed cap and longest hold</source>
+        <translation>Límite de velocidad y pulsación más larga</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>Teclas de las órdenes</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>Gamepad y SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Robots and their grippers</source>
+        <translation>Robots y sus pinzas</translation>
+    </message>
+    <message>
+        <source>Names and scales of inputs and outputs</source>
+        <translation>Nombres y escalas de entradas y salidas</translation>
+    </message>
+    <message>
+        <source>Layout of the window</source>
+        <translation>Disposición de la ventana</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>Todo lo demás</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Sustituir</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Importar ajustes</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed.</source>
+        <translation>%1 no se importó. No se cambió nada.</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1 holds:</source>
+        <translation>Lo marcado se sustituye por lo que contiene %1:</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <translation>Lo marcado se sustituye por lo que contiene %1, escrito por Tiller %2:</translation>
+    </message>
+    <message>
+        <source>%1: the same already</source>
+        <translation>%1: ya es igual</translation>
+    </message>
+    <message>
+        <source>%1: none in the file</source>
+        <translation>%1: no está en el archivo</translation>
+    </message>
+    <message>
+        <source>%1: %2 here, %3 in the file</source>
+        <translation>%1: %2 aquí, %3 en el archivo</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <translation>Lo sustituido se guarda en un archivo propio, que se puede importar de nuevo.</translation>
+    </message>
+    <message>
+        <source>There is nothing in the file that is not here already.</source>
+        <translation>El archivo no contiene nada que no esté ya aquí.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Lessons</name>
+    <message>
+        <source>First steps</source>
+        <translation>Primeros pasos</translation>
+    </message>
+    <message>
+        <source>A checklist in the view: from power on to a recording.</source>
+        <translation>Una lista en la vista: desde encender hasta una grabación.</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Ejercicios</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>Cinco ejercicios en el robot simulado, cada uno con comprobación.</translation>
+    </message>
+    <message>
+        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <translation>Los ejercicios son solo para el robot simulado de este programa. Este es «%1».</translation>
+    </message>
+    <message>
+        <source>Practice: put “%1”</source>
+        <translation>Ejercicio: poner «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::MainWindow</name>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <translation>Teclado armado: las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − giran una articulación. Espacio y Esc detienen.</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging disarmed</source>
+        <translation>Teclado desarmado</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Puntos de paso</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Sistemas</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>E/S</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>%1 disconnected. The arm was stopped.</source>
+        <translation>%1 desconectado. El brazo se detuvo.</translation>
+    </message>
+    <message>
+        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <translation>%1 enmudeció mientras movía el brazo, que se detuvo. Suéltelo; si sigue mudo, conéctelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Open recent project</source>
+        <translation>Abrir proyecto reciente</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Abrir proyecto…</translation>
+    </message>
+    <message>
+        <source>Opens waypoints and frames from a file.</source>
+        <translation>Abre puntos de paso y sistemas de un archivo.</translation>
+    </message>
+    <message>
+        <source>Open sample project…</source>
+        <translation>Abrir proyecto de ejemplo…</translation>
+    </message>
+    <message>
+        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <translation>Una copia de uno de tres proyectos, para probar en el robot simulado.</translation>
+    </message>
+    <message>
+        <source>Save project as…</source>
+        <translation>Guardar proyecto como…</translation>
+    </message>
+    <message>
+        <source>Saves to this file now, and every change from now on.</source>
+        <translation>Guarda ahora en este archivo, y cada cambio en adelante.</translation>
+    </message>
+    <message>
+        <source>Show waypoints</source>
+        <translation>Mostrar puntos de paso</translation>
+    </message>
+    <message>
+        <source>Show frames</source>
+        <translation>Mostrar sistemas</translation>
+    </message>
+    <message>
+        <source>Show I/O</source>
+        <translation>Mostrar E/S</translation>
+    </message>
+    <message>
+        <source>Show log</source>
+        <translation>Mostrar registro</translation>
+    </message>
+    <message>
+        <source>Brings this tab to the front.</source>
+        <translation>Trae esta pestaña al frente.</translation>
+    </message>
+    <message>
+        <source>Show gripper</source>
+        <translation>Mostrar pinza</translation>
+    </message>
+    <message>
+        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <translation>Trae al frente la página de la pinza en E/S.</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Restablecer disposición</translation>
+    </message>
+    <message>
+        <source>All panels back to where the current perspective has them.</source>
+        <translation>Todos los paneles adonde los tiene la perspectiva actual.</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Colores claros</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Colores oscuros</translation>
+    </message>
+    <message>
+        <source>Changes the colours at once and remembers it.</source>
+        <translation>Cambia los colores enseguida y lo recuerda.</translation>
+    </message>
+    <message>
+        <source>Zero the force in the plots, or show it as measured</source>
+        <translation>Poner a cero la fuerza en los gráficos, o mostrarla como se mide</translation>
+    </message>
+    <message>
+        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <translation>Cuenta la fuerza TCP desde lo que es ahora; otra vez: como la mide el robot.</translation>
+    </message>
+    <message>
+        <source>Commands…</source>
+        <translation>Órdenes…</translation>
+    </message>
+    <message>
+        <source>Finds a command by its name.</source>
+        <translation>Encuentra una orden por su nombre.</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Ajustes…</translation>
+    </message>
+    <message>
+        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <translation>Colores, tamaños, unidades, el límite de velocidad, dispositivos y la tecla de cada orden.</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>Exportar ajustes…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <translation>Un archivo con todo lo que se recuerda, para otro ordenador o como copia.</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>Importar ajustes…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <translation>Toma lo que contiene un archivo así; antes dice qué sustituye.</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>All commands with their keys, and the rules of jogging.</source>
+        <translation>Todas las órdenes con sus teclas, y las reglas del movimiento manual.</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Stops the arm, ends the connection and closes the window.</source>
+        <translation>Detiene el brazo, termina la conexión y cierra la ventana.</translation>
+    </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>Mostrar u ocultar %1</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>Separar %1</translation>
+    </message>
+    <message>
+        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <translation>Lo hace una ventana propia, para una segunda pantalla, o lo devuelve.</translation>
+    </message>
+    <message>
+        <source>Moves this panel to that side of the others.</source>
+        <translation>Mueve este panel a ese lado de los demás.</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 a la izquierda</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 a la derecha</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>%1 arriba</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>%1 abajo</translation>
+    </message>
+    <message>
+        <source>Load program</source>
+        <translation>Cargar programa</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as the tablet shows it</source>
+        <translation>Nombre del programa en el robot, como lo muestra la tableta</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as in pick.urp</source>
+        <translation>Nombre del programa en el robot, como pick.urp</translation>
+    </message>
+    <message>
+        <source>Speed cap %1</source>
+        <translation>Límite de velocidad %1</translation>
+    </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>Hay una grabación en marcha. Termínela primero: no debe faltar nada de ella.</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>Puntos de paso, Sistemas, Herramientas, E/S, Registro</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PanelDock</name>
+    <message>
+        <source>Put back</source>
+        <translation>Devolver</translation>
+    </message>
+    <message>
+        <source>Back into the main window</source>
+        <translation>De vuelta a la ventana principal</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Closes this panel. The menu View brings it back.</source>
+        <translation>Cierra este panel. El menú Vista lo trae de nuevo.</translation>
+    </message>
+    <message>
+        <source>Move, float or close %1</source>
+        <translation>Mover, separar o cerrar %1</translation>
+    </message>
+    <message>
+        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <translation>Clic: mover, separar o cerrar este panel. Arrastrar: llevarlo a otro sitio.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PerspectiveActions</name>
+    <message>
+        <source>Save perspective</source>
+        <translation>Guardar perspectiva</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, into the current perspective.</source>
+        <translation>Los paneles como están ahora, en la perspectiva actual.</translation>
+    </message>
+    <message>
+        <source>This perspective is built in. Save it under a name of your own.</source>
+        <translation>Esta perspectiva es fija. Guárdela con un nombre propio.</translation>
+    </message>
+    <message>
+        <source>Save perspective as…</source>
+        <translation>Guardar perspectiva como…</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, under a name of your own.</source>
+        <translation>Los paneles como están ahora, con un nombre propio.</translation>
+    </message>
+    <message>
+        <source>Save perspective as</source>
+        <translation>Guardar perspectiva como</translation>
+    </message>
+    <message>
+        <source>Rename perspective…</source>
+        <translation>Renombrar perspectiva…</translation>
+    </message>
+    <message>
+        <source>Gives the current perspective another name.</source>
+        <translation>Da otro nombre a la perspectiva actual.</translation>
+    </message>
+    <message>
+        <source>Rename perspective</source>
+        <translation>Renombrar perspectiva</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and keeps its name.</source>
+        <translation>Esta perspectiva es fija y conserva su nombre.</translation>
+    </message>
+    <message>
+        <source>Delete perspective…</source>
+        <translation>Eliminar perspectiva…</translation>
+    </message>
+    <message>
+        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <translation>Olvida la perspectiva actual. Los paneles quedan como están.</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and stays.</source>
+        <translation>Esta perspectiva es fija y permanece.</translation>
+    </message>
+    <message>
+        <source>Perspective %1</source>
+        <translation>Perspectiva %1</translation>
+    </message>
+    <message>
+        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <translation>Perspectiva %1. Elija cómo están los paneles, o guarde cómo están ahora.</translation>
+    </message>
+    <message>
+        <source>Name of the perspective</source>
+        <translation>Nombre de la perspectiva</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Delete perspective</source>
+        <translation>Eliminar perspectiva</translation>
+    </message>
+    <message>
+        <source>Delete the perspective “%1”? This cannot be undone.</source>
+        <translation>¿Eliminar la perspectiva «%1»? No se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Conservar</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Perspectives</name>
+    <message>
+        <source>Teach</source>
+        <translation>Enseñar</translation>
+    </message>
+    <message>
+        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <translation>Muestra la vista, los puntos de paso al lado y los gráficos debajo.</translation>
+    </message>
+    <message>
+        <source>Monitor</source>
+        <translation>Supervisar</translation>
+    </message>
+    <message>
+        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <translation>Muestra entradas y salidas, una vista menor al lado y gráficos más altos debajo.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Shows the plots alone, as large as the window allows.</source>
+        <translation>Muestra solo los gráficos, tan grandes como permite la ventana.</translation>
+    </message>
+    <message>
+        <source>Shows the panels as you saved them.</source>
+        <translation>Muestra los paneles como los guardó.</translation>
+    </message>
+    <message>
+        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <translation>La perspectiva «%1» no se puede mostrar: su disposición en los ajustes está dañada. Ordene los paneles y guárdela de nuevo.</translation>
+    </message>
+    <message>
+        <source>Type a name.</source>
+        <translation>Escriba un nombre.</translation>
+    </message>
+    <message>
+        <source>The name is too long.</source>
+        <translation>El nombre es demasiado largo.</translation>
+    </message>
+    <message>
+        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <translation>Hay tantas perspectivas como se pueden conservar. Elimine una primero.</translation>
+    </message>
+    <message>
+        <source>There is a perspective of this name. Choose another name.</source>
+        <translation>Ya hay una perspectiva con este nombre. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <translation>Los paneles están como en la perspectiva «%1»: la disposición de la versión anterior no encaja en esta. Ordénelos de nuevo; se recuerda.</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <translation>Los paneles están como en la perspectiva «%1»: la disposición en los ajustes está dañada o es de otra versión. Ordénelos de nuevo; se recuerda.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::RecordingSettings</name>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Carpeta de grabaciones</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Choose the folder for recordings</source>
+        <translation>Elegir la carpeta de grabaciones</translation>
+    </message>
+    <message>
+        <source>Pattern of the file name</source>
+        <translation>Patrón del nombre de archivo</translation>
+    </message>
+    <message>
+        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <translation>{date}, {time}, {robot} y {number} se rellenan al empezar una grabación.</translation>
+    </message>
+    <message>
+        <source>One row every so many packets</source>
+        <translation>Una fila cada tantos paquetes</translation>
+    </message>
+    <message>
+        <source>Search signals</source>
+        <translation>Buscar señales</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Signals in a recording</source>
+        <translation>Señales en una grabación</translation>
+    </message>
+    <message>
+        <source>All signals</source>
+        <translation>Todas las señales</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation>Nombre de archivo</translation>
+    </message>
+    <message>
+        <source>One row every</source>
+        <translation>Una fila cada</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Señales</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>UR5e del laboratorio</translation>
+    </message>
+    <message>
+        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <translation>Por ejemplo %1. {date}, {time}, {robot} y {number} se rellenan; un archivo existente nunca se sustituye.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <translation>
+            <numerusform>%n paquete por fila: %1 filas por segundo de un robot que envía 500 paquetes por segundo.</numerusform>
+            <numerusform>%n paquetes por fila: %1 filas por segundo de un robot que envía 500 paquetes por segundo.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SampleDialog</name>
+    <message>
+        <source>Open sample project</source>
+        <translation>Abrir proyecto de ejemplo</translation>
+    </message>
+    <message>
+        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <translation>Cada uno está enseñado para un UR5e y se puede recorrer con el robot simulado. Usted trabaja en una copia: guardar pide un archivo propio.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open “%1”</source>
+        <translation>Abrir «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Look and motion</source>
+        <translation>Aspecto y movimiento</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Dispositivos</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>Exportar ajustes…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <translation>Un archivo con todo lo que se recuerda, para otro ordenador o como copia</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>Importar ajustes…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces</source>
+        <translation>Toma lo que contiene un archivo así; antes dice qué sustituye</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>Size of keys and rows</source>
+        <translation>Tamaño de teclas y filas</translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation>Compacto</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Ratón</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Táctil</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Tamaño de todo</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Longitudes</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Milímetros</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Pulgadas</translation>
+    </message>
+    <message>
+        <source>Rotations</source>
+        <translation>Rotaciones</translation>
+    </message>
+    <message>
+        <source>Roll, pitch, yaw in degrees</source>
+        <translation>Alabeo, cabeceo, guiñada en grados</translation>
+    </message>
+    <message>
+        <source>Rotation vector in radians, as scripts write it</source>
+        <translation>Vector de rotación en radianes, como lo escriben los scripts</translation>
+    </message>
+    <message>
+        <source>Speed cap of this program</source>
+        <translation>Límite de velocidad de este programa</translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation>Pulsación más larga</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <translation>Tras este tiempo termina un movimiento manual y hay que pulsar de nuevo su tecla. El movimiento libre tiene cinco minutos, un movimiento a un lugar lo que tarda y 5 s.</translation>
+    </message>
+    <message>
+        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <translation>Táctil: tan alto como necesita un dedo. En una ventana de menos de %1 px las teclas de articulaciones, pestañas y barras de título siguen más pequeñas.</translation>
+    </message>
+    <message>
+        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <translation>Cómo se muestran y escriben longitudes, velocidades del TCP y orientaciones. Gráficos y archivos conservan metros, milímetros y grados.</translation>
+    </message>
+    <message>
+        <source>Speed cap</source>
+        <translation>Límite de velocidad</translation>
+    </message>
+    <message>
+        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <translation>Texto, teclas, filas, gráficos y la vista, todo igual.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <translation>Vale desde el próximo inicio de Tiller. La pantalla solo tiene sitio para %1 %, que tendrá entonces.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller.</source>
+        <translation>Vale desde el próximo inicio de Tiller.</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <translation>▲ Por encima de %1. Nada más limita el movimiento desde un PC: ni el modo manual ni el dispositivo de habilitación de la consola. La cabecera lo dice, y termina con el programa.</translation>
+    </message>
+    <message>
+        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <translation>Ningún movimiento de este programa lo supera, en el TCP y en el codo. Vale enseguida y detiene lo que se mueve.</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>Teclas de las órdenes</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Tecla</translation>
+    </message>
+    <message>
+        <source>Restore default shortcuts</source>
+        <translation>Restaurar teclas predeterminadas</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
+        <translation>Pulse la nueva tecla en el campo; Retroceso la quita. Espacio y Esc siempre detienen el brazo.</translation>
+    </message>
+    <message>
+        <source>Key for %1</source>
+        <translation>Tecla para %1</translation>
+    </message>
+    <message>
+        <source>%1 stops the arm and nothing else.</source>
+        <translation>%1 detiene el brazo y nada más.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <translation>%1 pertenece a &quot;%2&quot;. Quítela allí primero.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>Como el sistema: %1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>Abrir la ventana de nuevo</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>Detiene el brazo, devuelve el control y conecta de nuevo; lo que muestran los gráficos empieza de nuevo. El proyecto se guarda.</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>De la ventana y las comprobaciones. Archivos y scripts son iguales en todos.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>Vale desde el próximo inicio de Tiller, o al abrir la ventana de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsTransfer</name>
+    <message>
+        <source>Settings of Tiller (*.json)</source>
+        <translation>Ajustes de Tiller (*.json)</translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation>Exportar ajustes</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Importar ajustes</translation>
+    </message>
+    <message>
+        <source>Settings exported to %1</source>
+        <translation>Ajustes exportados a %1</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed. %2</source>
+        <translation>%1 no se importó. No se cambió nada. %2</translation>
+    </message>
+    <message>
+        <source>Settings imported from %1. What was here before is in %2</source>
+        <translation>Ajustes importados de %1. Lo que había antes está en %2</translation>
+    </message>
+</context>
+</TS>

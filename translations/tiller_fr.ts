@@ -1,0 +1,9726 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr_FR" sourcelanguage="en">
+<context>
+    <name>ActionTable</name>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projet</translation>
+    </message>
+    <message>
+        <source>Power and safety</source>
+        <translation>Alimentation et sécurité</translation>
+    </message>
+    <message>
+        <source>Control and programs</source>
+        <translation>Contrôle et programmes</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Déplacement manuel</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Points de passage</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>E/S</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Tracés</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Perspectives</source>
+        <translation>Perspectives</translation>
+    </message>
+    <message>
+        <source>Move panels</source>
+        <translation>Déplacer les panneaux</translation>
+    </message>
+    <message>
+        <source>Program Tiller</source>
+        <translation>Programme Tiller</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+</context>
+<context>
+    <name>BackTrack</name>
+    <message>
+        <source>go back: nothing left to undo</source>
+        <translation>revenir : il ne reste rien à annuler</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
+        <translation>Déplacer, apprendre, faire marcher et surveiller un bras Universal Robots depuis un PC.</translation>
+    </message>
+    <message>
+        <source>Start with the built-in simulated UR5e.</source>
+        <translation>Commencer avec l’UR5e simulé intégré.</translation>
+    </message>
+    <message>
+        <source>Connect to the robot at this address or host name.</source>
+        <translation>Se connecter au robot à cette adresse ou à ce nom d’hôte.</translation>
+    </message>
+    <message>
+        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <translation>Dérouler la démonstration sur le robot simulé, laisser ses fichiers dans ce dossier, quitter.</translation>
+    </message>
+    <message>
+        <source>Open this project file (.tiller).</source>
+        <translation>Ouvrir ce fichier de projet (.tiller).</translation>
+    </message>
+    <message>
+        <source>Colours: light or dark.</source>
+        <translation>Couleurs : light (clair) ou dark (sombre).</translation>
+    </message>
+    <message>
+        <source>see tiller --help</source>
+        <translation>voir tiller --help</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not expected</source>
+        <translation>&quot;%1&quot; n’était pas attendu</translation>
+    </message>
+    <message>
+        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <translation>--theme prend light ou dark, pas &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--robot and --simulator exclude each other</source>
+        <translation>--robot et --simulator s’excluent</translation>
+    </message>
+    <message>
+        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <translation>--demo ne marche qu’avec le robot simulé, pas avec --robot</translation>
+    </message>
+    <message>
+        <source>--demo needs a folder</source>
+        <translation>--demo demande un dossier</translation>
+    </message>
+    <message>
+        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <translation>--robot demande une adresse, comme --robot 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>un seul projet peut être ouvert, pas aussi &quot;%1&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>ControllerCodes</name>
+    <message>
+        <source>Near a joint limit</source>
+        <translation>Près d’une butée d’articulation</translation>
+    </message>
+    <message>
+        <source>A joint came close to the end of its range.</source>
+        <translation>Une articulation s’est approchée de la fin de sa plage.</translation>
+    </message>
+    <message>
+        <source>Jog the joint back, and plan the move away from the limit.</source>
+        <translation>Ramenez l’articulation et prévoyez le mouvement loin de la limite.</translation>
+    </message>
+    <message>
+        <source>Near a tool orientation limit</source>
+        <translation>Près d’une limite d’orientation de l’outil</translation>
+    </message>
+    <message>
+        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <translation>L’outil a tourné près de la limite de la configuration de sécurité.</translation>
+    </message>
+    <message>
+        <source>Turn the tool back, or change the waypoint.</source>
+        <translation>Tournez l’outil en arrière ou changez le point de passage.</translation>
+    </message>
+    <message>
+        <source>Near a safety plane</source>
+        <translation>Près d’un plan de sécurité</translation>
+    </message>
+    <message>
+        <source>The arm came close to a safety plane.</source>
+        <translation>Le bras s’est approché d’un plan de sécurité.</translation>
+    </message>
+    <message>
+        <source>Jog away from the plane, or change the waypoint.</source>
+        <translation>Éloignez-vous du plan ou changez le point de passage.</translation>
+    </message>
+    <message>
+        <source>Position deviates from path</source>
+        <translation>La position s’écarte de la trajectoire</translation>
+    </message>
+    <message>
+        <source>The arm is not where the controller sent it.</source>
+        <translation>Le bras n’est pas où le contrôleur l’a envoyé.</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <translation>Cherchez un obstacle ; vérifiez charge utile, centre de gravité et montage ; réduisez l’accélération.</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>Singularité</translation>
+    </message>
+    <message>
+        <source>The straight move leads through a singular position of the arm.</source>
+        <translation>Le mouvement droit passe par une position singulière du bras.</translation>
+    </message>
+    <message>
+        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <translation>Sortez-en articulation par articulation ; utilisez MoveJ dans cette zone.</translation>
+    </message>
+    <message>
+        <source>Cannot hold its position</source>
+        <translation>Ne peut pas tenir sa position</translation>
+    </message>
+    <message>
+        <source>The arm sagged or was pushed while it stood.</source>
+        <translation>Le bras s’est affaissé ou a été poussé à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>Check payload, centre of gravity and mounting.</source>
+        <translation>Vérifiez charge utile, centre de gravité et montage.</translation>
+    </message>
+    <message>
+        <source>Wrong payload or mounting</source>
+        <translation>Charge utile ou montage erroné</translation>
+    </message>
+    <message>
+        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <translation>Les forces ne correspondent pas à la charge utile, ou quelque chose poussait le bras au début de Freedrive.</translation>
+    </message>
+    <message>
+        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <translation>Corrigez charge utile et montage, lâchez le bras et réessayez.</translation>
+    </message>
+    <message>
+        <source>Collision noticed by a joint</source>
+        <translation>Collision sentie par une articulation</translation>
+    </message>
+    <message>
+        <source>A joint needed more torque than the motion explains.</source>
+        <translation>Une articulation a demandé plus de couple que le mouvement n’explique.</translation>
+    </message>
+    <message>
+        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <translation>Enlevez l’obstacle ; s’il n’y en avait pas, vérifiez la charge utile.</translation>
+    </message>
+    <message>
+        <source>Collision noticed by the tool force</source>
+        <translation>Collision sentie par la force à l’outil</translation>
+    </message>
+    <message>
+        <source>The force at the tool exceeded what is allowed.</source>
+        <translation>La force à l’outil a dépassé ce qui est permis.</translation>
+    </message>
+    <message>
+        <source>Position deviation</source>
+        <translation>Écart de position</translation>
+    </message>
+    <message>
+        <source>A joint left its commanded position.</source>
+        <translation>Une articulation a quitté sa position commandée.</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle and check payload and mounting.</source>
+        <translation>Cherchez un obstacle et vérifiez charge utile et montage.</translation>
+    </message>
+    <message>
+        <source>Too many protective stops</source>
+        <translation>Trop d’arrêts de protection</translation>
+    </message>
+    <message>
+        <source>One joint had more than fifty protective stops in eight hours.</source>
+        <translation>Une articulation a eu plus de cinquante arrêts de protection en huit heures.</translation>
+    </message>
+    <message>
+        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <translation>Trouvez la cause des arrêts avant de continuer ; puis redémarrez le contrôleur.</translation>
+    </message>
+    <message>
+        <source>Sudden change of target position</source>
+        <translation>Saut soudain de la position cible</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in position.</source>
+        <translation>Un programme a demandé un saut de position.</translation>
+    </message>
+    <message>
+        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <translation>Faites commencer le programme où se trouve le bras et gardez ses pas servo petits.</translation>
+    </message>
+    <message>
+        <source>Sudden change of target speed</source>
+        <translation>Saut soudain de la vitesse cible</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in speed.</source>
+        <translation>Un programme a demandé un saut de vitesse.</translation>
+    </message>
+    <message>
+        <source>Lower the acceleration, or smooth the path.</source>
+        <translation>Réduisez l’accélération ou lissez la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Protective stop by a program</source>
+        <translation>Arrêt de protection par un programme</translation>
+    </message>
+    <message>
+        <source>The running program itself asked for the stop.</source>
+        <translation>Le programme en cours a lui-même demandé l’arrêt.</translation>
+    </message>
+    <message>
+        <source>See the program&apos;s own messages before it.</source>
+        <translation>Voyez les messages du programme qui précèdent.</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>Le robot est en commande locale</translation>
+    </message>
+    <message>
+        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <translation>Un script a été envoyé, mais le robot n’écoute que son pupitre.</translation>
+    </message>
+    <message>
+        <source>Switch to Remote control on the teach pendant.</source>
+        <translation>Passez en commande à distance sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>Controller message C%1</source>
+        <translation>Message C%1 du contrôleur</translation>
+    </message>
+    <message>
+        <source>The controller reported this number.</source>
+        <translation>Le contrôleur a signalé ce numéro.</translation>
+    </message>
+    <message>
+        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <translation>Cherchez C%1 dans le répertoire des codes d’erreur du fabricant.</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>calculer un signal</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>Il n’y a pas de signal « %1 ». La liste des signaux montre les noms.</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>Il ne contient aucun signal.</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>Il contient trop de signaux.</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>Il doit donner un nombre.</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>Le texte est trop long.</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>Écrivez un nom, un signe égal et une expression : |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>Un signe égal de trop ; une comparaison en a deux : ==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>La durée est entre 0.001 et 60 secondes.</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceTrainer</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 dans %2</translation>
+    </message>
+    <message>
+        <source>Axes of the device</source>
+        <translation>Axes du périphérique</translation>
+    </message>
+</context>
+<context>
+    <name>Doctor</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
+        <translation>Ce logiciel est trop ancien. Mettez le robot à jour en %1.%2 ou plus récent.</translation>
+    </message>
+    <message>
+        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <translation>Des valeurs et les registres de commande manquent. Mettez le robot à jour en %1.%2 ou plus récent.</translation>
+    </message>
+    <message>
+        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <translation>Regardez le bras, ôtez la cause, puis rétablissez : Rétablir… dans l’en-tête, ou sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <translation>Mettez sous tension et desserrez les freins : le bouton de l’en-tête montre le chemin.</translation>
+    </message>
+    <message>
+        <source>the RTDE port takes connections but does not answer</source>
+        <translation>le port RTDE accepte les connexions mais ne répond pas</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 does not speak RTDE</source>
+        <translation>ce qui répond sur le port %1 ne parle pas RTDE</translation>
+    </message>
+    <message>
+        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <translation>Trop de clients RTDE, ou un contrôleur bloqué : fermez d’autres programmes, puis redémarrez le contrôleur.</translation>
+    </message>
+    <message>
+        <source>Check the address: this is another device, or another program took the port.</source>
+        <translation>Vérifiez l’adresse : c’est un autre appareil, ou un autre programme a pris le port.</translation>
+    </message>
+    <message>
+        <source>protocol version %1</source>
+        <translation>version de protocole %1</translation>
+    </message>
+    <message>
+        <source>another program holds %1</source>
+        <translation>un autre programme occupe %1</translation>
+    </message>
+    <message>
+        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <translation>Terminez l’autre programme qui commande ce robot (une autre fenêtre, ROS, ur_rtde).</translation>
+    </message>
+    <message>
+        <source>this software has no registers 24 to 47</source>
+        <translation>ce logiciel n’a pas de registres 24 à 47</translation>
+    </message>
+    <message>
+        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
+        <translation>Mettez le logiciel du robot à jour en 3.9 ou 5.3.</translation>
+    </message>
+    <message>
+        <source>24 to 47 are free</source>
+        <translation>24 à 47 sont libres</translation>
+    </message>
+    <message>
+        <source>a fieldbus adapter or another program holds %1</source>
+        <translation>un adaptateur de bus de terrain ou un autre programme occupe %1</translation>
+    </message>
+    <message>
+        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <translation>Rien à faire pour le déplacement manuel. Pour utiliser ces registres, désactivez EtherNet/IP, PROFINET ou MODBUS dans l’installation du robot.</translation>
+    </message>
+    <message>
+        <source>0 to 23 are free</source>
+        <translation>0 à 23 sont libres</translation>
+    </message>
+    <message>
+        <source>the robot takes the subscription but sends no data</source>
+        <translation>le robot accepte l’abonnement mais n’envoie pas de données</translation>
+    </message>
+    <message>
+        <source>Close other RTDE programs, then restart the robot&apos;s controller.</source>
+        <translation>Fermez d’autres programmes RTDE, puis redémarrez le contrôleur du robot.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 packages a second</source>
+        <translation>%1 paquets sur %2 par seconde</translation>
+    </message>
+    <message>
+        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <translation>Il manque des paquets : utilisez un câble, pas une liaison radio ; fermez d’autres programmes qui chargent le robot ou ce PC.</translation>
+    </message>
+    <message>
+        <source>priority %1</source>
+        <translation>priorité %1</translation>
+    </message>
+    <message>
+        <source>the system grants this user no real-time priority</source>
+        <translation>le système n’accorde pas à cet utilisateur de priorité temps réel</translation>
+    </message>
+    <message>
+        <source>permitted, and asked for by loops with priority</source>
+        <translation>permis, et demandé par les boucles prioritaires</translation>
+    </message>
+    <message>
+        <source>processors may sleep deeply, loops begin later</source>
+        <translation>les processeurs peuvent dormir profondément, les boucles commencent plus tard</translation>
+    </message>
+    <message>
+        <source>TCP %1 mm from the flange, payload %2 kg</source>
+        <translation>TCP à %1 mm de la bride, charge utile %2 kg</translation>
+    </message>
+    <message>
+        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
+        <translation>Si un outil est monté, réglez TCP et charge utile dans l’installation du robot : une charge utile fausse cause des arrêts de protection et laisse le bras s’affaisser en Freedrive.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <translation>&quot;%1&quot; n’est pas une adresse, et aucun hôte de ce nom n’est connu</translation>
+    </message>
+    <message>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <translation>Saisissez les quatre nombres que le pupitre montre sous À propos, ou demandez le nom à l’administrateur du réseau.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 ne répond pas</translation>
+    </message>
+    <message>
+        <source>There is no way to %1</source>
+        <translation>Il n’y a pas de chemin vers %1</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <translation>Vérifiez que le robot est allumé, le câble branché et qu’aucun pare-feu ne s’interpose.</translation>
+    </message>
+    <message>
+        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <translation>Donnez à ce PC une adresse dans le réseau du robot (les mêmes trois premiers nombres) et vérifiez le câble.</translation>
+    </message>
+    <message>
+        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <translation>%1 répond, mais aucun service de robot n’y est</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <translation>Vérifiez que c’est bien l’adresse du robot. Un robot qui vient d’être allumé demande encore une minute.</translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation>%1 répond</translation>
+    </message>
+    <message>
+        <source>dashboard, port %1</source>
+        <translation>dashboard, port %1</translation>
+    </message>
+    <message>
+        <source>port %1</source>
+        <translation>port %1</translation>
+    </message>
+    <message>
+        <source>port %1 is closed</source>
+        <translation>le port %1 est fermé</translation>
+    </message>
+    <message>
+        <source>port %1 does not answer</source>
+        <translation>le port %1 ne répond pas</translation>
+    </message>
+    <message>
+        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <translation>Activez cette interface sur le robot : Réglages, Sécurité, Services.</translation>
+    </message>
+    <message>
+        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <translation>Un pare-feu avale ce port : autorisez le port TCP %1 vers le robot.</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <translation>Passez le robot en commande à distance sur le pupitre, en haut à droite. Sinon Tiller ne fait qu’observer.</translation>
+    </message>
+    <message>
+        <source>the dashboard takes connections but does not answer</source>
+        <translation>le dashboard accepte les connexions mais ne répond pas</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 is not a dashboard</source>
+        <translation>ce qui répond sur le port %1 n’est pas un dashboard</translation>
+    </message>
+    <message>
+        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <translation>Redémarrez le contrôleur du robot ; si cela reste ainsi, voyez son journal.</translation>
+    </message>
+    <message>
+        <source>Check the address, and that no other program uses this port.</source>
+        <translation>Vérifiez l’adresse et qu’aucun autre programme n’utilise ce port.</translation>
+    </message>
+    <message>
+        <source>this series has no Local/Remote switch</source>
+        <translation>cette série n’a pas de commutateur Local/Distant</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>Distant</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Local</translation>
+    </message>
+    <message>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <translation>ni le dashboard (port %1) ni la Robot API (port %2) n’est là</translation>
+    </message>
+    <message>
+        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <translation>Activez le Dashboard Server sur le robot : Réglages, Sécurité, Services. PolyScope X demande 10.11 ou plus récent pour la Robot API.</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <translation>Robot API %1, port %2 ; les messages se ferment sur la tablette</translation>
+    </message>
+    <message>
+        <source>the primary interface does not describe the arm</source>
+        <translation>l’interface primaire ne décrit pas le bras</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <translation>Vérifiez que c’est bien l’adresse du robot et redémarrez son contrôleur.</translation>
+    </message>
+    <message>
+        <source>robot type %1 is newer than this program</source>
+        <translation>le type de robot %1 est plus récent que ce programme</translation>
+    </message>
+    <message>
+        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <translation>Observer marche. Limites et aperçus utilisent les dimensions que le robot signale ; déplacez d’abord lentement.</translation>
+    </message>
+    <message>
+        <source>Address resolves</source>
+        <translation>L’adresse se résout</translation>
+    </message>
+    <message>
+        <source>Host answers</source>
+        <translation>L’hôte répond</translation>
+    </message>
+    <message>
+        <source>RTDE port</source>
+        <translation>Port RTDE</translation>
+    </message>
+    <message>
+        <source>Primary port</source>
+        <translation>Port primaire</translation>
+    </message>
+    <message>
+        <source>Secondary port</source>
+        <translation>Port secondaire</translation>
+    </message>
+    <message>
+        <source>Real-time port</source>
+        <translation>Port temps réel</translation>
+    </message>
+    <message>
+        <source>Dashboard or Robot API</source>
+        <translation>Dashboard ou Robot API</translation>
+    </message>
+    <message>
+        <source>RTDE is understood</source>
+        <translation>RTDE est compris</translation>
+    </message>
+    <message>
+        <source>Controller software</source>
+        <translation>Logiciel du contrôleur</translation>
+    </message>
+    <message>
+        <source>Robot model</source>
+        <translation>Modèle de robot</translation>
+    </message>
+    <message>
+        <source>Remote control</source>
+        <translation>Commande à distance</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Sécurité</translation>
+    </message>
+    <message>
+        <source>Power and brakes</source>
+        <translation>Alimentation et freins</translation>
+    </message>
+    <message>
+        <source>Registers for control free</source>
+        <translation>Registres de commande libres</translation>
+    </message>
+    <message>
+        <source>No fieldbus holds registers</source>
+        <translation>Aucun bus de terrain n’occupe de registres</translation>
+    </message>
+    <message>
+        <source>Data rate</source>
+        <translation>Débit de données</translation>
+    </message>
+    <message>
+        <source>Real-time privilege of this PC</source>
+        <translation>Privilège temps réel de ce PC</translation>
+    </message>
+    <message>
+        <source>Fast wake-ups of this PC</source>
+        <translation>Réveils rapides de ce PC</translation>
+    </message>
+    <message>
+        <source>TCP and payload</source>
+        <translation>TCP et charge utile</translation>
+    </message>
+</context>
+<context>
+    <name>Freedrive</name>
+    <message>
+        <source>All axes</source>
+        <translation>Tous les axes</translation>
+    </message>
+    <message>
+        <source>Position only</source>
+        <translation>Position seule</translation>
+    </message>
+    <message>
+        <source>Orientation only</source>
+        <translation>Orientation seule</translation>
+    </message>
+    <message>
+        <source>Plane X Y</source>
+        <translation>Plan X Y</translation>
+    </message>
+    <message>
+        <source>Line Z</source>
+        <translation>Ligne Z</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest before freedrive.</source>
+        <translation>Laissez le bras s’immobiliser avant Freedrive.</translation>
+    </message>
+    <message>
+        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <translation>Le bras sent %1 avec une charge utile de %2 kg : il bougerait de lui-même. Lâchez l’outil, ou corrigez charge utile et TCP.</translation>
+    </message>
+</context>
+<context>
+    <name>Gamepad</name>
+    <message>
+        <source>left shoulder</source>
+        <translation>gâchette gauche</translation>
+    </message>
+    <message>
+        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <translation>Stick gauche X et Y, stick droit Z et rotation. Gâchette droite : les sticks tournent.</translation>
+    </message>
+</context>
+<context>
+    <name>HoldWitness</name>
+    <message>
+        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>Pas de second témoin sur cet écran (%1) : seuls les événements de la fenêtre disent si une touche est encore tenue.</translation>
+    </message>
+    <message>
+        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <translation>On demande au serveur d’affichage toutes les 10 ms si le bouton ou la touche est encore enfoncé.</translation>
+    </message>
+    <message>
+        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>On ne peut interroger le serveur d’affichage une seconde fois : seuls les événements de la fenêtre disent si une touche est encore tenue.</translation>
+    </message>
+</context>
+<context>
+    <name>InterfaceSize</name>
+    <message>
+        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <translation>Cet écran a de petits pixels. « Taille de tout » dans les réglages agrandit texte, touches et tracés.</translation>
+    </message>
+</context>
+<context>
+    <name>JogActions</name>
+    <message>
+        <source>Jog speed %1</source>
+        <translation>Vitesse manuelle %1</translation>
+    </message>
+    <message>
+        <source>Jog step %1, %2°</source>
+        <translation>Pas manuel %1, %2°</translation>
+    </message>
+    <message>
+        <source>Arm or disarm the keyboard</source>
+        <translation>Armer ou désarmer le clavier</translation>
+    </message>
+    <message>
+        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <translation>Armé, les flèches déplacent le bras ; un cadre entoure la fenêtre. Se termine de lui-même après une demi-minute.</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse…</source>
+        <translation>Manette et SpaceMouse…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>Ce que dit chaque périphérique maintenant et où il ira.</translation>
+    </message>
+    <message>
+        <source>Zero here</source>
+        <translation>Zéro ici</translation>
+    </message>
+    <message>
+        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <translation>Compte le chemin du TCP à partir d’ici ; encore une fois : de nouveau depuis l’appui.</translation>
+    </message>
+    <message>
+        <source>Stops the arm; the next press has this speed.</source>
+        <translation>Arrête le bras ; le prochain appui a cette vitesse.</translation>
+    </message>
+    <message>
+        <source>Moves by this much, only while the key is held.</source>
+        <translation>Déplace d’autant, seulement tant que la touche est tenue.</translation>
+    </message>
+    <message>
+        <source>Moves by this much at each press.</source>
+        <translation>Déplace d’autant à chaque appui.</translation>
+    </message>
+    <message>
+        <source>Jog until contact, %1 N</source>
+        <translation>Déplacer jusqu’au contact, %1 N</translation>
+    </message>
+    <message>
+        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <translation>Une touche tenue déplace lentement et s’arrête quand l’outil rencontre cette force.</translation>
+    </message>
+    <message>
+        <source>Jog speed, other…</source>
+        <translation>Autre vitesse manuelle…</translation>
+    </message>
+    <message>
+        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <translation>Demande la vitesse du TCP ; rotations et articulations en proportion.</translation>
+    </message>
+    <message>
+        <source>Jog step, other…</source>
+        <translation>Autre pas manuel…</translation>
+    </message>
+    <message>
+        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <translation>Demande la longueur d’un pas ; l’angle des rotations reste.</translation>
+    </message>
+    <message>
+        <source>Jog turn, other…</source>
+        <translation>Autre rotation manuelle…</translation>
+    </message>
+    <message>
+        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <translation>Demande l’angle d’un pas qui tourne l’outil ou une articulation ; la longueur reste.</translation>
+    </message>
+    <message>
+        <source>Jog until contact, other force…</source>
+        <translation>Déplacer jusqu’au contact, autre force…</translation>
+    </message>
+    <message>
+        <source>Asks for the force in N at which the motion ends.</source>
+        <translation>Demande la force en N à laquelle le mouvement s’arrête.</translation>
+    </message>
+    <message>
+        <source>Freedrive: %1</source>
+        <translation>Freedrive : %1</translation>
+    </message>
+    <message>
+        <source>What the hand can move while Freedrive is held.</source>
+        <translation>Ce que la main peut bouger tant que Freedrive est tenu.</translation>
+    </message>
+</context>
+<context>
+    <name>JogColumn</name>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+</context>
+<context>
+    <name>JointNames</name>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Épaule</translation>
+    </message>
+    <message>
+        <source>Elbow</source>
+        <translation>Coude</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>Poignet 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>Poignet 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>Poignet 3</translation>
+    </message>
+</context>
+<context>
+    <name>LimiterAdvice</name>
+    <message>
+        <source>Elbow almost straight</source>
+        <translation>Coude presque tendu</translation>
+    </message>
+    <message>
+        <source>Elbow almost straight: %1 of the speed</source>
+        <translation>Coude presque tendu : %1 de la vitesse</translation>
+    </message>
+    <message>
+        <source>bend the elbow</source>
+        <translation>pliez le coude</translation>
+    </message>
+    <message>
+        <source>jog %1 or bend the elbow</source>
+        <translation>allez en %1 ou pliez le coude</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis</source>
+        <translation>Poignet au-dessus de l’axe de la base</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis: %1 of the speed</source>
+        <translation>Poignet au-dessus de l’axe de la base : %1 de la vitesse</translation>
+    </message>
+    <message>
+        <source>move outwards</source>
+        <translation>allez vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn the base</source>
+        <translation>allez en %1 ou tournez la base</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°</source>
+        <translation>Poignet 2 près de 0° ou 180°</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <translation>Poignet 2 près de 0° ou 180° : %1 de la vitesse</translation>
+    </message>
+    <message>
+        <source>turn wrist 2</source>
+        <translation>tournez le poignet 2</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn wrist 2</source>
+        <translation>allez en %1 ou tournez le poignet 2</translation>
+    </message>
+    <message>
+        <source>%1 %2° from its limit</source>
+        <translation>%1 à %2° de sa limite</translation>
+    </message>
+    <message>
+        <source>turn %1 %2</source>
+        <translation>tournez %1 %2</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn %2 %3</source>
+        <translation>allez en %1 ou tournez %2 %3</translation>
+    </message>
+    <message>
+        <source>TCP at its speed cap: %1</source>
+        <translation>TCP à son plafond de vitesse : %1</translation>
+    </message>
+    <message>
+        <source>the cap is in the settings</source>
+        <translation>le plafond est dans les réglages</translation>
+    </message>
+    <message>
+        <source>Elbow at its speed cap: %1</source>
+        <translation>Coude à son plafond de vitesse : %1</translation>
+    </message>
+    <message>
+        <source>move less sideways</source>
+        <translation>allez moins de côté</translation>
+    </message>
+    <message>
+        <source>Turning at its cap: %1</source>
+        <translation>Rotation à son plafond : %1</translation>
+    </message>
+    <message>
+        <source>%1 at its top speed: %2</source>
+        <translation>%1 à sa vitesse maximale : %2</translation>
+    </message>
+    <message>
+        <source>choose a slower class</source>
+        <translation>choisissez une classe plus lente</translation>
+    </message>
+</context>
+<context>
+    <name>LocalSimulator</name>
+    <message>
+        <source>Simulated UR5e</source>
+        <translation>UR5e simulé</translation>
+    </message>
+</context>
+<context>
+    <name>ModeLook</name>
+    <message>
+        <source>FREEDRIVE</source>
+        <translation>FREEDRIVE</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand that moves it.</source>
+        <translation>Le bras suit la main qui le bouge.</translation>
+    </message>
+    <message>
+        <source>MOVING</source>
+        <translation>EN MOUVEMENT</translation>
+    </message>
+    <message>
+        <source>The robot confirms that the arm moves.</source>
+        <translation>Le robot confirme que le bras bouge.</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>Distant</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Local</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>SANS DONNÉES</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Prise de contrôle…</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>Freedrive</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Prêt</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>Contrôlé</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Refusé</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>Non contrôlé</translation>
+    </message>
+    <message>
+        <source>monitoring</source>
+        <translation>observation</translation>
+    </message>
+    <message>
+        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <translation>Les paquets arrivent tard ou pas du tout : le déplacement peut s’arrêter de lui-même et les tracés ont des trous. Utilisez un câble, pas une liaison radio, et fermez d’autres programmes.</translation>
+    </message>
+    <message>
+        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <translation>Les commandes prennent plus de 20 ms : le bras suit la touche avec un retard sensible. Déplacez lentement.</translation>
+    </message>
+    <message>
+        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <translation>Bon : le bras suit aussitôt la touche, et une liaison coupée l’arrête en un quart de seconde.</translation>
+    </message>
+    <message>
+        <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
+        <translation>10 dernières s : %1 paquets, %2 en retard, %3 perdus</translation>
+    </message>
+    <message>
+        <source>Since connecting: %1 packets, %2 late, %3 lost</source>
+        <translation>Depuis la connexion : %1 paquets, %2 en retard, %3 perdus</translation>
+    </message>
+    <message>
+        <source>Late is a packet that comes more than half a period after its time.</source>
+        <translation>En retard : un paquet qui vient plus d’une demi-période après son heure.</translation>
+    </message>
+    <message>
+        <source>No robot connected</source>
+        <translation>Aucun robot connecté</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Connexion…</translation>
+    </message>
+    <message>
+        <source>Late: %1 s</source>
+        <translation>Retard : %1 s</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source> · %1 late</source>
+        <translation> · %1 en retard</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · %1 perdus</translation>
+    </message>
+    <message>
+        <source>LINK · JOG STOPS</source>
+        <translation>LIEN · ARRÊT</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>LIEN</translation>
+    </message>
+    <message>
+        <source>LINK · JOG MAY STOP</source>
+        <translation>LIEN · ARRÊT POSSIBLE</translation>
+    </message>
+    <message>
+        <source>LINK · ARM LAGS</source>
+        <translation>LIEN · BRAS EN RETARD</translation>
+    </message>
+    <message>
+        <source>LINK · GOOD</source>
+        <translation>LIEN · BON</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>Connecter…</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Mettre sous tension</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>Desserrer les freins</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>Rétablir…</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Prendre le contrôle</translation>
+    </message>
+    <message>
+        <source>Choose the simulator or the address of a robot</source>
+        <translation>Choisissez le simulateur ou l’adresse d’un robot</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>Met le bras sous tension. Les freins restent serrés.</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>Le bras peut s’affaisser de quelques millimètres. Restez à l’écart.</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <translation>Montre ce qui a arrêté le bras, les cinq dernières secondes et le chemin du retour. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>Démarre le programme de commande sur le robot, ce qui arrête tout autre programme.</translation>
+    </message>
+</context>
+<context>
+    <name>ModeWords</name>
+    <message>
+        <source>No controller</source>
+        <translation>Pas de contrôleur</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s controller is not running. Restart the control box.</source>
+        <translation>Le contrôleur du robot ne marche pas. Redémarrez le boîtier de commande.</translation>
+    </message>
+    <message>
+        <source>Arm off line</source>
+        <translation>Bras hors ligne</translation>
+    </message>
+    <message>
+        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <translation>Le contrôleur n’a pas de liaison avec le bras. Voyez le pupitre.</translation>
+    </message>
+    <message>
+        <source>Confirm safety</source>
+        <translation>Confirmer la sécurité</translation>
+    </message>
+    <message>
+        <source>Confirm the safety configuration on the teach pendant.</source>
+        <translation>Confirmez la configuration de sécurité sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>Booting</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>The arm is starting. Wait a few seconds.</source>
+        <translation>Le bras démarre. Attendez quelques secondes.</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>Hors tension</translation>
+    </message>
+    <message>
+        <source>The arm is off. Power it on.</source>
+        <translation>Le bras est éteint. Mettez-le sous tension.</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Sous tension</translation>
+    </message>
+    <message>
+        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <translation>Le bras est sous tension et se prépare. Attendez un instant.</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Au repos</translation>
+    </message>
+    <message>
+        <source>The brakes are on. Release them.</source>
+        <translation>Les freins sont serrés. Desserrez-les.</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>Backdrive</translation>
+    </message>
+    <message>
+        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <translation>Le bras est bougé à la main malgré ses freins. Lâchez le bouton Freedrive.</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marche</translation>
+    </message>
+    <message>
+        <source>Brakes are released. The arm stands still.</source>
+        <translation>Les freins sont desserrés. Le bras est immobile.</translation>
+    </message>
+    <message>
+        <source>Updating firmware</source>
+        <translation>Mise à jour du firmware</translation>
+    </message>
+    <message>
+        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
+        <translation>Le firmware des articulations est mis à jour. Gardez sous tension jusqu’à la fin.</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>No safety function is active.</source>
+        <translation>Aucune fonction de sécurité n’est active.</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Réduit</translation>
+    </message>
+    <message>
+        <source>The robot keeps to its reduced limits.</source>
+        <translation>Le robot respecte ses limites réduites.</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Arrêt de protection</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <translation>Le contrôleur a arrêté le bras. Trouvez ce qui l’a arrêté, puis déverrouillez (après 5 s).</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Récupération</translation>
+    </message>
+    <message>
+        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <translation>Le bras est hors d’une limite de sécurité. Ramenez-le dans ses limites avec le pupitre.</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Arrêt de sauvegarde</translation>
+    </message>
+    <message>
+        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <translation>Une protection est ouverte. Fermez-la ; si un réarmement est configuré, actionnez-le.</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>Arrêt d’urgence système</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>L’arrêt d’urgence de la cellule est enfoncé. Relâchez-le, puis mettez sous tension et desserrez les freins.</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Arrêt d’urgence</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
+        <translation>L’arrêt d’urgence du robot est enfoncé. Tirez le bouton, puis mettez sous tension et desserrez les freins.</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>Violation de sécurité</translation>
+    </message>
+    <message>
+        <source>A safety limit was exceeded and power was cut. Check the cause, then restart the safety system.</source>
+        <translation>Une limite de sécurité a été dépassée et le courant coupé. Vérifiez la cause, puis redémarrez le système de sécurité.</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>Défaut de sécurité</translation>
+    </message>
+    <message>
+        <source>The safety system found a fault. Check the robot&apos;s log, then restart the safety system.</source>
+        <translation>Le système de sécurité a trouvé un défaut. Vérifiez le journal du robot, puis redémarrez le système de sécurité.</translation>
+    </message>
+    <message>
+        <source>Validate joints</source>
+        <translation>Valider les articulations</translation>
+    </message>
+    <message>
+        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <translation>Une articulation a été échangée. Validez les articulations sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>Undefined</source>
+        <translation>Indéfini</translation>
+    </message>
+    <message>
+        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <translation>Le contrôleur ne dit pas son mode de sécurité. Regardez le pupitre.</translation>
+    </message>
+    <message>
+        <source>Automatic safeguard stop</source>
+        <translation>Arrêt de sauvegarde automatique</translation>
+    </message>
+    <message>
+        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <translation>La protection du mode automatique est ouverte. Fermez-la ou passez en mode manuel.</translation>
+    </message>
+    <message>
+        <source>Enabling device stop</source>
+        <translation>Arrêt du dispositif de validation</translation>
+    </message>
+    <message>
+        <source>The enabling device is not held. Hold it in its middle position.</source>
+        <translation>Le dispositif de validation n’est pas tenu. Tenez-le en position médiane.</translation>
+    </message>
+    <message>
+        <source>Pendant enabling stop</source>
+        <translation>Arrêt de validation du pupitre</translation>
+    </message>
+    <message>
+        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <translation>La touche de validation du pupitre n’est pas tenue. Tenez-la en position médiane.</translation>
+    </message>
+    <message>
+        <source>IMMI emergency stop</source>
+        <translation>Arrêt d’urgence IMMI</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>L’arrêt d’urgence de la presse à injecter est enfoncé. Relâchez-le, puis mettez sous tension et desserrez les freins.</translation>
+    </message>
+    <message>
+        <source>IMMI safeguard stop</source>
+        <translation>Arrêt de sauvegarde IMMI</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s safeguard is open. Close it.</source>
+        <translation>La protection de la presse à injecter est ouverte. Fermez-la.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe waiting</source>
+        <translation>PROFIsafe en attente</translation>
+    </message>
+    <message>
+        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <translation>Le robot attend son contrôleur PROFIsafe. Vérifiez le bus de terrain et ses paramètres.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe automatic stop</source>
+        <translation>Arrêt automatique PROFIsafe</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
+        <translation>Le contrôleur PROFIsafe tient ouverte la protection du mode automatique. Fermez-la là-bas.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe safeguard stop</source>
+        <translation>Arrêt de sauvegarde PROFIsafe</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
+        <translation>Le contrôleur PROFIsafe tient une protection ouverte. Fermez-la là-bas.</translation>
+    </message>
+    <message>
+        <source>PROFIsafe emergency stop</source>
+        <translation>Arrêt d’urgence PROFIsafe</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Relâchez-le là-bas, puis mettez sous tension et desserrez les freins.</translation>
+    </message>
+    <message>
+        <source>Safety API stop</source>
+        <translation>Arrêt par Safety API</translation>
+    </message>
+    <message>
+        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
+        <translation>Un programme arrête le bras par l’interface de sécurité. Terminez l’arrêt dans ce programme.</translation>
+    </message>
+    <message>
+        <source>I/O plane stop</source>
+        <translation>Arrêt par plan d’E/S</translation>
+    </message>
+    <message>
+        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <translation>L’outil a traversé un plan de sécurité activé par une entrée. Sortez-le avec le pupitre, ou désactivez l’entrée.</translation>
+    </message>
+    <message>
+        <source>Program stopping</source>
+        <translation>Programme s’arrête</translation>
+    </message>
+    <message>
+        <source>The program on the robot is ending.</source>
+        <translation>Le programme sur le robot se termine.</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Pas de programme</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>Aucun programme ne tourne sur le robot.</translation>
+    </message>
+    <message>
+        <source>Program plays</source>
+        <translation>Programme en cours</translation>
+    </message>
+    <message>
+        <source>A program runs on the robot and may move the arm.</source>
+        <translation>Un programme tourne sur le robot et peut bouger le bras.</translation>
+    </message>
+    <message>
+        <source>Program pausing</source>
+        <translation>Programme se met en pause</translation>
+    </message>
+    <message>
+        <source>The program is coming to a halt.</source>
+        <translation>Le programme s’immobilise.</translation>
+    </message>
+    <message>
+        <source>Program paused</source>
+        <translation>Programme en pause</translation>
+    </message>
+    <message>
+        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <translation>Lecture poursuit le mouvement interrompu ; arrêtez le programme pour l’abandonner.</translation>
+    </message>
+    <message>
+        <source>Program resuming</source>
+        <translation>Programme reprend</translation>
+    </message>
+    <message>
+        <source>The program is going on: the arm may move.</source>
+        <translation>Le programme continue : le bras peut bouger.</translation>
+    </message>
+    <message>
+        <source>Unknown robot mode %1. See the teach pendant.</source>
+        <translation>Mode de robot inconnu %1. Voyez le pupitre.</translation>
+    </message>
+    <message>
+        <source>Unknown safety mode %1. See the teach pendant.</source>
+        <translation>Mode de sécurité inconnu %1. Voyez le pupitre.</translation>
+    </message>
+    <message>
+        <source>Unknown program state %1. See the teach pendant.</source>
+        <translation>État de programme inconnu %1. Voyez le pupitre.</translation>
+    </message>
+</context>
+<context>
+    <name>OutputGripper</name>
+    <message>
+        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <translation>Le robot n’a pas confirmé les sorties. Elles appartiennent peut-être à un autre programme ou à l’installation.</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>Pince : fermer</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>Pince : ouvrir</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>en attente…</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>told to open</source>
+        <translation>ordre d’ouvrir</translation>
+    </message>
+    <message>
+        <source>told to close</source>
+        <translation>ordre de fermer</translation>
+    </message>
+    <message>
+        <source>both outputs off</source>
+        <translation>les deux sorties désactivées</translation>
+    </message>
+    <message>
+        <source>both outputs on</source>
+        <translation>les deux sorties activées</translation>
+    </message>
+    <message>
+        <source>Choose two different outputs: one closes, the other opens.</source>
+        <translation>Choisissez deux sorties différentes : l’une ferme, l’autre ouvre.</translation>
+    </message>
+</context>
+<context>
+    <name>PanelActions</name>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <translation>Écrit chaque paquet du robot dans un fichier CSV, jusqu’à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>A recording runs already.</source>
+        <translation>Un enregistrement tourne déjà.</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>Connectez-vous d’abord à un robot.</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Arrêter l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Ends the recording; its file is complete.</source>
+        <translation>Termine l’enregistrement ; son fichier est complet.</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded.</source>
+        <translation>Rien n’est enregistré.</translation>
+    </message>
+    <message>
+        <source>Pause or resume the plots</source>
+        <translation>Mettre en pause ou reprendre les tracés</translation>
+    </message>
+    <message>
+        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <translation>Fige les tracés ; données et enregistrement continuent. Encore une fois : retour aux valeurs les plus récentes.</translation>
+    </message>
+    <message>
+        <source>Export the plots…</source>
+        <translation>Exporter les tracés…</translation>
+    </message>
+    <message>
+        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <translation>Enregistre la plage montrée en image, dessin, page ou valeurs.</translation>
+    </message>
+    <message>
+        <source>Plots show %1</source>
+        <translation>Les tracés montrent %1</translation>
+    </message>
+    <message>
+        <source>How much time the plots show.</source>
+        <translation>Combien de temps montrent les tracés.</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>Chercher des entrées et sorties</translation>
+    </message>
+    <message>
+        <source>Finds a terminal or a register by its number or name.</source>
+        <translation>Trouve une borne ou un registre par numéro ou nom.</translation>
+    </message>
+    <message>
+        <source>Rename the chosen input or output</source>
+        <translation>Renommer l’entrée ou la sortie choisie</translation>
+    </message>
+    <message>
+        <source>The row of the tab I/O that has the focus.</source>
+        <translation>La ligne de l’onglet E/S qui a le focus.</translation>
+    </message>
+    <message>
+        <source>Switch the chosen output</source>
+        <translation>Commuter la sortie choisie</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <translation>La sortie de l’onglet E/S qui a le focus : activée, ou de nouveau désactivée.</translation>
+    </message>
+    <message>
+        <source>Pulse the chosen output</source>
+        <translation>Impulsion sur la sortie choisie</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <translation>La sortie de l’onglet E/S qui a le focus : activée une demi-seconde, puis désactivée.</translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation>Chercher dans le journal</translation>
+    </message>
+    <message>
+        <source>Shows only the lines with these words.</source>
+        <translation>Ne montre que les lignes avec ces mots.</translation>
+    </message>
+    <message>
+        <source>Log: show all</source>
+        <translation>Journal : tout montrer</translation>
+    </message>
+    <message>
+        <source>Log: show warnings and worse</source>
+        <translation>Journal : montrer avertissements et pire</translation>
+    </message>
+    <message>
+        <source>Log: show errors</source>
+        <translation>Journal : montrer les erreurs</translation>
+    </message>
+    <message>
+        <source>Chooses which lines of the log are shown.</source>
+        <translation>Choisit quelles lignes du journal sont montrées.</translation>
+    </message>
+    <message>
+        <source>Copy the log</source>
+        <translation>Copier le journal</translation>
+    </message>
+    <message>
+        <source>Copies the selected lines, or all that are shown.</source>
+        <translation>Copie les lignes choisies, ou toutes celles montrées.</translation>
+    </message>
+    <message>
+        <source>Export the log…</source>
+        <translation>Exporter le journal…</translation>
+    </message>
+    <message>
+        <source>Writes the lines that are shown to a file.</source>
+        <translation>Écrit dans un fichier les lignes montrées.</translation>
+    </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>Chercher des signaux pour les tracés</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>Ouvre la liste de tout ce que dit le robot : sur un tracé en tirant, par double clic ou Entrée.</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>Nouvelle page de tracés</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>Une page vide derrière les autres ; toutes montrent le même temps.</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>Montrer tout l’historique des tracés</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>Tout ce qui est en mémoire, chaque tracé à sa meilleure échelle.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>Ôter la piste %1</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>Noter ici…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Montrer %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>Cacher %1</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>Que les curseurs lisent %1</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>Mettre %1 sur un tracé à part</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>Ôter %1</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>Alarme quand %1</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>Pas d’alarme quand %1</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>Taux de variation de %1</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>Moyenne glissante de %1 sur une demi-seconde</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>Moyenne %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>Norme des courbes de ce tracé</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>Nouveau tracé dessous</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>Nouveau tracé à côté</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>Ôter ce tracé</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>Laisser les courbes décider de l’échelle</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout montrer</translation>
+    </message>
+</context>
+<context>
+    <name>Practice</name>
+    <message>
+        <source>Waiting for the stop.</source>
+        <translation>En attente de l’arrêt.</translation>
+    </message>
+    <message>
+        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <translation>Le bras est en arrêt de protection. Appuyez sur Rétablir dans l’en-tête.</translation>
+    </message>
+    <message>
+        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <translation>Déverrouillé. Le bras ne marche pas encore : suivez la page de rétablissement.</translation>
+    </message>
+    <message>
+        <source>Unlocked. Take control again.</source>
+        <translation>Déverrouillé. Reprenez le contrôle.</translation>
+    </message>
+    <message>
+        <source>The arm runs and is under your control again.</source>
+        <translation>Le bras marche et est de nouveau sous votre contrôle.</translation>
+    </message>
+    <message>
+        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <translation>Pas encore de nouveau repère. « 3 points » est dans l’onglet Repères.</translation>
+    </message>
+    <message>
+        <source>“%1” lies as it was asked for.</source>
+        <translation>« %1 » est placé comme demandé.</translation>
+    </message>
+    <message>
+        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <translation>« %1 » : son Z s’écarte de %2° de celui de la base. Le troisième point est du côté de +Y.</translation>
+    </message>
+    <message>
+        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <translation>« %1 » : son X s’écarte de %2° du Y de la base.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <translation>« %1 » n’a pas été pris avec le bras : le TCP n’a pas été à son origine.</translation>
+    </message>
+    <message>
+        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <translation>Le point de passage n’est plus là. Démarrer en pose un nouveau.</translation>
+    </message>
+    <message>
+        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <translation>« %1 » est où il était. Le bras en est à %2 selon X.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <translation>« %1 » a bougé de %2 et est à %3 de sa place.</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the tool was turned.</source>
+        <translation>« %1 » est en place, mais l’outil a été tourné.</translation>
+    </message>
+    <message>
+        <source>“%1” is at the part again.</source>
+        <translation>« %1 » est de nouveau sur la pièce.</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <translation>« %1 » est en place, mais le bras n’y est pas. Retouchez avec le bras sur la pièce.</translation>
+    </message>
+    <message>
+        <source>Slowed down to %1. Go on.</source>
+        <translation>Ralenti à %1. Continuez.</translation>
+    </message>
+    <message>
+        <source>No limit yet. The line below the pad will name it.</source>
+        <translation>Pas encore de limite. La ligne sous le pavé la nommera.</translation>
+    </message>
+    <message>
+        <source>That is the limit. Now back: %1 of %2.</source>
+        <translation>Voilà la limite. Maintenant retour : %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>Found it, and out of it again.</source>
+        <translation>Trouvée, et de nouveau sorti.</translation>
+    </message>
+    <message>
+        <source>Recording: %1 s of %2 s.</source>
+        <translation>Enregistrement : %1 s sur %2 s.</translation>
+    </message>
+    <message>
+        <source>That recording is too short. Record again.</source>
+        <translation>Cet enregistrement est trop court. Recommencez.</translation>
+    </message>
+    <message>
+        <source>No recording yet. Record is above the plots.</source>
+        <translation>Pas encore d’enregistrement. Enregistrer est au-dessus des tracés.</translation>
+    </message>
+    <message>
+        <source>Recorded. Enter the force that the plot shows.</source>
+        <translation>Enregistré. Saisissez la force que montre le tracé.</translation>
+    </message>
+    <message>
+        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <translation>%1 n’est pas ce qui a été enregistré. Regardez la courbe Fz.</translation>
+    </message>
+    <message>
+        <source>Right: it was %1.</source>
+        <translation>Juste : c’était %1.</translation>
+    </message>
+    <message>
+        <source>Recover from a protective stop</source>
+        <translation>Se rétablir d’un arrêt de protection</translation>
+    </message>
+    <message>
+        <source>Teach a frame</source>
+        <translation>Apprendre un repère</translation>
+    </message>
+    <message>
+        <source>Touch up a waypoint</source>
+        <translation>Retoucher un point de passage</translation>
+    </message>
+    <message>
+        <source>Find the reach limit</source>
+        <translation>Trouver la limite de portée</translation>
+    </message>
+    <message>
+        <source>Record and measure</source>
+        <translation>Enregistrer et mesurer</translation>
+    </message>
+    <message>
+        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <translation>Démarrer fait heurter le bras simulé, qui passe en arrêt de protection. Voyez ce qui l’a arrêté, attendez les cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <translation>Apprenez un repère par trois points dans l’onglet Repères. Son X doit suivre Y+ de la base, son Z monter : prenez l’origine, puis un point plus loin selon Y+, puis un autre plus loin selon X−.</translation>
+    </message>
+    <message>
+        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>Démarrer pose un point de passage « pièce » où se trouve le bras. La pièce a depuis bougé de %1 selon X+ de la base. Allez-y, choisissez le point et retouchez-le (U).</translation>
+    </message>
+    <message>
+        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <translation>Éloignez-vous de la base, vers l’extérieur, jusqu’à ce qu’une limite ralentisse le bras de moitié. La ligne sous le pavé la nomme et dit la sortie. Revenez ensuite de %1.</translation>
+    </message>
+    <message>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <translation>Démarrer fait appuyer une main sur l’outil par le haut. Enregistrez au moins trois secondes et arrêtez. Lisez dans les tracés combien vaut la force Fz, et saisissez-la.</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>pièce</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>No robot connected. Choose one at the top left.</source>
+        <translation>Aucun robot connecté. Choisissez-en un en haut à gauche.</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Connexion…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself.</source>
+        <translation>Pas de données du robot. Reconnexion automatique.</translation>
+    </message>
+    <message>
+        <source>Robot data is late. Waiting for it to come back.</source>
+        <translation>Les données du robot sont en retard. En attente de leur retour.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Prise de contrôle…</translation>
+    </message>
+    <message>
+        <source>Not in control. Press “Take control” in the header.</source>
+        <translation>Non contrôlé. Appuyez sur « Prendre le contrôle » dans l’en-tête.</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingChoice</name>
+    <message>
+        <source>A file needs a name that does not begin with a point.</source>
+        <translation>Un fichier demande un nom qui ne commence pas par un point.</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain “%1”.</source>
+        <translation>Un nom de fichier ne peut contenir « %1 ».</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>Ce nom est trop long.</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryGuide</name>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>La sécurité est de nouveau normale</translation>
+    </message>
+    <message>
+        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <translation>Le bras peut être bougé. Ce qui était armé avant l’arrêt ne le bouge pas : chaque mouvement demande un nouvel appui.</translation>
+    </message>
+    <message>
+        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <translation>Le bras est prêt. Prenez le contrôle pour le bouger, ou continuez sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Prise de contrôle…</translation>
+    </message>
+    <message>
+        <source>No data from the robot</source>
+        <translation>Pas de données du robot</translation>
+    </message>
+    <message>
+        <source>Waiting for the connection</source>
+        <translation>En attente de la connexion</translation>
+    </message>
+    <message>
+        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <translation>J’ai regardé le bras : personne ne le touche, rien n’est coincé.</translation>
+    </message>
+    <message>
+        <source>What stopped it is known and removed.</source>
+        <translation>Ce qui l’a arrêté est connu et ôté.</translation>
+    </message>
+    <message>
+        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <translation>Charge utile et TCP sont ceux de l’outil monté.</translation>
+    </message>
+    <message>
+        <source>Possible in %1 s</source>
+        <translation>Possible dans %1 s</translation>
+    </message>
+    <message>
+        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <translation>J’ai regardé le bras et le journal du robot : la cause est connue.</translation>
+    </message>
+    <message>
+        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <translation>La cause est ôtée et personne n’est à portée du bras.</translation>
+    </message>
+    <message>
+        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <translation>Rien à presser ici : cela finit quand sa cause a disparu.</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Déverrouiller</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>Redémarrer la sécurité</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Mettre sous tension</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>Desserrer les freins</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Prendre le contrôle</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>RobotActions</name>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>Connectez-vous d’abord à un robot.</translation>
+    </message>
+    <message>
+        <source>Give control back first.</source>
+        <translation>Rendez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>Aucun programme ne tourne sur le robot.</translation>
+    </message>
+    <message>
+        <source>A program runs already.</source>
+        <translation>Un programme tourne déjà.</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>Connecter…</translation>
+    </message>
+    <message>
+        <source>Choose the simulator, a robot or a project.</source>
+        <translation>Choisir le simulateur, un robot ou un projet.</translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation>Robot simulé</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot and connects to it.</source>
+        <translation>Démarre le robot simulé et s’y connecte.</translation>
+    </message>
+    <message>
+        <source>Check the connection…</source>
+        <translation>Vérifier la connexion…</translation>
+    </message>
+    <message>
+        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <translation>Regarde tout ce qu’il y a entre ce PC et le robot, chaque chose avec son remède.</translation>
+    </message>
+    <message>
+        <source>Choose a robot first.</source>
+        <translation>Choisissez d’abord un robot.</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Déconnecter</translation>
+    </message>
+    <message>
+        <source>Ends the connection; a motion of ours stops first.</source>
+        <translation>Termine la connexion ; un mouvement d’ici s’arrête d’abord.</translation>
+    </message>
+    <message>
+        <source>No robot is connected.</source>
+        <translation>Aucun robot n’est connecté.</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>Met le bras sous tension. Les freins restent serrés.</translation>
+    </message>
+    <message>
+        <source>The arm has power, or is getting it.</source>
+        <translation>Le bras est sous tension, ou le devient.</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>Le bras peut s’affaisser de quelques millimètres. Restez à l’écart.</translation>
+    </message>
+    <message>
+        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <translation>Serre les freins et coupe le courant du bras ; les programmes s’arrêtent.</translation>
+    </message>
+    <message>
+        <source>The arm is off.</source>
+        <translation>Le bras est éteint.</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>Rétablir…</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, and the way back.</source>
+        <translation>Montre ce qui a arrêté le bras, et le chemin du retour.</translation>
+    </message>
+    <message>
+        <source>No stop of the safety system.</source>
+        <translation>Pas d’arrêt du système de sécurité.</translation>
+    </message>
+    <message>
+        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <translation>Après une violation ou un défaut, une fois la cause trouvée. Le bras reste éteint.</translation>
+    </message>
+    <message>
+        <source>Only after a violation or a fault.</source>
+        <translation>Seulement après une violation ou un défaut.</translation>
+    </message>
+    <message>
+        <source>Closes the popups on the teach pendant.</source>
+        <translation>Ferme les messages du pupitre.</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Prendre le contrôle</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>Démarre le programme de commande sur le robot, ce qui arrête tout autre programme.</translation>
+    </message>
+    <message>
+        <source>In control already.</source>
+        <translation>Déjà contrôlé.</translation>
+    </message>
+    <message>
+        <source>Give control back</source>
+        <translation>Rendre le contrôle</translation>
+    </message>
+    <message>
+        <source>Ends the control program on the robot.</source>
+        <translation>Termine le programme de commande sur le robot.</translation>
+    </message>
+    <message>
+        <source>Not in control.</source>
+        <translation>Non contrôlé.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <translation>Arrêt logiciel de tout ce qui bouge. Pas un arrêt d’urgence.</translation>
+    </message>
+    <message>
+        <source>Load program…</source>
+        <translation>Charger un programme…</translation>
+    </message>
+    <message>
+        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <translation>Charge par son nom un programme propre au robot.</translation>
+    </message>
+    <message>
+        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <translation>Démarre le programme chargé, ou poursuit celui en pause : le bras peut bouger aussitôt.</translation>
+    </message>
+    <message>
+        <source>Pauses the program that runs.</source>
+        <translation>Met en pause le programme en cours.</translation>
+    </message>
+    <message>
+        <source>Stops the robot&apos;s own program.</source>
+        <translation>Arrête le programme propre au robot.</translation>
+    </message>
+</context>
+<context>
+    <name>RobotOutputs</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Output %1: %2</source>
+        <translation>Sortie %1 : %2</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activée</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivée</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <translation>%1 : activée</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1 : désactivée</translation>
+    </message>
+    <message>
+        <source>Analog output %1: %2 %3</source>
+        <translation>Sortie analogique %1 : %2 %3</translation>
+    </message>
+    <message>
+        <source>Input register %1: %2</source>
+        <translation>Registre d’entrée %1 : %2</translation>
+    </message>
+    <message>
+        <source>Speed slider: %1 %</source>
+        <translation>Curseur de vitesse : %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>RobotServices</name>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>Échec : %1. %2</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Mettre sous tension</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>Desserrer les freins</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>Mettre hors tension</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>Redémarrer la sécurité</translation>
+    </message>
+    <message>
+        <source>Close popups</source>
+        <translation>Fermer les messages</translation>
+    </message>
+    <message>
+        <source>Play program</source>
+        <translation>Lire le programme</translation>
+    </message>
+    <message>
+        <source>Pause program</source>
+        <translation>Mettre le programme en pause</translation>
+    </message>
+    <message>
+        <source>Stop program</source>
+        <translation>Arrêter le programme</translation>
+    </message>
+    <message>
+        <source>Protective stop unlocked by the operator</source>
+        <translation>Arrêt de protection déverrouillé par l’opérateur</translation>
+    </message>
+    <message>
+        <source>Load program %1</source>
+        <translation>Charger le programme %1</translation>
+    </message>
+    <message>
+        <source>The program on the robot was stopped</source>
+        <translation>Le programme du robot a été arrêté</translation>
+    </message>
+    <message>
+        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <translation>Le programme du robot n’a pas été arrêté : arrêtez-le sur le pupitre. %1</translation>
+    </message>
+    <message>
+        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <translation>Le robot est passé en commande locale : le mouvement a été arrêté et le contrôle rendu. Repassez-le en commande à distance sur le pupitre, puis reprenez le contrôle.</translation>
+    </message>
+</context>
+<context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP et charge utile se règlent bras immobile. Laissez-le s’immobiliser.</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>TCP réglé sur le robot : %1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>Charge utile réglée sur le robot : %1</translation>
+    </message>
+</context>
+<context>
+    <name>SampleProjects</name>
+    <message>
+        <source>Pick and place</source>
+        <translation>Prendre et poser</translation>
+    </message>
+    <message>
+        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <translation>Une pièce est prise d’un distributeur et posée à l’une de six places d’un plateau. Les places sont données dans le repère du plateau et bougent avec lui.</translation>
+    </message>
+    <message>
+        <source>Gluing along a path</source>
+        <translation>Collage le long d’une trajectoire</translation>
+    </message>
+    <message>
+        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <translation>Un cordon autour d’un couvercle aux coins arrondis, lent et en lignes droites. Le raccordement garde la buse en mouvement dans les coins.</translation>
+    </message>
+    <message>
+        <source>Measuring round</source>
+        <translation>Ronde de mesure</translation>
+    </message>
+    <message>
+        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <translation>Un palpeur touche une pièce par le haut et par quatre côtés, chaque fois depuis un point d’approche et l’outil incliné.</translation>
+    </message>
+</context>
+<context>
+    <name>SceneActions</name>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>Regarder du premier côté, en perspective</translation>
+    </message>
+    <message>
+        <source>From between front and side, a little above, with everything in the picture.</source>
+        <translation>Entre l’avant et le côté, un peu d’en haut, avec tout dans l’image.</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Regarder de face</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Z up.</source>
+        <translation>X de la base à droite, Z en haut.</translation>
+    </message>
+    <message>
+        <source>Look from the side</source>
+        <translation>Regarder de côté</translation>
+    </message>
+    <message>
+        <source>Y of the base to the right, Z up.</source>
+        <translation>Y de la base à droite, Z en haut.</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Regarder d’en haut</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Y up.</source>
+        <translation>X de la base à droite, Y en haut.</translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation>Faire tout tenir dans la vue</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <translation>Bras, cible et points de passage dans l’image, du côté actuel.</translation>
+    </message>
+</context>
+<context>
+    <name>SessionRecording</name>
+    <message>
+        <source>Nothing is recorded: connect to a robot first.</source>
+        <translation>Rien n’est enregistré : connectez-vous d’abord à un robot.</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Enregistrement dans %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n rows to %1</source>
+        <translation>
+            <numerusform>%n ligne enregistrée dans %1</numerusform>
+            <numerusform>%n lignes enregistrées dans %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SettingsFile</name>
+    <message>
+        <source>write %1</source>
+        <translation>écrire %1</translation>
+    </message>
+    <message>
+        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <translation>La valeur de &quot;%1&quot; ne peut être celle d’un réglage.</translation>
+    </message>
+    <message>
+        <source>The file is too large for settings.</source>
+        <translation>Le fichier est trop grand pour des réglages.</translation>
+    </message>
+    <message>
+        <source>The file is damaged at byte %1: %2.</source>
+        <translation>Le fichier est endommagé à l’octet %1 : %2.</translation>
+    </message>
+    <message>
+        <source>The file holds no settings of Tiller.</source>
+        <translation>Le fichier ne contient pas de réglages de Tiller.</translation>
+    </message>
+    <message>
+        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
+        <translation>Le fichier a été écrit par un Tiller plus récent. Mettez Tiller à jour pour l’importer.</translation>
+    </message>
+    <message>
+        <source>The file does not say which version it has.</source>
+        <translation>Le fichier ne dit pas quelle version il a.</translation>
+    </message>
+    <message>
+        <source>The file has no list of values, or one that is too long.</source>
+        <translation>Le fichier n’a pas de liste de valeurs, ou une trop longue.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a setting.</source>
+        <translation>&quot;%1&quot; n’est pas le nom d’un réglage.</translation>
+    </message>
+    <message>
+        <source>read %1</source>
+        <translation>lire %1</translation>
+    </message>
+</context>
+<context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Entrées et sorties</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>Modes et états</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>Puissance et température</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>Vitesse et programme</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>Charge utile et outil</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Registres</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>Force au TCP</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>Couple au TCP</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>Position du TCP</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>Vecteur de rotation du TCP</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>Vitesse du TCP</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>Vitesse de rotation du TCP</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>Accélération du TCP</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>Position cible du TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>Vecteur de rotation cible du TCP</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>Vitesse cible du TCP</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>Vitesse de rotation cible du TCP</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>Force brute du capteur</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>Couple brut du capteur</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>Force au TCP, norme</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>Accéléromètre dans la bride</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>Position du coude</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>Vitesse du coude</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>Positions articulaires</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>Vitesses articulaires</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Courants articulaires</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>Températures articulaires</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>Tensions articulaires</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>Positions articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>Vitesses articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>Accélérations articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>Courants articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>Couples articulaires cibles</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>Courants de commande articulaires</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>Écart permis des courants</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>Écart de position sur sa limite</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>Mesure de collision sur sa limite</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>Modes articulaires</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Entrées numériques</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>Sorties numériques</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>Entrée analogique 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>Entrée analogique 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>Sortie analogique 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>Sortie analogique 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>Entrée analogique d’outil 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>Entrée analogique d’outil 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>Mode du robot</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>Mode de sécurité</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>État de sécurité</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>État du programme</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>État du robot</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>Bits de sécurité</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>Mode de l’outil</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>Tension principale</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>Tension du bras</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>Courant du bras</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>Courant des E/S</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>Température de l’outil</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>Tension de l’outil</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>Courant de l’outil</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>Échelle de vitesse</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>Curseur de vitesse</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>Durée d’un pas de commande</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>Ligne du script</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>Temps du contrôleur</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Charge utile</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>Centre de gravité de la charge utile</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>Décalage du TCP</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>Rotation du TCP</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Mettre sous tension</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>Programme en cours</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>Bouton Freedrive</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>Bouton d’alimentation</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Réduit</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Arrêt de protection</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Récupération</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Arrêt de sauvegarde</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>Arrêt d’urgence système</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>Arrêt d’urgence du robot</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Arrêt d’urgence</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>Violation</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>Arrêté par la sécurité</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>Dispositif de validation</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>Bit %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>Registres de sortie, nombres</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>Registres d’entrée, nombres</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>Registres de sortie, entiers</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>Registres d’entrée, entiers</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>Registres de sortie, bits</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>Registres d’entrée, bits</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activée</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivée</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMouse</name>
+    <message>
+        <source>left key</source>
+        <translation>touche gauche</translation>
+    </message>
+    <message>
+        <source>The cap moves and turns as the tool shall.</source>
+        <translation>Le capuchon bouge et tourne comme l’outil doit le faire.</translation>
+    </message>
+</context>
+<context>
+    <name>StartProject</name>
+    <message>
+        <source>The project worked in last is not there any more: %1</source>
+        <translation>Le dernier projet travaillé n’est plus là : %1</translation>
+    </message>
+</context>
+<context>
+    <name>StateLane</name>
+    <message>
+        <source>Protective stop</source>
+        <translation>Arrêt de protection</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Récupération</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>Arrêt de sauvegarde</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Arrêt d’urgence</translation>
+    </message>
+    <message>
+        <source>Enabling device released</source>
+        <translation>Dispositif de validation lâché</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>Violation de sécurité</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>Défaut de sécurité</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>Hors tension</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>Brakes on</source>
+        <translation>Freins serrés</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>Backdrive</translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>Ne marche pas</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Sans données</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>Freedrive</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>Aller en %1</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>En mouvement</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Au repos</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <translation>Vérifiez l’adresse : quatre nombres comme 192.168.0.10, ou un nom que le réseau connaît.</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <translation>Vérifiez que le robot est allumé, le câble branché et ce PC dans le même réseau.</translation>
+    </message>
+    <message>
+        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <translation>Activez l’interface sur le robot : Réglages, Sécurité, Services. Un robot qui vient de démarrer demande peut-être encore une minute.</translation>
+    </message>
+    <message>
+        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <translation>Le robot a terminé la connexion : il redémarre peut-être, ou est passé de Local à Distant ou inversement.</translation>
+    </message>
+    <message>
+        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <translation>Le robot ne répond pas. Vérifiez le câble et que l’adresse est bien celle du robot.</translation>
+    </message>
+    <message>
+        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <translation>Les données n’arrivent plus. Vérifiez le câble ; la connexion revient d’elle-même, le mouvement non.</translation>
+    </message>
+    <message>
+        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <translation>Ce qui répond là ne parle pas RTDE comme il faut. Vérifiez adresse et port.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software is too old for this.</source>
+        <translation>Le logiciel du robot est trop ancien pour cela.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software does not have this value.</source>
+        <translation>Le logiciel du robot n’a pas cette valeur.</translation>
+    </message>
+    <message>
+        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <translation>Un autre programme ou un bus de terrain du robot occupe ces registres : fermez l’autre programme, ou désactivez le bus de terrain dans l’installation.</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>Connectez-vous d’abord à un robot.</translation>
+    </message>
+    <message>
+        <source>Take control first.</source>
+        <translation>Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>Bring the robot to Running and its safety to Normal first.</source>
+        <translation>Amenez d’abord le robot à « En marche » et sa sécurité à « Normal ».</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <translation>Passez le robot en commande à distance sur le pupitre, en haut à droite.</translation>
+    </message>
+    <message>
+        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <translation>Choisissez une cible dans la plage du bras et une vitesse sous le plafond.</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <translation>Le bras ne peut atteindre cette pose : rapprochez le point ou tournez l’outil.</translation>
+    </message>
+    <message>
+        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <translation>Le robot n’a pu exécuter le programme envoyé. Ses propres mots sont dans le journal.</translation>
+    </message>
+    <message>
+        <source>Check that the file exists and may be read.</source>
+        <translation>Vérifiez que le fichier existe et peut être lu.</translation>
+    </message>
+    <message>
+        <source>Choose a folder you may write to.</source>
+        <translation>Choisissez un dossier où vous pouvez écrire.</translation>
+    </message>
+    <message>
+        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <translation>Le fichier est resté tel quel. Ouvrez une sauvegarde, ou réparez l’endroit nommé.</translation>
+    </message>
+    <message>
+        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
+        <translation>Le disque est plein : ce qui a été enregistré est gardé. Libérez de la place et enregistrez à nouveau.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fait</translation>
+    </message>
+    <message>
+        <source>Address not found</source>
+        <translation>Adresse introuvable</translation>
+    </message>
+    <message>
+        <source>Robot not reachable</source>
+        <translation>Robot injoignable</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Connexion refusée</translation>
+    </message>
+    <message>
+        <source>Connection ended by the robot</source>
+        <translation>Connexion terminée par le robot</translation>
+    </message>
+    <message>
+        <source>No answer in time</source>
+        <translation>Pas de réponse à temps</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Annulé</translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation>Liaison perdue</translation>
+    </message>
+    <message>
+        <source>Not understood</source>
+        <translation>Non compris</translation>
+    </message>
+    <message>
+        <source>Not supported by this robot</source>
+        <translation>Non pris en charge par ce robot</translation>
+    </message>
+    <message>
+        <source>Value not available</source>
+        <translation>Valeur indisponible</translation>
+    </message>
+    <message>
+        <source>Registers in use</source>
+        <translation>Registres occupés</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Non connecté</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>Non contrôlé</translation>
+    </message>
+    <message>
+        <source>Not possible in this state</source>
+        <translation>Impossible dans cet état</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>Le robot est en commande locale</translation>
+    </message>
+    <message>
+        <source>Outside the limits</source>
+        <translation>Hors des limites</translation>
+    </message>
+    <message>
+        <source>Not a valid value</source>
+        <translation>Valeur non valable</translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation>Hors de portée</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Refused by the robot</source>
+        <translation>Refusé par le robot</translation>
+    </message>
+    <message>
+        <source>Program error on the robot</source>
+        <translation>Erreur de programme sur le robot</translation>
+    </message>
+    <message>
+        <source>File cannot be read</source>
+        <translation>Le fichier ne peut être lu</translation>
+    </message>
+    <message>
+        <source>File cannot be written</source>
+        <translation>Le fichier ne peut être écrit</translation>
+    </message>
+    <message>
+        <source>File is damaged</source>
+        <translation>Le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>Disk full</source>
+        <translation>Disque plein</translation>
+    </message>
+    <message>
+        <source>Internal error</source>
+        <translation>Erreur interne</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>touche lâchée</translation>
+    </message>
+    <message>
+        <source>pointer left the key</source>
+        <translation>le pointeur a quitté la touche</translation>
+    </message>
+    <message>
+        <source>focus lost</source>
+        <translation>focus perdu</translation>
+    </message>
+    <message>
+        <source>window no longer active</source>
+        <translation>fenêtre plus active</translation>
+    </message>
+    <message>
+        <source>window closed</source>
+        <translation>fenêtre fermée</translation>
+    </message>
+    <message>
+        <source>a dialog or menu opened</source>
+        <translation>un dialogue ou menu s’est ouvert</translation>
+    </message>
+    <message>
+        <source>selection changed</source>
+        <translation>choix changé</translation>
+    </message>
+    <message>
+        <source>second button</source>
+        <translation>second bouton</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>input device lost</source>
+        <translation>périphérique perdu</translation>
+    </message>
+    <message>
+        <source>robot data too old</source>
+        <translation>données du robot trop vieilles</translation>
+    </message>
+    <message>
+        <source>robot or safety mode changed</source>
+        <translation>mode du robot ou de sécurité changé</translation>
+    </message>
+    <message>
+        <source>not refreshed in time</source>
+        <translation>pas renouvelé à temps</translation>
+    </message>
+    <message>
+        <source>PC going to sleep</source>
+        <translation>le PC se met en veille</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>liaison perdue</translation>
+    </message>
+    <message>
+        <source>limit reached</source>
+        <translation>limite atteinte</translation>
+    </message>
+    <message>
+        <source>control lost</source>
+        <translation>contrôle perdu</translation>
+    </message>
+    <message>
+        <source>target reached</source>
+        <translation>cible atteinte</translation>
+    </message>
+    <message>
+        <source>stopped by a program</source>
+        <translation>arrêté par un programme</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>contact</translation>
+    </message>
+    <message>
+        <source>target cannot be reached</source>
+        <translation>cible inaccessible</translation>
+    </message>
+    <message>
+        <source>target too far away for one step</source>
+        <translation>cible trop loin pour un pas</translation>
+    </message>
+    <message>
+        <source>no sign that it was still held</source>
+        <translation>aucun signe d’une touche encore tenue</translation>
+    </message>
+    <message>
+        <source>held for the longest time; press again</source>
+        <translation>tenu le plus longtemps possible ; appuyez de nouveau</translation>
+    </message>
+    <message>
+        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <translation>PolyScope X avant 10.11 n’accepte pas de telles commandes par le réseau : utilisez la tablette.</translation>
+    </message>
+    <message>
+        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <translation>PolyScope X n’a pas de commande pour fermer les messages par le réseau : utilisez la tablette.</translation>
+    </message>
+    <message>
+        <source>Only watching. Take control to move the arm.</source>
+        <translation>Observation seule. Prenez le contrôle pour bouger le bras.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Prise de contrôle…</translation>
+    </message>
+    <message>
+        <source>Control was given back. Take control to move the arm.</source>
+        <translation>Le contrôle a été rendu. Prenez le contrôle pour bouger le bras.</translation>
+    </message>
+    <message>
+        <source>The control program was stopped on the robot. Take control again.</source>
+        <translation>Le programme de commande a été arrêté sur le robot. Reprenez le contrôle.</translation>
+    </message>
+    <message>
+        <source>The control program does not answer. Take control again.</source>
+        <translation>Le programme de commande ne répond pas. Reprenez le contrôle.</translation>
+    </message>
+    <message>
+        <source>The link was lost. Take control again.</source>
+        <translation>La liaison a été perdue. Reprenez le contrôle.</translation>
+    </message>
+    <message>
+        <source>A script of your own is running. Control comes back when it ends.</source>
+        <translation>Un script à vous tourne. Le contrôle revient quand il finit.</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointClipboard</name>
+    <message>
+        <source>is missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation>« %1 » n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3</source>
+        <translation>%1 est hors de %2 à %3</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: %3</source>
+        <translation>Ligne %1, %2 : %3</translation>
+    </message>
+    <message>
+        <source>“%1” is neither J nor L</source>
+        <translation>« %1 » n’est ni J ni L</translation>
+    </message>
+    <message>
+        <source>“%1” is neither joints nor pose</source>
+        <translation>« %1 » n’est ni joints ni pose</translation>
+    </message>
+    <message>
+        <source>there is no frame “%1” in this project</source>
+        <translation>il n’y a pas de repère « %1 » dans ce projet</translation>
+    </message>
+    <message>
+        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <translation>Ceci n’est pas un tableau de points de passage. Copiez-en un de la liste pour voir ses colonnes, ou collez les six nombres d’une pose.</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>« %1 » n’est pas une couleur de point de passage</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>Ligne %1 : un guillemet n’est pas fermé</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::AnalogRow</name>
+    <message>
+        <source>4–20 mA</source>
+        <translation>4–20 mA</translation>
+    </message>
+    <message>
+        <source>0–10 V</source>
+        <translation>0–10 V</translation>
+    </message>
+    <message>
+        <source>%1 domain</source>
+        <translation>%1 domaine</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 valeur</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Régler</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>Régler %1</translation>
+    </message>
+    <message>
+        <source>%1: %2
+Right click or F2 to rename and scale.</source>
+        <translation>%1 : %2
+Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Scale…</source>
+        <translation>Échelle…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Nom de %1</translation>
+    </message>
+    <message>
+        <source>Scale of %1</source>
+        <translation>Échelle de %1</translation>
+    </message>
+    <message>
+        <source>bar; empty: not scaled</source>
+        <translation>bar ; vide : sans échelle</translation>
+    </message>
+    <message>
+        <source>At 4 mA or 0 V</source>
+        <translation>À 4 mA ou 0 V</translation>
+    </message>
+    <message>
+        <source>At 20 mA or 10 V</source>
+        <translation>À 20 mA ou 10 V</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ArmKey</name>
+    <message>
+        <source>Keyboard armed</source>
+        <translation>Clavier armé</translation>
+    </message>
+    <message>
+        <source>Arm keyboard</source>
+        <translation>Armer le clavier</translation>
+    </message>
+    <message>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <translation>Les flèches déplacent X et Y, PgPréc et PgSuiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − tournent une articulation. Espace et Esc arrêtent. Cliquez, ou attendez une demi-minute : le clavier est désarmé.</translation>
+    </message>
+    <message>
+        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <translation>Ensuite les flèches déplacent le bras tant qu’elles sont tenues ; un cadre entoure la fenêtre.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::DeviceTrainer</name>
+    <message>
+        <source>Moves the arm (until the program ends)</source>
+        <translation>Déplace le bras (jusqu’à la fin du programme)</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>Seulement l’axe le plus dévié</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>Manette et SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Périphérique</translation>
+    </message>
+    <message>
+        <source>Which way the arm would go</source>
+        <translation>Où irait le bras</translation>
+    </message>
+    <message>
+        <source>Dead-man</source>
+        <translation>Homme mort</translation>
+    </message>
+    <message>
+        <source>Would move</source>
+        <translation>Déplacerait</translation>
+    </message>
+    <message>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <translation>Clavier, tant qu’armé (Ctrl+J) : flèches X et Y, PgPréc et PgSuiv Z, avec Alt elles tournent, 1 à 6 avec + et − une articulation, Origine, Fin aligne, Retour arrière revient, F Freedrive. Ctrl plus lent, Maj plus vite. Espace et Esc arrêtent.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>Il n’y a ni manette ni SpaceMouse. Branchez-en une : elle apparaît d’elle-même.</translation>
+    </message>
+    <message>
+        <source>● held (%1)</source>
+        <translation>● tenu (%1)</translation>
+    </message>
+    <message>
+        <source>○ not held: hold the %1</source>
+        <translation>○ non tenu : tenez %1</translation>
+    </message>
+    <message>
+        <source>nothing: neutral</source>
+        <translation>rien : neutre</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FigureBox</name>
+    <message>
+        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <translation>« %1 » n’a pas été pris : %2 à %3. Rien n’a été changé.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstSteps</name>
+    <message>
+        <source>Power on (header)</source>
+        <translation>Mettre sous tension (en-tête)</translation>
+    </message>
+    <message>
+        <source>Release brakes (header)</source>
+        <translation>Desserrer les freins (en-tête)</translation>
+    </message>
+    <message>
+        <source>Take control, hold a pad key</source>
+        <translation>Prendre le contrôle, tenir une touche</translation>
+    </message>
+    <message>
+        <source>Teach here (T)</source>
+        <translation>Apprendre ici (T)</translation>
+    </message>
+    <message>
+        <source>Jog away, hold Go to (G)</source>
+        <translation>S’éloigner, tenir Aller à (G)</translation>
+    </message>
+    <message>
+        <source>Record (above the plots)</source>
+        <translation>Enregistrer (au-dessus des tracés)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstStepsCard</name>
+    <message>
+        <source>First steps</source>
+        <translation>Premiers pas</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Exercices</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <translation>La liste ne revient pas d’elle-même. La commande « Premiers pas » la ramène.</translation>
+    </message>
+    <message>
+        <source>First steps · %1 of %2</source>
+        <translation>Premiers pas · %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameDetails</name>
+    <message>
+        <source>Selected frame</source>
+        <translation>Repère choisi</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <translation>En Base. Entrée l’applique ; rien ne bouge que le repère.</translation>
+    </message>
+    <message>
+        <source>no waypoint uses it</source>
+        <translation>aucun point de passage ne l’utilise</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it</source>
+        <translation>
+            <numerusform>%n point de passage bouge avec lui</numerusform>
+            <numerusform>%n points de passage bougent avec lui</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the TCP</source>
+        <translation>à %1 du TCP</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameEditing</name>
+    <message>
+        <source>No waypoint moved with it.</source>
+        <translation>Aucun point de passage n’a bougé avec lui.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints moved with it.</source>
+        <translation>
+            <numerusform>%n point de passage a bougé avec lui.</numerusform>
+            <numerusform>%n points de passage ont bougé avec lui.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach there.</source>
+        <translation>
+            <numerusform>%n d’entre eux y est hors de portée.</numerusform>
+            <numerusform>%n d’entre eux y sont hors de portée.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>repère</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>Apprendre « %1 »</translation>
+    </message>
+    <message>
+        <source>It moves by %1 (%2, base frame).</source>
+        <translation>Il bouge de %1 (%2, repère de base).</translation>
+    </message>
+    <message>
+        <source>No waypoint is given in it.</source>
+        <translation>Aucun point de passage n’y est donné.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it.</source>
+        <translation>
+            <numerusform>%n point de passage bouge avec lui.</numerusform>
+            <numerusform>%n points de passage bougent avec lui.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>Retoucher « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retoucher</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>Retoucher « %1 »</translation>
+    </message>
+    <message>
+        <source>“%1” is touched up</source>
+        <translation>« %1 » est retouché</translation>
+    </message>
+    <message>
+        <source>Set the place of “%1”</source>
+        <translation>Régler la place de « %1 »</translation>
+    </message>
+    <message>
+        <source>“%1” is set in figures. %2</source>
+        <translation>« %1 » est réglé en chiffres. %2</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Dupliquer « %1 »</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>Supprimer « %1 » ?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <translation>
+            <numerusform>%n point de passage y est donné. Il reste où il est, donné en Base.</numerusform>
+            <numerusform>%n points de passage y sont donnés. Ils restent où ils sont, donnés en Base.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>Supprimer le repère</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameModel</name>
+    <message>
+        <source>A frame needs a name.</source>
+        <translation>Un repère demande un nom.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <translation>« %1 » est un repère que tout robot possède. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another frame. Choose another name.</source>
+        <translation>« %1 » est déjà le nom d’un autre repère. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>Origine %1</translation>
+    </message>
+    <message>
+        <source>Origin in Base, X Y Z, %1</source>
+        <translation>Origine en Base, X Y Z, %1</translation>
+    </message>
+    <message>
+        <source>Rotation rad</source>
+        <translation>Rotation rad</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Rotation vector in Base, radians</source>
+        <translation>Vecteur de rotation en Base, radians</translation>
+    </message>
+    <message>
+        <source>Roll, pitch and yaw in Base</source>
+        <translation>Roulis, tangage et lacet en Base</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Waypoints that move with it</source>
+        <translation>Points de passage qui bougent avec lui</translation>
+    </message>
+    <message>
+        <source>TCP %1</source>
+        <translation>TCP %1</translation>
+    </message>
+    <message>
+        <source>Distance of the TCP, %1</source>
+        <translation>Distance du TCP, %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTable</name>
+    <message>
+        <source>Frames</source>
+        <translation>Repères</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTeacher</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Frame from three points</source>
+        <translation>Repère par trois points</translation>
+    </message>
+    <message>
+        <source>Cancel the frame</source>
+        <translation>Annuler le repère</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>On +X</source>
+        <translation>Sur +X</translation>
+    </message>
+    <message>
+        <source>Towards +Y</source>
+        <translation>Vers +Y</translation>
+    </message>
+    <message>
+        <source>Take the origin here</source>
+        <translation>Prendre l’origine ici</translation>
+    </message>
+    <message>
+        <source>Take the point on +X here</source>
+        <translation>Prendre le point sur +X ici</translation>
+    </message>
+    <message>
+        <source>Take the point towards +Y here</source>
+        <translation>Prendre le point vers +Y ici</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prendre</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>Créer le repère</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the point again.</source>
+        <translation>Le robot n’a pas envoyé de place valable. Reprenez le point.</translation>
+    </message>
+    <message>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <translation>Le point sur +X n’est qu’à %1 de l’origine. Reprenez-le à au moins %2 : plus il est loin, plus les axes sont justes.</translation>
+    </message>
+    <message>
+        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <translation>Le troisième point n’est qu’à %1 de l’origine. Reprenez-le à au moins %2.</translation>
+    </message>
+    <message>
+        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <translation>Les trois points sont alignés : le troisième n’est qu’à %1 de l’axe X. Reprenez-le à au moins %2 du côté de +Y.</translation>
+    </message>
+    <message>
+        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <translation>Prêt : le point sur +X est à %1, le troisième à %2 de l’axe X.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <translation>Amenez la pointe où commence le repère, et prenez-la (P).</translation>
+    </message>
+    <message>
+        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <translation>Maintenant vers un point sur +X : à %1 de l’origine, %2 est le minimum.</translation>
+    </message>
+    <message>
+        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <translation>Maintenant du côté de +Y : à %1 de l’axe X, %2 est le minimum.</translation>
+    </message>
+    <message>
+        <source>Take  P</source>
+        <translation>Prendre  P</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Encore</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FramesTab</name>
+    <message>
+        <source>Frames</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>From TCP</source>
+        <translation>Du TCP</translation>
+    </message>
+    <message>
+        <source>Teach a frame from the TCP</source>
+        <translation>Apprendre un repère au TCP</translation>
+    </message>
+    <message>
+        <source>3 points</source>
+        <translation>3 points</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points</source>
+        <translation>Apprendre un repère par trois points</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retoucher</translation>
+    </message>
+    <message>
+        <source>Touch up the frame</source>
+        <translation>Retoucher le repère</translation>
+    </message>
+    <message>
+        <source>More about frames</source>
+        <translation>Plus sur les repères</translation>
+    </message>
+    <message>
+        <source>No frames yet.
+Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+        <translation>Pas encore de repères.
+Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 points pour prendre origine, +X et +Y.</translation>
+    </message>
+    <message>
+        <source>new frame</source>
+        <translation>nouveau repère</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <translation>Un repère où est le TCP, avec les axes de l’outil (Maj+T)</translation>
+    </message>
+    <message>
+        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>Origine, un point sur +X, un point vers +Y (Ctrl+Maj+T)</translation>
+    </message>
+    <message>
+        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <translation>Le repère choisi va où est le TCP (Maj+U)</translation>
+    </message>
+    <message>
+        <source>Select a frame to touch up.</source>
+        <translation>Choisissez un repère à retoucher.</translation>
+    </message>
+    <message>
+        <source>Teach frame from the TCP</source>
+        <translation>Apprendre un repère au TCP</translation>
+    </message>
+    <message>
+        <source>Teach frame from three points</source>
+        <translation>Apprendre un repère par trois points</translation>
+    </message>
+    <message>
+        <source>Take the next point of the frame</source>
+        <translation>Prendre le point suivant du repère</translation>
+    </message>
+    <message>
+        <source>Make the frame of the points taken</source>
+        <translation>Créer le repère des points pris</translation>
+    </message>
+    <message>
+        <source>Cancel frame teaching</source>
+        <translation>Annuler l’apprentissage du repère</translation>
+    </message>
+    <message>
+        <source>Touch up frame from the TCP</source>
+        <translation>Retoucher le repère au TCP</translation>
+    </message>
+    <message>
+        <source>Touch up frame from three points</source>
+        <translation>Retoucher le repère par trois points</translation>
+    </message>
+    <message>
+        <source>Jog in this frame</source>
+        <translation>Déplacer dans ce repère</translation>
+    </message>
+    <message>
+        <source>Rename frame</source>
+        <translation>Renommer le repère</translation>
+    </message>
+    <message>
+        <source>Set frame in figures</source>
+        <translation>Régler le repère en chiffres</translation>
+    </message>
+    <message>
+        <source>Duplicate frame</source>
+        <translation>Dupliquer le repère</translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>Supprimer le repère</translation>
+    </message>
+    <message>
+        <source>Touch up “%1” from three points</source>
+        <translation>Retoucher « %1 » par trois points</translation>
+    </message>
+    <message>
+        <source>New frame from three points</source>
+        <translation>Nouveau repère par trois points</translation>
+    </message>
+    <message>
+        <source>Touch up…</source>
+        <translation>Retoucher…</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>Créer le repère</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>Il n’y a pas de points à parcourir. Apprenez-en ou choisissez-les.</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>Il n’y a pas de point avant celui-ci.</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>Un point du parcours n’est plus dans ce projet.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>« %1 » : %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>Parcourir les points de passage</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>Parcourir (tenir)</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>Parcourir, tenir</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>Va de point en point tant que la touche est tenue, pas plus vite que la vitesse manuelle. Lâchez pour faire pause ; le prochain appui continue vers le point suivant.</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ Pas</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>Un point en arrière, tenir</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>Revient au point précédent tant que la touche est tenue</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>Pas ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>Un point en avant, tenir</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>Va au point suivant tant que la touche est tenue, et s’y arrête</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>Quels points parcourir</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>Quels points</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>Quels points parcourir, dans l’ordre de la liste</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>D’ici</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>En boucle</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>Après le dernier point revient le premier, tant que la touche est tenue</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>Le suivant : %1 sur %2, %3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>Fini. Le prochain appui commence au premier.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n point de passage</numerusform>
+            <numerusform>%n points de passage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoToButton</name>
+    <message>
+        <source>Go to (hold)  G</source>
+        <translation>Aller à (tenir)  G</translation>
+    </message>
+    <message>
+        <source>Go to, hold</source>
+        <translation>Aller à, tenir</translation>
+    </message>
+    <message>
+        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
+        <translation>Déplace le bras au point choisi tant que la touche est tenue (G), pas plus vite que la vitesse manuelle</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GripperPanel</name>
+    <message>
+        <source>State of the gripper</source>
+        <translation>État de la pince</translation>
+    </message>
+    <message>
+        <source>How far the gripper is open</source>
+        <translation>Combien la pince est ouverte</translation>
+    </message>
+    <message>
+        <source>What the gripper holds</source>
+        <translation>Ce que tient la pince</translation>
+    </message>
+    <message>
+        <source>Activate</source>
+        <translation>Activer</translation>
+    </message>
+    <message>
+        <source>Activate the gripper</source>
+        <translation>Activer la pince</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>Ouvrir la pince</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>Fermer la pince</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bouger</translation>
+    </message>
+    <message>
+        <source>Move the fingers to this opening</source>
+        <translation>Amener les doigts à cette ouverture</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Pince</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>Pince : ouvrir</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>Pince : fermer</translation>
+    </message>
+    <message>
+        <source>Gripper: to %1</source>
+        <translation>Pince : à %1</translation>
+    </message>
+    <message>
+        <source>Which gripper</source>
+        <translation>Quelle pince</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Robotiq %1</source>
+        <translation>Robotiq %1</translation>
+    </message>
+    <message>
+        <source>One output: on closes</source>
+        <translation>Une sortie : activée ferme</translation>
+    </message>
+    <message>
+        <source>Two outputs: open, close</source>
+        <translation>Deux sorties : ouvrir, fermer</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>Sortie qui ferme</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>Sortie qui ouvre</translation>
+    </message>
+    <message>
+        <source>Opening wanted</source>
+        <translation>Ouverture voulue</translation>
+    </message>
+    <message>
+        <source>Speed of the fingers</source>
+        <translation>Vitesse des doigts</translation>
+    </message>
+    <message>
+        <source>Force of the fingers</source>
+        <translation>Force des doigts</translation>
+    </message>
+    <message>
+        <source>What to do about the gripper</source>
+        <translation>Que faire de la pince</translation>
+    </message>
+    <message>
+        <source>Closes</source>
+        <translation>Ferme</translation>
+    </message>
+    <message>
+        <source>Opens</source>
+        <translation>Ouvre</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Ouverture</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Tient</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Aller à</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <translation>Combien les doigts doivent s’ouvrir, 0 à %1. « Bouger » les y envoie.</translation>
+    </message>
+    <message>
+        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <translation>Du prochain mouvement. 0 % vaut environ %1, 100 % environ %2.</translation>
+    </message>
+    <message>
+        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <translation>De la prochaine prise. 0 % vaut environ %1, 100 % environ %2.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Gripper of this robot: %1</source>
+        <translation>Pince de ce robot : %1</translation>
+    </message>
+    <message>
+        <source>%1 (speed %2, force %3)</source>
+        <translation>%1 (vitesse %2, force %3)</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first: each robot remembers its gripper.</source>
+        <translation>Connectez-vous d’abord à un robot : chaque robot se souvient de sa pince.</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>Pas de données du robot.</translation>
+    </message>
+    <message>
+        <source>One moment…</source>
+        <translation>Un instant…</translation>
+    </message>
+    <message>
+        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <translation>Choisissez ce qui est au poignet. C’est retenu avec ce robot.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>being activated…</source>
+        <translation>en activation…</translation>
+    </message>
+    <message>
+        <source>not active</source>
+        <translation>inactive</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>en attente…</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>active</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>en mouvement</translation>
+    </message>
+    <message>
+        <source>active, standing</source>
+        <translation>active, immobile</translation>
+    </message>
+    <message>
+        <source>unknown while it moves</source>
+        <translation>inconnu pendant qu’elle bouge</translation>
+    </message>
+    <message>
+        <source>an object, from outside</source>
+        <translation>un objet, de l’extérieur</translation>
+    </message>
+    <message>
+        <source>an object, from inside</source>
+        <translation>un objet, de l’intérieur</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>With this port offset no gripper can be reached.</source>
+        <translation>Avec ce décalage de ports aucune pince n’est joignable.</translation>
+    </message>
+    <message>
+        <source>Being activated: the fingers open and close once.</source>
+        <translation>En activation : les doigts s’ouvrent et se ferment une fois.</translation>
+    </message>
+    <message>
+        <source>Activate the gripper first.</source>
+        <translation>Activez d’abord la pince.</translation>
+    </message>
+    <message>
+        <source>The gripper is active.</source>
+        <translation>La pince est active.</translation>
+    </message>
+    <message>
+        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <translation>Un arrêt du bras laisse la pince telle quelle : elle continue de tenir.</translation>
+    </message>
+    <message>
+        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <translation>Les doigts s’ouvrent et se ferment une fois ; ce qu’ils tiennent tombe. Gardez les doigts hors de la pince.</translation>
+    </message>
+    <message>
+        <source>Opens the gripper; what it holds is let go.</source>
+        <translation>Ouvre la pince ; ce qu’elle tient est lâché.</translation>
+    </message>
+    <message>
+        <source>Closes the gripper. Keep fingers out of it.</source>
+        <translation>Ferme la pince. Gardez-en les doigts éloignés.</translation>
+    </message>
+    <message>
+        <source>Sends the fingers to this opening.</source>
+        <translation>Envoie les doigts à cette ouverture.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HeaderBar</name>
+    <message>
+        <source>ROBOT</source>
+        <translation>ROBOT</translation>
+    </message>
+    <message>
+        <source>ROBOT MODE</source>
+        <translation>MODE DU ROBOT</translation>
+    </message>
+    <message>
+        <source>SAFETY</source>
+        <translation>SÉCURITÉ</translation>
+    </message>
+    <message>
+        <source>CONTROL</source>
+        <translation>CONTRÔLE</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>LIEN</translation>
+    </message>
+    <message>
+        <source>LAST STOP</source>
+        <translation>DERNIER ARRÊT</translation>
+    </message>
+    <message>
+        <source>State of the robot</source>
+        <translation>État du robot</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Étape suivante</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>SANS DONNÉES</translation>
+    </message>
+    <message>
+        <source>LAST STOP · no witness</source>
+        <translation>DERNIER ARRÊT · sans témoin</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>non vu</translation>
+    </message>
+    <message>
+        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <translation>Les données ont cessé pendant que le bras bougeait : on ne sait comment il s’est arrêté.</translation>
+    </message>
+    <message>
+        <source>%1 ms · %2</source>
+        <translation>%1 ms · %2</translation>
+    </message>
+    <message>
+        <source>From the stop to standstill, measured. Cause: %1</source>
+        <translation>De l’arrêt à l’immobilité, mesuré. Cause : %1</translation>
+    </message>
+    <message>
+        <source>No stop measured yet</source>
+        <translation>Pas encore d’arrêt mesuré</translation>
+    </message>
+    <message>
+        <source>▲ Speed cap raised to %1</source>
+        <translation>▲ Plafond de vitesse relevé à %1</translation>
+    </message>
+    <message>
+        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <translation>Le bras peut dépasser %1. Baissez le plafond dans les réglages ; il finit avec le programme.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldButton</name>
+    <message>
+        <source>hold</source>
+        <translation>tenir</translation>
+    </message>
+    <message>
+        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <translation>Tenez cette touche : elle ne bouge le bras que tant qu’elle est tenue.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldRules</name>
+    <message>
+        <source>The window was not the active one. Press again.</source>
+        <translation>La fenêtre n’était pas active. Appuyez de nouveau.</translation>
+    </message>
+    <message>
+        <source>Click into the window first.</source>
+        <translation>Cliquez d’abord dans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>A dialog or a menu is open. Close it first.</source>
+        <translation>Un dialogue ou un menu est ouvert. Fermez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>Une autre touche est tenue.</translation>
+    </message>
+    <message>
+        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <translation>Le serveur d’affichage ne répond pas : personne ne pourrait dire quand la touche est lâchée.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>arrêt de protection</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>arrêt d’urgence</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>violation de sécurité</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>défaut</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>L’incident (%1) n’a pu être enregistré.</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>Incident enregistré : %1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>Tout depuis %1 s avant est dans %2. Double-cliquez cette ligne pour l’ouvrir.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoChannel</name>
+    <message>
+        <source>no data</source>
+        <translation>sans données</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivée</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activée</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>en attente…</translation>
+    </message>
+    <message>
+        <source>%1, old data</source>
+        <translation>%1, vieilles données</translation>
+    </message>
+    <message>
+        <source>
+Cannot be switched while no data come from the robot.</source>
+        <translation>
+Ne peut être commutée tant qu’aucune donnée ne vient du robot.</translation>
+    </message>
+    <message>
+        <source>
+Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+        <translation>
+Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</translation>
+    </message>
+    <message>
+        <source>%1 (held by another)</source>
+        <translation>%1 (occupée par un autre)</translation>
+    </message>
+    <message>
+        <source>Pulse</source>
+        <translation>Impulsion</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Nom de %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoPages</name>
+    <message>
+        <source>Signals</source>
+        <translation>Signaux</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Pince</translation>
+    </message>
+    <message>
+        <source>Part of I/O</source>
+        <translation>Partie d’E/S</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoTab</name>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Entrées et sorties</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>Chercher des entrées et sorties</translation>
+    </message>
+    <message>
+        <source>Search by terminal or name</source>
+        <translation>Chercher par borne ou nom</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>Sorties numériques</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Entrées numériques</translation>
+    </message>
+    <message>
+        <source>Configurable outputs</source>
+        <translation>Sorties configurables</translation>
+    </message>
+    <message>
+        <source>Configurable inputs</source>
+        <translation>Entrées configurables</translation>
+    </message>
+    <message>
+        <source>Tool outputs</source>
+        <translation>Sorties de l’outil</translation>
+    </message>
+    <message>
+        <source>Tool inputs</source>
+        <translation>Entrées de l’outil</translation>
+    </message>
+    <message>
+        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <translation>Allez d’abord à une ligne de l’onglet E/S avec la touche Tab.</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm %1</source>
+        <translation>Le robot n’a pas confirmé %1</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may own it.</source>
+        <translation>Elle appartient peut-être à un autre programme ou à l’installation.</translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation>Analogiques</translation>
+    </message>
+    <message>
+        <source>Registers of the robot&apos;s programs</source>
+        <translation>Registres des programmes du robot</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>Pas de données du robot.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogColumn</name>
+    <message>
+        <source>Jog</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation>Tenir pour bouger</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Shown below the pad</source>
+        <translation>Montré sous le pavé</translation>
+    </message>
+    <message>
+        <source>The arm has not moved yet.</source>
+        <translation>Le bras n’a pas encore bougé.</translation>
+    </message>
+    <message>
+        <source>let go and press again</source>
+        <translation>lâchez et appuyez de nouveau</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>Freedrive</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Moves every joint to the home position while held</source>
+        <translation>Amène chaque articulation à la position d’origine tant qu’elle est tenue</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Aligner</translation>
+    </message>
+    <message>
+        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <translation>Tourne l’outil vers l’axe le plus proche du repère choisi tant qu’elle est tenue</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Goes back the way the arm came while held</source>
+        <translation>Refait en arrière le chemin du bras tant qu’elle est tenue</translation>
+    </message>
+    <message>
+        <source>home</source>
+        <translation>à l’origine</translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation>aligné</translation>
+    </message>
+    <message>
+        <source>Ends in %1 s</source>
+        <translation>Finit dans %1 s</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>Une autre touche est tenue.</translation>
+    </message>
+    <message>
+        <source>Last stop: not seen, data ended while the arm moved</source>
+        <translation>Dernier arrêt : non vu, les données ont cessé pendant le mouvement</translation>
+    </message>
+    <message>
+        <source>Last stop: %1, standstill after %2 ms, %3</source>
+        <translation>Dernier arrêt : %1, immobile après %2 ms, %3</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <translation>Le bras suit la main tant qu’elle est tenue : %1. Clic droit : autres axes</translation>
+    </message>
+    <message>
+        <source>Freedrive, %1</source>
+        <translation>Freedrive, %1</translation>
+    </message>
+    <message>
+        <source>Freedrive…</source>
+        <translation>Freedrive…</translation>
+    </message>
+    <message>
+        <source>Check the payload first (until the next connection)</source>
+        <translation>Vérifier d’abord la charge utile (jusqu’à la prochaine connexion)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogKey</name>
+    <message>
+        <source>%1 left this way</source>
+        <translation>reste %1 dans ce sens</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogPad</name>
+    <message>
+        <source>Jog keys</source>
+        <translation>Touches de déplacement</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>Aller en %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogSelectors</name>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Tenir</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Moves while the key is held</source>
+        <translation>Bouge tant que la touche est tenue</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Turns while the key is held</source>
+        <translation>Tourne tant que la touche est tenue</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <translation>Axes de l’image : X à droite, Y s’éloigne de vous, Z en haut</translation>
+    </message>
+    <message>
+        <source>Needs the 3D view</source>
+        <translation>Demande la vue 3D</translation>
+    </message>
+    <message>
+        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <translation>Aucun repère appris. Apprenez-en un dans l’onglet Repères.</translation>
+    </message>
+    <message>
+        <source>One step a press: %1</source>
+        <translation>Un pas par appui : %1</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1</source>
+        <translation>Une rotation par appui, de l’outil ou d’une articulation : %1</translation>
+    </message>
+    <message>
+        <source>≤ %1</source>
+        <translation>≤ %1</translation>
+    </message>
+    <message>
+        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <translation>Lentement jusqu’à ce que l’outil touche avec %1 N, tant que tenue. Cliquez encore pour d’autres pas</translation>
+    </message>
+    <message>
+        <source>One step a press: %1. Click again for other steps</source>
+        <translation>Un pas par appui : %1. Cliquez encore pour d’autres pas</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <translation>Une rotation par appui, de l’outil ou d’une articulation : %1. Cliquez encore pour d’autres rotations</translation>
+    </message>
+    <message>
+        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <translation>%1 · rotations %2 · articulations %3 · Ctrl × 0,1, Maj × 3</translation>
+    </message>
+    <message>
+        <source>Other turn…</source>
+        <translation>Autre rotation…</translation>
+    </message>
+    <message>
+        <source>Other step…</source>
+        <translation>Autre pas…</translation>
+    </message>
+    <message>
+        <source>Until contact, %1 N</source>
+        <translation>Jusqu’au contact, %1 N</translation>
+    </message>
+    <message>
+        <source>Until contact, other force…</source>
+        <translation>Jusqu’au contact, autre force…</translation>
+    </message>
+    <message>
+        <source>Other speed…</source>
+        <translation>Autre vitesse…</translation>
+    </message>
+    <message>
+        <source>Step in %1</source>
+        <translation>Pas en %1</translation>
+    </message>
+    <message>
+        <source>Turn in degrees</source>
+        <translation>Rotation en degrés</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP in %1</source>
+        <translation>Vitesse du TCP en %1</translation>
+    </message>
+    <message>
+        <source>Force that ends the motion, in N</source>
+        <translation>Force qui termine le mouvement, en N</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRow</name>
+    <message>
+        <source>%1 minus</source>
+        <translation>%1 moins</translation>
+    </message>
+    <message>
+        <source>%1 plus</source>
+        <translation>%1 plus</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRows</name>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::KeyboardJog</name>
+    <message>
+        <source>Keyboard jogging is armed</source>
+        <translation>Le déplacement au clavier est armé</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimiterLine</name>
+    <message>
+        <source>Limiter</source>
+        <translation>Limiteur</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogModel</name>
+    <message>
+        <source>Info</source>
+        <translation>Info</translation>
+    </message>
+    <message>
+        <source>▲ Warning</source>
+        <translation>▲ Avertissement</translation>
+    </message>
+    <message>
+        <source>⬣ Error</source>
+        <translation>⬣ Erreur</translation>
+    </message>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>l’opérateur</translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation>le robot</translation>
+    </message>
+    <message>
+        <source>(×%1 until %2) %3</source>
+        <translation>(×%1 jusqu’à %2) %3</translation>
+    </message>
+    <message>
+        <source>%1 · from %2</source>
+        <translation>%1 · de %2</translation>
+    </message>
+    <message>
+        <source>%1 times from %2 to %3 · from %4</source>
+        <translation>%1 fois de %2 à %3 · de %4</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Ce qui s’est passé</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogTab</name>
+    <message>
+        <source>All</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Alertes</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Erreurs</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Show from severity</source>
+        <translation>Montrer depuis la gravité</translation>
+    </message>
+    <message>
+        <source>Filter the log by words</source>
+        <translation>Filtrer le journal par mots</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <translation>Copier les lignes choisies, ou toutes celles montrées (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Write the lines that are shown to a file</source>
+        <translation>Écrire dans un fichier les lignes montrées</translation>
+    </message>
+    <message>
+        <source>The selected line in full</source>
+        <translation>La ligne choisie en entier</translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation>écrire %1</translation>
+    </message>
+    <message>
+        <source>Export the log</source>
+        <translation>Exporter le journal</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texte (*.txt)</translation>
+    </message>
+    <message>
+        <source>Log written to %1</source>
+        <translation>Journal écrit dans %1</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Ouvrir l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>Ouvrir l’enregistrement de la ligne choisie : les incidents en ont un</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 touche déjà ici %2 du bras</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 rencontre %2 du bras après %3 du chemin</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 touche déjà le sol ici</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 rencontre le sol après %2 du chemin</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 touche déjà « %2 » ici</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 rencontre « %2 » après %3 du chemin</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>La ligne entre dans la singularité du poignet après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>Lent près de la singularité du poignet à %1 du chemin</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>La ligne arrive au coude tendu après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>Lent près du coude tendu à %1 du chemin</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>La ligne arrive à l’axe de la base après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>Lent près de l’axe de la base à %1 du chemin</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>Une articulation devrait tourner d’un coup après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 quitte sa plage après %2 du chemin</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>La ligne quitte la portée du bras après %1 du chemin</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Épaule</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>Bras supérieur</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Avant-bras</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>Poignet 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>Poignet 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>Poignet 3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NothingFound</name>
+    <message>
+        <source>Nothing found</source>
+        <translation>Rien trouvé</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>Rien trouvé avec ces filtres.</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>Rien trouvé pour « %1 ».
+Videz la recherche pour tout voir.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation>Avis</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Accepter</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>Tolérance des trajectoires enregistrées</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>Enregistrer la trajectoire</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>Exporter la trajectoire en CSV…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>Importer une démonstration (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>L’enregistrement de la trajectoire s’est terminé seul : les données ont cessé, ou il durait dix minutes.</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>Ce qui a été enregistré jusque-là est gardé.</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ Enregistrer trajectoire</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>Terminer l’enregistrement de la trajectoire</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>La trajectoire est en cours d’allègement.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>Aucune donnée ne vient du robot : il n’y a rien à enregistrer.</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>Termine l’enregistrement et garde la trajectoire en points de passage</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>Enregistre où le bras est mené, par Freedrive ou à la main, jusqu’au prochain appui, et garde la trajectoire en points. Cela ne bouge rien.</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Choisissez les points de la trajectoire, au moins deux.</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>Exporter la trajectoire</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>La trajectoire n’a pas été écrite.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n point écrit comme trajectoire dans %1</numerusform>
+            <numerusform>%n points écrits comme trajectoire dans %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>Importer une démonstration</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 n’a pas de colonne « %2 ». Il faut timestamp et actual_q_0 à actual_q_5.</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>Aucune donnée ne vient du robot : il n’y a rien à enregistrer.</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>Rien n’a été lu : une trajectoire s’enregistre. Terminez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>La démonstration n’a pu être lue.</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>trajectoire %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>Le bras n’a pas bougé : aucune trajectoire n’a été gardée.</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>Enregistrer « %1 »</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>« %1 » : %2 s en %3 points. Chaque place enregistrée en est à moins de %4 et %5.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n paquet n’est pas arrivé.</numerusform>
+            <numerusform>%n paquets ne sont pas arrivés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>Choisissez les points de la trajectoire, au moins deux.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>« %1 » est inaccessible. Retouchez-le, ou laissez-le.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>motif</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>Motif par trois coins</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>Motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>Première place</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>Fin de la première rangée</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>Début de la dernière rangée</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>choisir un point de passage</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>comme appris</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>Places par rangée</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rangées</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>Hauteur d’une couche</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>D’une couche à la suivante, contre la direction de l’outil.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>Rangée par rangée</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>Méandre</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>Créer le motif</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changer</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>Un motif demande un nom.</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>Un motif porte déjà ce nom. Choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>Choisissez le point de chaque coin. Apprenez d’abord les trois coins s’ils manquent.</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>Deux coins sont la même place. Choisissez un autre point pour l’un.</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>La hauteur d’une couche n’est pas un chiffre possible.</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>Les couches demandent une hauteur.</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 places sont plus que les %2 qu’un motif peut avoir.</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>Toutes les places sont laissées de côté.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n point de passage.</numerusform>
+            <numerusform>%n points de passage.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 Tous sont accessibles.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>%n est hors de portée et marqué.</numerusform>
+            <numerusform>%n sont hors de portée et marqués.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>Places du motif</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>Cliquez une place pour la laisser de côté ou la reprendre. Le premier coin est en bas à gauche.</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>Rangée %1, colonne %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>Pose suivante (tenir)</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>Garder la charge utile</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>Trouver la charge utile</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>Trouver la charge utile en la pesant dans plusieurs poses</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>Pose suivante, tenir</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>Tourne le poignet vers la pose suivante tant que la touche est tenue, pas plus vite que la vitesse manuelle. Voyez que l’outil ait la place de tourner.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>Annuler la recherche de la charge utile</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>Le bras a bougé. Laissez-le s’immobiliser, ne touchez à rien et reprenez la pose.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>Le robot n’envoie pas de forces. Saisissez masse et centre en chiffres.</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Pesée… que rien ne touche l’outil.</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg, centre à %2 de la bride. Les poses s’accordent à %3 et %4 près.</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 C’est faible : la pose %2 convient le moins. Ôtez-la et prenez-en une autre.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>L’outil tourne trop peu entre les poses. Prenez-en une de plus, tournée d’un autre côté.</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg : trop léger pour que le capteur dise où est le centre. Saisissez-le en chiffres.</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>Laissez le bras s’immobiliser, ne touchez à rien et prenez la pose. Tournez ensuite le poignet, à la main ou avec « Pose suivante », et prenez-en trois de plus.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Tournez le poignet d’un autre côté et prenez la pose. Encore : %n</numerusform>
+            <numerusform>Tournez le poignet d’un autre côté et prenez la pose. Encore : %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Prendre la pose %1</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>Ôter la pire</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>Ôter la dernière</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>Pose %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ convient le moins</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>Masse kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>Utilisé</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>Une charge utile demande un nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>« %1 » est déjà le nom d’une autre charge utile. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>Rien de monté</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85, à vide</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140, à vide</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>Charges utiles</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>Pas encore de charge utile.
+Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>Masse de la charge utile</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>Centre de gravité X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>Centre de gravité Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>Centre de gravité Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>Entrée l’applique au projet ; le robot garde le sien.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Régler sur le robot</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>Utiliser cette charge utile et la régler sur le robot</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>Peser…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>Trouver la charge utile avec le bras</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>Est-elle juste ?</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>Vérifier si la charge utile est juste</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>Garder la charge utile du robot</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>Nouvelle charge utile en chiffres</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>charge utile</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>Ajouter un modèle : %1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>Renommer la charge utile</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>Dupliquer la charge utile</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>Supprimer la charge utile</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>Ajouter la charge utile « %1 »</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>Changer la charge utile « %1 »</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>Choisissez une charge utile à régler.</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>Utiliser la charge utile « %1 »</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>Supprimer la charge utile « %1 »</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>Pesée… que rien ne touche l’outil.</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>Le bras a bougé. Laissez-le s’immobiliser, ne touchez à rien et vérifiez encore.</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>Le robot n’envoie pas de forces : sa charge utile ne peut être vérifiée.</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>Avec %1 kg le bras sent au repos %2 et %3.</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>La charge utile est juste. %1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>La charge utile est juste</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>Environ %1 kg de plus y pendent qu’il ne le sait.</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>Environ %1 kg de moins y pendent qu’il ne le sait.</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>Son centre est ailleurs, ou quelque chose touche l’outil.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 Pesez-la, ou choisissez une autre charge utile. Mettre à zéro le capteur de force cache une charge fausse jusqu’à ce que l’outil tourne.</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>La charge utile n’est pas juste. %1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>La charge utile n’est pas juste</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, comme sur le robot</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1 ; le robot connaît %2 kg, centre %3</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>Le robot a une autre charge utile que « %1 »</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>Sur le robot : %1 kg, centre %2. Dans le projet : %3 kg, centre %4. Rien n’a été changé.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Régler « %1 » sur le robot</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotDock</name>
+    <message>
+        <source>5 s</source>
+        <translation>5 s</translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation>30 s</translation>
+    </message>
+    <message>
+        <source>2 min</source>
+        <translation>2 min</translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation>10 min</translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation>30 min</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Tracés</translation>
+    </message>
+    <message>
+        <source>Cursor read-out</source>
+        <translation>Lecture au curseur</translation>
+    </message>
+    <message>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <translation>Cliquez dans les tracés pour poser les curseurs A et B ; tirez-les, ou utilisez les touches A, B et les flèches. Cliquez un nom de légende pour cacher sa courbe, avec Ctrl pour lire ce signal.</translation>
+    </message>
+    <message>
+        <source>Time window</source>
+        <translation>Fenêtre de temps</translation>
+    </message>
+    <message>
+        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <translation>Combien de temps montrent les tracés. La molette sur les tracés zoome ; sur les valeurs à gauche, ou avec Ctrl, elle zoome celles-ci, et un double clic y laisse à nouveau décider les courbes.</translation>
+    </message>
+    <message>
+        <source>Pause the plots</source>
+        <translation>Mettre les tracés en pause</translation>
+    </message>
+    <message>
+        <source>Zero the force shown</source>
+        <translation>Mettre à zéro la force montrée</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Zéro</translation>
+    </message>
+    <message>
+        <source>Export the shown range</source>
+        <translation>Exporter la plage montrée</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <translation>Enregistrer ce qui est montré en image (PNG) ou en valeurs (CSV)</translation>
+    </message>
+    <message>
+        <source>Record to a CSV file</source>
+        <translation>Enregistrer dans un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <translation>Enregistrer dans un fichier CSV ce que le robot envoie ; la touche à côté dit quoi et où</translation>
+    </message>
+    <message>
+        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>La force n’a pas été mise à zéro : les tracés ne montrent pas de valeurs. Connectez-vous à un robot, ou allez à un temps avec des valeurs.</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s back</source>
+        <translation>En pause · %1 s en arrière</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Hold the plots still; data and recording go on</source>
+        <translation>Figer les tracés ; données et enregistrement continuent</translation>
+    </message>
+    <message>
+        <source>Back to the newest samples</source>
+        <translation>Retour aux valeurs les plus récentes</translation>
+    </message>
+    <message>
+        <source>Show the force as the robot measures it again. %1</source>
+        <translation>Montrer de nouveau la force comme le robot la mesure. %1</translation>
+    </message>
+    <message>
+        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <translation>Compter la force à partir de ce qu’elle est maintenant. Seulement ce que montrent les tracés : robot, enregistrements et valeurs exportées gardent ce qui a été mesuré.</translation>
+    </message>
+    <message>
+        <source>● REC %1</source>
+        <translation>● REC %1</translation>
+    </message>
+    <message>
+        <source>● Record</source>
+        <translation>● Enregistrer</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Arrêter l’enregistrement</translation>
+    </message>
+    <message>
+        <source>controller time %1 … %2 s</source>
+        <translation>temps du contrôleur %1 … %2 s</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simulé</translation>
+    </message>
+    <message>
+        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>Rien n’a été exporté : les tracés ne montrent pas de valeurs. Connectez-vous à un robot, ou allez à un temps avec des valeurs.</translation>
+    </message>
+    <message>
+        <source>Exported the shown range to %1</source>
+        <translation>Plage montrée exportée dans %1</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Image (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation>Dessin (*.svg)</translation>
+    </message>
+    <message>
+        <source>Page (*.pdf)</source>
+        <translation>Page (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation>Valeurs (*.csv)</translation>
+    </message>
+    <message>
+        <source>What is recorded</source>
+        <translation>Ce qui est enregistré</translation>
+    </message>
+    <message>
+        <source>Rows, signals, folder and file name of the next recording</source>
+        <translation>Lignes, signaux, dossier et nom de fichier du prochain enregistrement</translation>
+    </message>
+    <message>
+        <source>A row for every packet</source>
+        <translation>Une ligne pour chaque paquet</translation>
+    </message>
+    <message numerus="yes">
+        <source>A row for every %n packet(s)</source>
+        <translation>
+            <numerusform>Une ligne pour chaque paquet</numerusform>
+            <numerusform>Une ligne tous les %n paquets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All signals…</source>
+        <translation>Tous les signaux…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s)…</source>
+        <translation>
+            <numerusform>%n signal…</numerusform>
+            <numerusform>%n signaux…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>File name %1…</source>
+        <translation>Nom de fichier %1…</translation>
+    </message>
+    <message>
+        <source>Folder %1…</source>
+        <translation>Dossier %1…</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>Montrer le dossier</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>export to %1</source>
+        <translation>exporter vers %1</translation>
+    </message>
+    <message>
+        <source>export: there are no samples in this range</source>
+        <translation>exporter : il n’y a pas de valeurs dans cette plage</translation>
+    </message>
+    <message>
+        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <translation>nommez le fichier .png, .svg ou .pdf pour une image, .csv pour des valeurs</translation>
+    </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1, à %2 s du temps des tracés</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Note : %1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>Que s’est-il passé à ce moment ?</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>Les tracés sont dans le presse-papiers en image.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>Historique %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>Nouvelle page</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>Ôter cette page</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>Tracés standard</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Ouvrir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>Fermer les enregistrements</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>Copier les tracés en image</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>Enregistrer cette disposition…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>Ouvrir une disposition…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>Mémoire pour l’historique</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>enregistrer la disposition dans %1</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>ouvrir la disposition %1</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>Enregistrement %1 ouvert</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>Enregistrements (*.mcap *.csv *.h5 *.hdf5);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>Enregistrer la disposition des tracés</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>Disposition de tracés (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>Ouvrir une disposition de tracés</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 et d’autres</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>Liste des signaux</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signaux</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>Tout ce que dit le robot : tirez-le sur un tracé, sur son bord pour un tracé à part, ou double clic</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valeurs aux curseurs</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>Ce que vaut chaque signal aux curseurs A et B, et ce qu’il y a entre : plus petit, plus grand, moyenne, RMS, écart, pente</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>Pages et disposition des tracés</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>Layout ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>lire une disposition de tracés</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 au-dessus de %2</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 au-dessous de %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>Pages de tracés</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>Nom de la page</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Page %1</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>Double clic : autre nom</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valeurs aux curseurs</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>Crête à crête</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>Pente par s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>Cliquez dans les tracés pour poser A, puis B : ce qu’il y a entre est résumé ici.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotView</name>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s · Δ%2 %3</source>
+        <translation>A–B Δt %1 s · Δ%2 %3</translation>
+    </message>
+    <message>
+        <source>%1 (zeroed)</source>
+        <translation>%1 (à zéro)</translation>
+    </message>
+    <message>
+        <source>%1 %2 s · %3 %4</source>
+        <translation>%1 %2 s · %3 %4</translation>
+    </message>
+    <message>
+        <source>Scale held · double click the axis to let it go</source>
+        <translation>Échelle tenue · double clic sur l’axe pour la libérer</translation>
+    </message>
+    <message>
+        <source>No samples yet: connect to a robot</source>
+        <translation>Pas encore de valeurs : connectez-vous à un robot</translation>
+    </message>
+    <message>
+        <source>Zeroed: %1 %2 taken off</source>
+        <translation>À zéro : %1 %2 ôtés</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>Tracés dans le temps</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A et B posent les curseurs, les flèches les déplacent, haut et bas choisissent le signal qu’ils lisent ; H cache sa courbe, Ctrl+Suppr l’ôte ; plus et moins changent la fenêtre de temps, avec Ctrl l’échelle des valeurs, Ctrl+0 laisse à nouveau décider les courbes ; N écrit une note ; F montre tout ; Fin revient aux valeurs les plus récentes</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>Déposez les signaux ici</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseEditor</name>
+    <message>
+        <source>%1 X</source>
+        <translation>%1 X</translation>
+    </message>
+    <message>
+        <source>%1 Y</source>
+        <translation>%1 Y</translation>
+    </message>
+    <message>
+        <source>%1 Z</source>
+        <translation>%1 Z</translation>
+    </message>
+    <message>
+        <source>Rotation about X (RX)</source>
+        <translation>Rotation autour de X (RX)</translation>
+    </message>
+    <message>
+        <source>Rotation about Y (RY)</source>
+        <translation>Rotation autour de Y (RY)</translation>
+    </message>
+    <message>
+        <source>Rotation about Z (RZ)</source>
+        <translation>Rotation autour de Z (RZ)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseView</name>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP à la bride</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP à %1 de la bride</translation>
+    </message>
+    <message>
+        <source>in %1 · %2</source>
+        <translation>en %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>TCP pose in %1</source>
+        <translation>Pose du TCP en %1</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <translation>orientation selon les réglages. Δ₀ : chemin depuis zéro. Clic : chemin depuis l’appui</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <translation>orientation selon les réglages. Δ : chemin depuis l’appui. Clic : zéro ici</translation>
+    </message>
+    <message>
+        <source>TCP in the frame of the flange: %1</source>
+        <translation>TCP dans le repère de la bride : %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>Articulations °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>Une position demande un nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>« %1 » est déjà le nom d’une autre position. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positions</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>Pas encore de positions.
+Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>Hauteur sûre</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1. Entrée l’applique ; rien ne bouge que la position.</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>Au-dessus, dans le repère de base, il n’y a rien : là le TCP peut aller de côté.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Ici</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>La hauteur sûre est là où est le TCP maintenant</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>Origine ici</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>Ajouter ici</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>Garder la position du bras</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>Utiliser comme origine</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>Utiliser la position choisie comme origine</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>Retoucher la position</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>Reprendre l’origine habituelle</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>Utiliser l’origine habituelle</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>Renommer la position</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>Supprimer la position</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>Mettre « %1 » là où est le bras ?</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>La touche Origine y va désormais.</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>Régler l’origine</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>position</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>Ajouter la position « %1 »</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>Choisissez une position à retoucher.</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>Retoucher « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>Plus grand changement articulaire : %1 %2.</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retoucher</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>Retoucher « %1 »</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>Utiliser « %1 » comme origine</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>Choisissez une position comme origine.</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Supprimer « %1 »</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Changer « %1 »</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>Régler la hauteur sûre</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>Pas de hauteur sûre</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>La touche Origine va à l’origine habituelle : dressé, dégagé de lui-même.</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1 : la touche Origine y va</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · %2 %3 d’ici</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::Practice</name>
+    <message>
+        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <translation>Démarrez d’abord le robot simulé : il est dans le menu Robot.</translation>
+    </message>
+    <message>
+        <source>Power the arm on and release the brakes first.</source>
+        <translation>Mettez d’abord le bras sous tension et desserrez les freins.</translation>
+    </message>
+    <message>
+        <source>The arm is in a stop. Recover from it first.</source>
+        <translation>Le bras est en arrêt. Rétablissez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Done. Start does it once more.</source>
+        <translation>Fait. Démarrer recommence.</translation>
+    </message>
+    <message>
+        <source>Press Start.</source>
+        <translation>Pressez Démarrer.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PracticeCard</name>
+    <message>
+        <source>Practice</source>
+        <translation>Exercices</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fait</translation>
+    </message>
+    <message>
+        <source>Force Fz in newtons</source>
+        <translation>Force Fz en newtons</translation>
+    </message>
+    <message>
+        <source>figure, then Return</source>
+        <translation>chiffre, puis Entrée</translation>
+    </message>
+    <message>
+        <source>Fz [N]</source>
+        <translation>Fz [N]</translation>
+    </message>
+    <message>
+        <source>The task before</source>
+        <translation>L’exercice précédent</translation>
+    </message>
+    <message>
+        <source>The next task</source>
+        <translation>L’exercice suivant</translation>
+    </message>
+    <message>
+        <source>Practice · %1 of %2</source>
+        <translation>Exercices · %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Begins the task, or begins it anew</source>
+        <translation>Commence l’exercice, ou le recommence</translation>
+    </message>
+    <message>
+        <source>Goes on to the next task</source>
+        <translation>Passe à l’exercice suivant</translation>
+    </message>
+    <message>
+        <source>Possible once the check above says so</source>
+        <translation>Possible dès que le contrôle ci-dessus le dit</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PreflightPage</name>
+    <message>
+        <source>Good</source>
+        <translation>Bon</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>À voir</translation>
+    </message>
+    <message>
+        <source>Bad</source>
+        <translation>Mauvais</translation>
+    </message>
+    <message>
+        <source>Not looked at</source>
+        <translation>Non vérifié</translation>
+    </message>
+    <message>
+        <source>Before you connect to %1</source>
+        <translation>Avant de vous connecter à %1</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Conditions</translation>
+    </message>
+    <message>
+        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <translation>Connectée malgré tout, la fenêtre montre les données qu’il y a. Ce qui est rouge ci-dessus peut empêcher de prendre le contrôle, ou terminer un mouvement en cours.</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Vérifier encore</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connecter</translation>
+    </message>
+    <message>
+        <source>Keep everybody out of the arm&apos;s reach.
+Keep the emergency stop at hand: STOP in this window is a software stop.
+Begin slowly: the first speed is %1.
+Watch the arm, not the screen, while a key is held.
+Let go of the key and the arm stops.</source>
+        <translation>Gardez tout le monde hors de portée du bras.
+Gardez l’arrêt d’urgence sous la main : STOP dans cette fenêtre est un arrêt logiciel.
+Commencez lentement : la première vitesse est %1.
+Regardez le bras, pas l’écran, tant qu’une touche est tenue.
+Lâchez la touche et le bras s’arrête.</translation>
+    </message>
+    <message>
+        <source>Looking at %1…</source>
+        <translation>Vérification de %1…</translation>
+    </message>
+    <message>
+        <source>Something is in the way</source>
+        <translation>Quelque chose l’empêche</translation>
+    </message>
+    <message>
+        <source>Ready, with warnings</source>
+        <translation>Prêt, avec des avertissements</translation>
+    </message>
+    <message>
+        <source>Everything is ready</source>
+        <translation>Tout est prêt</translation>
+    </message>
+    <message>
+        <source>Connect anyway</source>
+        <translation>Connecter malgré tout</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectDocument</name>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Supprimer « %1 »</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n waypoints</source>
+        <translation>
+            <numerusform>Supprimer %n point de passage</numerusform>
+            <numerusform>Supprimer %n points de passage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the order</source>
+        <translation>Changer l’ordre</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFiles</name>
+    <message>
+        <source>The damaged project file was kept as %1</source>
+        <translation>Le fichier de projet endommagé a été gardé sous %1</translation>
+    </message>
+    <message>
+        <source>The project could not be saved</source>
+        <translation>Le projet n’a pu être enregistré</translation>
+    </message>
+    <message>
+        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <translation>%1. Mettez Tiller à jour pour l’ouvrir. Le fichier est resté tel quel.</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Ouvrir un projet</translation>
+    </message>
+    <message>
+        <source>Tiller projects (*.tiller)</source>
+        <translation>Projets Tiller (*.tiller)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+    <message>
+        <source>The project could not be opened</source>
+        <translation>Le projet n’a pu être ouvert</translation>
+    </message>
+    <message>
+        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <translation>Une copie de « %1 » est ouverte. Enregistrez-la dans un fichier pour garder les changements.</translation>
+    </message>
+    <message>
+        <source>“%1” is a copy and has changes that are in no file.</source>
+        <translation>« %1 » est une copie et a des changements qui ne sont dans aucun fichier.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Drop the changes</source>
+        <translation>Abandonner les changements</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation>%1 est endommagé</translation>
+    </message>
+    <message>
+        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <translation>%1. Points de passage lisibles : %2, non lisibles : %3. Le fichier endommagé est gardé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n waypoints</source>
+        <translation>
+            <numerusform>Ouvrir %n point de passage</numerusform>
+            <numerusform>Ouvrir %n points de passage</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectStore</name>
+    <message>
+        <source>%1 — a copy, not saved to a file</source>
+        <translation>%1 — une copie, non enregistrée dans un fichier</translation>
+    </message>
+    <message>
+        <source>project not saved to a file</source>
+        <translation>projet non enregistré dans un fichier</translation>
+    </message>
+    <message>
+        <source>disk full</source>
+        <translation>disque plein</translation>
+    </message>
+    <message>
+        <source>%1 — not saved: %2</source>
+        <translation>%1 — non enregistré : %2</translation>
+    </message>
+    <message>
+        <source>%1 — saving…</source>
+        <translation>%1 — enregistrement…</translation>
+    </message>
+    <message>
+        <source>%1 — saved</source>
+        <translation>%1 — enregistré</translation>
+    </message>
+    <message>
+        <source>no file chosen</source>
+        <translation>aucun fichier choisi</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecoveryPage</name>
+    <message>
+        <source>Recovery</source>
+        <translation>Rétablissement</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>Force au TCP</translation>
+    </message>
+    <message>
+        <source>Joint current</source>
+        <translation>Courant articulaire</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>Vitesse du TCP</translation>
+    </message>
+    <message>
+        <source>Waiting for data from the robot…</source>
+        <translation>En attente de données du robot…</translation>
+    </message>
+    <message>
+        <source>At X %1, Y %2, Z %3.</source>
+        <translation>À X %1, Y %2, Z %3.</translation>
+    </message>
+    <message>
+        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <translation>Articulation suspecte : %1, dont le courant s’est le plus écarté de sa cible.</translation>
+    </message>
+    <message>
+        <source> (%1 s)</source>
+        <translation> (%1 s)</translation>
+    </message>
+    <message>
+        <source>Tick what you have looked at.</source>
+        <translation>Cochez ce que vous avez regardé.</translation>
+    </message>
+    <message>
+        <source>Asked; waiting for the robot…</source>
+        <translation>Demandé ; en attente du robot…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RegisterPanel</name>
+    <message>
+        <source>General purpose registers</source>
+        <translation>Registres généraux</translation>
+    </message>
+    <message>
+        <source>Int %1</source>
+        <translation>Entier %1</translation>
+    </message>
+    <message>
+        <source>Number %1</source>
+        <translation>Nombre %1</translation>
+    </message>
+    <message>
+        <source>Int</source>
+        <translation>Entier</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation>Bit</translation>
+    </message>
+    <message>
+        <source>Kind of input register</source>
+        <translation>Type du registre d’entrée</translation>
+    </message>
+    <message>
+        <source>Number of the input register</source>
+        <translation>Numéro du registre d’entrée</translation>
+    </message>
+    <message>
+        <source>Value for the input register</source>
+        <translation>Valeur pour le registre d’entrée</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Écrire</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotPopup</name>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Popup on the robot</source>
+        <translation>Message sur le robot</translation>
+    </message>
+    <message>
+        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <translation>Il n’a pu être fermé d’ici : fermez-le sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>No data from the robot: close it on the teach pendant.</source>
+        <translation>Pas de données du robot : fermez-le sur le pupitre.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the robot.</source>
+        <translation>
+            <numerusform>%n de plus sur le robot.</numerusform>
+            <numerusform>%n de plus sur le robot.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <translation>Un programme qui l’attend continue après sa fermeture : restez à l’écart du bras.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Cacher</translation>
+    </message>
+    <message>
+        <source>Close the popup on the robot</source>
+        <translation>Fermer le message sur le robot</translation>
+    </message>
+    <message>
+        <source>Hide the popup</source>
+        <translation>Cacher le message</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotSession</name>
+    <message>
+        <source>Stopped: %1 (%2 ms, %3)</source>
+        <translation>Arrêté : %1 (%2 ms, %3)</translation>
+    </message>
+    <message>
+        <source>Connecting to %1 (%2)</source>
+        <translation>Connexion à %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Disconnected from %1</source>
+        <translation>Déconnecté de %1</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>Contrôlé</translation>
+    </message>
+    <message>
+        <source>Taking control was ended by a stop</source>
+        <translation>Un arrêt a mis fin à la prise de contrôle</translation>
+    </message>
+    <message>
+        <source>Connected to %1</source>
+        <translation>Connecté à %1</translation>
+    </message>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>La sécurité est de nouveau normale</translation>
+    </message>
+    <message>
+        <source>Program: %1</source>
+        <translation>Programme : %1</translation>
+    </message>
+    <message>
+        <source>Program error in line %1, column %2: %3</source>
+        <translation>Erreur de programme ligne %1, colonne %2 : %3</translation>
+    </message>
+    <message>
+        <source>Popup on the robot: %1 %2</source>
+        <translation>Message sur le robot : %1 %2</translation>
+    </message>
+    <message>
+        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <translation>Le programme du robot attend une réponse sur le pupitre : %1</translation>
+    </message>
+    <message>
+        <source>Not connected to a robot.</source>
+        <translation>Connecté à aucun robot.</translation>
+    </message>
+    <message>
+        <source>Waiting for data from %1.</source>
+        <translation>En attente de données de %1.</translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation>Connexion à %1…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <translation>Pas de données du robot. Reconnexion automatique ; le mouvement ne reprend pas.</translation>
+    </message>
+    <message>
+        <source>Data from the robot are late.</source>
+        <translation>Les données du robot sont en retard.</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>Prise de contrôle…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotiqLink</name>
+    <message>
+        <source>Connecting to the gripper…</source>
+        <translation>Connexion à la pince…</translation>
+    </message>
+    <message>
+        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <translation>La pince ne donne pas de valeurs. Mettez le bras sous tension ; si cela reste, vérifiez le câble de la pince au poignet.</translation>
+    </message>
+    <message>
+        <source>The gripper answers again</source>
+        <translation>La pince répond de nouveau</translation>
+    </message>
+    <message>
+        <source>The gripper is active</source>
+        <translation>La pince est active</translation>
+    </message>
+    <message>
+        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <translation>La pince n’est pas devenue active. Voyez que rien ne bloque ses doigts, puis pressez de nouveau Activer.</translation>
+    </message>
+    <message>
+        <source>The gripper holds an object (%1 open)</source>
+        <translation>La pince tient un objet (ouverte de %1)</translation>
+    </message>
+    <message>
+        <source>The gripper lost the object it held</source>
+        <translation>La pince a perdu l’objet qu’elle tenait</translation>
+    </message>
+    <message>
+        <source>Gripper: activate</source>
+        <translation>Pince : activer</translation>
+    </message>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>Échec : %1. %2</translation>
+    </message>
+    <message>
+        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <translation>Personne ne répond pour la pince à %1:%2. Installez l’URCap de Robotiq sur le robot et choisissez la pince dans son Installation.</translation>
+    </message>
+    <message>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <translation>La pince ne répond pas. Vérifiez son câble au poignet et sa page dans l’Installation du robot ; si cela reste, redémarrez le robot.</translation>
+    </message>
+    <message>
+        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <translation>Le robot a terminé la connexion à la pince ; il redémarre peut-être. Elle revient d’elle-même ; la pince continue de tenir.</translation>
+    </message>
+    <message>
+        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <translation>La pince ne l’a pas accepté. Activez-la ; si elle est active, voyez sa page dans l’Installation du robot.</translation>
+    </message>
+    <message>
+        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <translation>La pince s’active : ce qui a été demandé se fait ensuite.</translation>
+    </message>
+    <message>
+        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <translation>La pince a été envoyée quelque part avant d’être active. Pressez Activer.</translation>
+    </message>
+    <message>
+        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <translation>La pince est trop chaude. Laissez-la refroidir, puis pressez Activer.</translation>
+    </message>
+    <message>
+        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <translation>La pince n’a rien entendu pendant une seconde. Vérifiez son câble au poignet, puis pressez Activer.</translation>
+    </message>
+    <message>
+        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <translation>La pince a trop peu de tension. Réglez la tension de l’outil à 24 V, puis pressez Activer.</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <translation>Le relâchement automatique de la pince est en cours. Attendez qu’il finisse, puis pressez Activer.</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <translation>Le relâchement automatique de la pince est fini. Pressez Activer.</translation>
+    </message>
+    <message>
+        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <translation>La pince a un défaut interne. Pressez Activer ; s’il revient, demandez à Robotiq.</translation>
+    </message>
+    <message>
+        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>L’activation a échoué. Voyez que rien ne bloque les doigts, puis pressez Activer.</translation>
+    </message>
+    <message>
+        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>La pince tire trop de courant. Voyez que rien ne bloque les doigts, puis pressez Activer.</translation>
+    </message>
+    <message>
+        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <translation>La pince signale le défaut %1. Pressez Activer ; s’il revient, voyez son manuel.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneDock</name>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneKeys</name>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>Regarder du premier côté, en perspective</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Look from the front: X of the base to the right, Z up</source>
+        <translation>Regarder de face : X de la base à droite, Z en haut</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Look from the side: Y of the base to the right, Z up</source>
+        <translation>Regarder de côté : Y de la base à droite, Z en haut</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Look from above: X of the base to the right, Y up</source>
+        <translation>Regarder d’en haut : X de la base à droite, Y en haut</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Cadrer</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture</source>
+        <translation>Bras, cible et points de passage dans l’image</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneView</name>
+    <message>
+        <source>View of the arm</source>
+        <translation>Vue du bras</translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <translation>Tirez ou utilisez les flèches pour regarder d’un autre côté, avec Maj ou le bouton droit pour déplacer l’image, la molette ou plus et moins pour s’approcher, double clic ou Origine pour la première vue. Rien ici ne bouge le robot.</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>SANS DONNÉES</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Non connecté</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · out of reach</source>
+        <translation>fantôme « %1 » · hors de portée</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <translation>fantôme « %1 » · accessible · plus grande rotation %2 %3 · %4 s à %5</translation>
+    </message>
+    <message>
+        <source>1 name hidden: come nearer</source>
+        <translation>1 nom caché : approchez-vous</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names hidden: come nearer</source>
+        <translation>
+            <numerusform>%n nom caché : approchez-vous</numerusform>
+            <numerusform>%n noms cachés : approchez-vous</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>fantôme « %1 » · accessible</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>fantôme « %1 » · %2 · plus grande rotation %3 %4 · %5 s à %6</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>calculer un signal</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 ne vient pas dans les mêmes paquets que les autres.</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>Dérivés</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>C’est plus de signaux qu’un robot n’en envoie à la fois : ôtez-en d’abord d’autres.</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>ouvrir %1</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>Cet enregistrement n’a aucune ligne.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>Trop peu de mémoire d’historique pour montrer %1 : choisissez-en plus dans le menu Layout.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>Chercher des signaux</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>Signaux du robot</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>Nouveau : |F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>Signal calculé à partir d’autres</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>Un nom, une unité entre crochets si vous voulez, et une expression sur des signaux : tirez-les ici pour leurs noms. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ et les fonctions usuelles. Entrée le crée.</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1 : ce robot ne l’envoie pas.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SimulationChip</name>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <translation>Ce robot est simulé. Seuls des pixels bougent.</translation>
+    </message>
+    <message>
+        <source>SIMULATION</source>
+        <translation>SIMULATION</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SpeedChip</name>
+    <message>
+        <source>Speed slider</source>
+        <translation>Curseur de vitesse</translation>
+    </message>
+    <message>
+        <source>Speed slider of the robot, 2 to 100 %</source>
+        <translation>Curseur de vitesse du robot, 2 à 100 %</translation>
+    </message>
+    <message>
+        <source>SPEED</source>
+        <translation>VITESSE</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StatusLine</name>
+    <message>
+        <source>Recording, session and last message</source>
+        <translation>Enregistrement, session et dernier message</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>enregistré</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>non enregistré</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
+    </message>
+    <message>
+        <source>%1 samples · %2 · %3 free</source>
+        <translation>%1 valeurs · %2 · %3 libres</translation>
+    </message>
+    <message>
+        <source>Recording ended</source>
+        <translation>Enregistrement terminé</translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation>Pas d’enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Software stop. Not an emergency stop. Power stays on.</source>
+        <translation>Arrêt logiciel. Pas un arrêt d’urgence. Le courant reste.</translation>
+    </message>
+    <message>
+        <source>Space / Esc
+not an e-stop</source>
+        <translation>Espace / Esc
+pas d’urgence</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopPlot</name>
+    <message>
+        <source>Highest value %1 in the last five seconds</source>
+        <translation>Plus haute valeur %1 des cinq dernières secondes</translation>
+    </message>
+    <message>
+        <source>max %1</source>
+        <translation>max %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>Utilisé</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>Un TCP demande un nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>« %1 » est déjà le nom d’un autre TCP. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>Pas encore de TCP.
+Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le bras.</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>Depuis la bride. Entrée l’applique au projet ; le robot garde le sien.</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>Régler sur le robot</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>Utiliser ce TCP et le régler sur le robot</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>Apprendre…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>Apprendre un TCP avec le bras</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>Du robot</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>Garder le TCP du robot</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>Réapprendre le TCP choisi…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>Nouveau TCP en chiffres</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>outil</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>Renommer le TCP</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>Dupliquer le TCP</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>Supprimer le TCP</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>Changer le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>Réapprendre le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>Ajouter le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>« %1 » est le TCP du robot.</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>Réapprendre « %1 »</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>Apprendre un nouveau TCP</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>Choisissez un TCP à régler.</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>Utiliser le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>Supprimer le TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1, depuis la bride</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1, comme sur le robot</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1, à %2 de celui du robot</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>Le robot a un autre TCP que « %1 »</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>Sur le robot : %1. Dans le projet : %2. Ils sont à %3 l’un de l’autre. Rien n’a été changé.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Régler « %1 » sur le robot</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>Prendre la pose</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>Reprendre la pire</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prendre</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>Garder le TCP</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>Apprendre le TCP</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>Prendre une pose de la rotation</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>Rotation de l’outil</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>Rotation inchangée</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>Rotation par une pose : outil droit vers le bas</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>Rotation par trois poses : selon +Z, vers +X</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>Pointe à %1. Les poses s’accordent à %2 (rms) ; la pose %3 convient le moins, de %4.</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>L’outil tourne trop peu entre les poses. Prenez-en une de plus, inclinée de 30° ou plus d’un autre côté.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>Le robot n’a pas envoyé de place valable. Reprenez les poses.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Quatre fois en tout : la pointe au même point, l’outil incliné chaque fois d’un autre côté.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
+            <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>L’outil garde la rotation qu’il a maintenant.</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son X suive le X de la base ; prenez-le.</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>Rotation prise. Reprenez-la pour la remplacer.</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>Prenez l’outil tel qu’il est. À partir d’ici il ne doit pas tourner : déplacez seulement X, Y et Z.</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>Déplacez l’outil selon son propre +Z, loin de la bride, d’au moins %1, et prenez-le.</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>Maintenant du côté de son +X, d’au moins %1, et prenez-le.</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>Rotation prise : %1 selon +Z, %2 à côté ; la bride a tourné de %3, surtout à la pose %4.</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>La bride a tourné de %1 en chemin, surtout à la pose %2. Reprenez les trois sans tourner l’outil.</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>Le chemin selon +Z n’est que de %1. Reprenez les trois, distantes d’au moins %2.</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>Le chemin vers +X n’est que de %1. Reprenez les trois, distantes d’au moins %2.</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>Les trois poses sont alignées : la troisième n’est qu’à %1. Reprenez les trois.</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>Le robot n’a pas envoyé de place valable. Reprenez les trois.</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>Reprendre la dernière</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>Prendre la pose %1</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ convient le moins</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>Les poses se prennent tant que le robot envoie des données.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TickLine</name>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>pas encore fait</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Charge utile</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positions</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP, charge utile ou positions</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TravelWatch</name>
+    <message>
+        <source>%1: %2 left, then %3 is at its limit</source>
+        <translation>%1 : reste %2, puis %3 est à sa limite</translation>
+    </message>
+    <message>
+        <source>%1: %2 left to the plane the base stands on</source>
+        <translation>%1 : reste %2 jusqu’au plan où repose la base</translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <translation>%1 : reste %2, puis la fin de la portée ou une singularité</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ViewCard</name>
+    <message>
+        <source>Fold</source>
+        <translation>Replier</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>The view is too small to unfold this</source>
+        <translation>La vue est trop petite pour déplier ceci</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>Déplier</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDetails</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <translation>Dans le repère du point. Entrée l’applique ; rien ne bouge que le point.</translation>
+    </message>
+    <message>
+        <source>Selected waypoint</source>
+        <translation>Point de passage choisi</translation>
+    </message>
+    <message>
+        <source>Frame of the waypoint</source>
+        <translation>Repère du point de passage</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <translation>Le repère où il est donné et avec lequel il bouge. La place reste où elle est. — : les articulations priment</translation>
+    </message>
+    <message numerus="yes">
+        <source>used in %n steps</source>
+        <translation>
+            <numerusform>utilisé dans %n étape</numerusform>
+            <numerusform>utilisé dans %n étapes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the live pose</source>
+        <translation>à %1 de la pose actuelle</translation>
+    </message>
+    <message>
+        <source>joints rule</source>
+        <translation>les articulations priment</translation>
+    </message>
+    <message>
+        <source>pose rules</source>
+        <translation>la pose prime</translation>
+    </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>place de « %1 »</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>coin de « %1 »</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>origine, « %1 »</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>position « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>Choisissez des points à changer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>Changer les propriétés de %n point</numerusform>
+            <numerusform>Changer les propriétés de %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>Choisissez des points à déplacer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Déplacer %n point</numerusform>
+            <numerusform>Déplacer %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>Changer le motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>Apprenez d’abord les trois coins du motif, et choisissez-les.</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>Créer le motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>Dissoudre le motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>Choisissez une place d’un motif.</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>Supprimer le motif « %1 »</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>Choisissez un point pour voir son historique.</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>Le repère où il était donné alors n’est plus dans le projet.</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>Reprendre un « %1 » antérieur</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>Importer des points de passage</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>Points de passage (*.csv *.txt *.json *.tiller);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>Exporter des points de passage</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>Séparé par virgules (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>Rien n’a été importé</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>%1 est trop grand pour une liste de points.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>Il n’y a pas de points dans %1.</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>point de passage</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>Importer %n point</numerusform>
+            <numerusform>Importer %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>Il n’y a pas de points à exporter.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>Rien n’a été exporté</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n point écrit dans %1</numerusform>
+            <numerusform>%n points écrits dans %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointEditing</name>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Dupliquer « %1 »</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n waypoints</source>
+        <translation>
+            <numerusform>Dupliquer %n point de passage</numerusform>
+            <numerusform>Dupliquer %n points de passage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was pasted</source>
+        <translation>Rien n’a été collé</translation>
+    </message>
+    <message>
+        <source>There are no waypoints on the clipboard.</source>
+        <translation>Il n’y a pas de points de passage dans le presse-papiers.</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>point de passage</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n waypoints</source>
+        <translation>
+            <numerusform>Coller %n point de passage</numerusform>
+            <numerusform>Coller %n points de passage</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>Historique de « %1 »</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>Changements, le plus récent d’abord</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>Revenir avant ceci</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>Nom : « %1 », maintenant « %2 »</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>Place : elle a bougé de %1 (%2, repère de base)</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>Articulations : %1 a le plus tourné, de %2</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>les articulations priment</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>un repère qui n’est plus</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>Repère : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>Type : MoveL, maintenant MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>Type : MoveJ, maintenant MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>Vitesse de MoveJ : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>Vitesse de MoveL : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>Raccordement : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP : appris avec un autre</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>Groupe : « %1 », maintenant « %2 »</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>Couleur : %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>Note : « %1 », maintenant « %2 »</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>Actions : autres que maintenant</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>Il n’a pas changé depuis qu’il a été appris.</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>Avant cela il était comme maintenant.</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>Avant cela il était :</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointModel</name>
+    <message>
+        <source>✕ joint</source>
+        <translation>✕ artic.</translation>
+    </message>
+    <message>
+        <source>✕ frame</source>
+        <translation>✕ repère</translation>
+    </message>
+    <message>
+        <source>✕ line</source>
+        <translation>✕ ligne</translation>
+    </message>
+    <message>
+        <source>✕ reach</source>
+        <translation>✕ portée</translation>
+    </message>
+    <message>
+        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <translation>Une articulation quitterait sa plage. Retouchez le point depuis une autre posture du bras.</translation>
+    </message>
+    <message>
+        <source>Its frame is not in this project. Choose another frame.</source>
+        <translation>Son repère n’est pas dans ce projet. Choisissez un autre repère.</translation>
+    </message>
+    <message>
+        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <translation>La ligne droite depuis ici quitte la portée du bras. Utilisez MoveJ, ou partez d’ailleurs.</translation>
+    </message>
+    <message>
+        <source>Out of reach. Touch it up nearer to the base.</source>
+        <translation>Hors de portée. Retouchez-le plus près de la base.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>MoveJ: all joints start and stop together</source>
+        <translation>MoveJ : toutes les articulations partent et s’arrêtent ensemble</translation>
+    </message>
+    <message>
+        <source>MoveL: the TCP goes along a straight line</source>
+        <translation>MoveL : le TCP suit une ligne droite</translation>
+    </message>
+    <message>
+        <source>The joints rule: the arm comes back in the same posture</source>
+        <translation>Les articulations priment : le bras revient dans la même posture</translation>
+    </message>
+    <message>
+        <source>The pose rules: it moves with its frame</source>
+        <translation>La pose prime : il bouge avec son repère</translation>
+    </message>
+    <message>
+        <source>Can be reached</source>
+        <translation>Accessible</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Blend %1</source>
+        <translation>Raccord %1</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Portée</translation>
+    </message>
+    <message>
+        <source>A waypoint needs a name.</source>
+        <translation>Un point de passage demande un nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <translation>« %1 » est le nom du point %2. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveJ</source>
+        <translation>Faire de « %1 » un MoveJ</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveL</source>
+        <translation>Faire de « %1 » un MoveL</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <translation>Le bras ne peut y aller. « %1 » est resté tel quel.</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>Changer la pose de « %1 »</translation>
+    </message>
+    <message>
+        <source>Use joint positions for “%1”</source>
+        <translation>Utiliser les positions articulaires pour « %1 »</translation>
+    </message>
+    <message>
+        <source>There is no frame “%1” in this project.</source>
+        <translation>Il n’y a pas de repère « %1 » dans ce projet.</translation>
+    </message>
+    <message>
+        <source>Give “%1” in %2</source>
+        <translation>Donner « %1 » en %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>« %1 » n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation>%1 est hors de %2 à %3.</translation>
+    </message>
+    <message>
+        <source>Set the blend of “%1”</source>
+        <translation>Régler le raccordement de « %1 »</translation>
+    </message>
+    <message>
+        <source>Set the speed of “%1”</source>
+        <translation>Régler la vitesse de « %1 »</translation>
+    </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>Groupe : %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Couleur : %1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>Nom %1, le suivant</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Bleu</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Vert</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>Rose</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Jaune</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Bleu ciel</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>Seul ce qui est coché change.</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>Propriétés de « %1 »</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>Propriétés de %n point</numerusform>
+            <numerusform>Propriétés de %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>Vitesse de MoveJ</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>Vitesse de MoveL</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Raccordement</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changer</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Chercher des points</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>Chercher des points par nom, groupe ou note</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>Nom, groupe ou note</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>Montrer tous les points</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n trouvé</numerusform>
+            <numerusform>%n trouvés</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>Déplacer %n point</numerusform>
+            <numerusform>Déplacer %n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Type de mouvement</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>Outil, chacun le sien</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>De X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>Décalage %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>Autour ou le long de</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>Le bras ne peut y aller : %1. Rien ne serait déplacé.</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>Un repère manque. Choisissez-en un autre.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>%n serait hors de portée ; il est gardé et marqué.</numerusform>
+            <numerusform>%n seraient hors de portée ; ils sont gardés et marqués.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>En miroir par le plan à l’origine perpendiculaire à l’axe. L’outil approche du côté opposé.</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>Tous restent à portée.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointTable</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>Points de passage</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointsTab</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>Points de passage</translation>
+    </message>
+    <message>
+        <source>Teach here  T</source>
+        <translation>Apprendre ici  T</translation>
+    </message>
+    <message>
+        <source>Teach here</source>
+        <translation>Apprendre ici</translation>
+    </message>
+    <message>
+        <source>Touch up  U</source>
+        <translation>Retoucher  U</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>Retoucher</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>No waypoints yet.
+Jog the arm to a place and press Teach here (T).</source>
+        <translation>Pas encore de points de passage.
+Amenez le bras à une place et pressez Apprendre ici (T).</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to go to.</source>
+        <translation>Choisissez un point de passage où aller.</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+    </message>
+    <message>
+        <source>Add the place where the arm stands, after the selection (T)</source>
+        <translation>Ajouter la place où est le bras, après la sélection (T)</translation>
+    </message>
+    <message>
+        <source>Replace the selected place by where the arm stands (U)</source>
+        <translation>Remplacer la place choisie par celle où est le bras (U)</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to touch up.</source>
+        <translation>Choisissez un point de passage à retoucher.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Monter</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Descendre</translation>
+    </message>
+    <message>
+        <source>Copy as table</source>
+        <translation>Copier en tableau</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>point de passage</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>Apprendre « %1 »</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
+        <translation>Le repère de « %1 » n’est pas dans ce projet. Choisissez d’abord un autre repère.</translation>
+    </message>
+    <message>
+        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <translation>La place actuelle est à %1 (%2, repère de base). Plus grand changement articulaire : %3 %4.</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>Retoucher « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>Retoucher « %1 »</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>Trajectoire enregistrée</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>Importer des points de passage…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>Exporter des points de passage…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>Chercher des points de passage</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>Groupe, couleur, note, vitesses…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>Décaler, tourner ou mettre en miroir…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>Historique…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>Motif…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>Faire des places du motif des points ordinaires</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>Supprimer le motif et ses points</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Search a command</source>
+        <translation>Chercher une commande</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Tapez ce que vous voulez faire</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Commandes trouvées</translation>
+    </message>
+    <message>
+        <source>not possible now</source>
+        <translation>impossible maintenant</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ConnectDialog</name>
+    <message>
+        <source>Enter the robot&apos;s address, as shown on the teach pendant under About.</source>
+        <translation>Saisissez l’adresse du robot, comme le pupitre la montre sous À propos.</translation>
+    </message>
+    <message>
+        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <translation>Une adresse a quatre nombres de 0 à 255, comme 192.168.0.10.</translation>
+    </message>
+    <message>
+        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <translation>Un nom d’hôte n’a que lettres, chiffres, points et traits d’union.</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Oublier</translation>
+    </message>
+    <message>
+        <source>Start the simulated robot</source>
+        <translation>Démarrer le robot simulé</translation>
+    </message>
+    <message>
+        <source>With a sample project…</source>
+        <translation>Avec un projet d’exemple…</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connecter</translation>
+    </message>
+    <message>
+        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <translation>Avant de bouger un bras réel : gardez tout le monde hors de sa portée, ayez l’arrêt d’urgence sous la main, vérifiez charge utile et TCP, commencez lentement. Le STOP de cette fenêtre n’est pas un arrêt d’urgence.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation>Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <translation>Des points de passage d’un fichier, sans robot : tout marche sauf bouger.</translation>
+    </message>
+    <message>
+        <source>Try the simulator</source>
+        <translation>Essayer le simulateur</translation>
+    </message>
+    <message>
+        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <translation>Un UR5e simulé dans ce programme. Tout marche, rien ne peut être blessé.</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <translation>Démarre le robot simulé et ouvre un projet déjà appris.</translation>
+    </message>
+    <message>
+        <source>Connect a robot</source>
+        <translation>Connecter un robot</translation>
+    </message>
+    <message>
+        <source>Address or host name of the robot</source>
+        <translation>Adresse ou nom d’hôte du robot</translation>
+    </message>
+    <message>
+        <source>Name shown for the robot</source>
+        <translation>Nom montré du robot</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>UR5e du labo</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Robots connected to before</source>
+        <translation>Robots déjà connectés</translation>
+    </message>
+    <message>
+        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <translation>Ôte le robot choisi de cette liste (Suppr). Rien ne change sur le robot.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Demonstration</name>
+    <message>
+        <source>make the folder %1: choose one that may be written to</source>
+        <translation>créer le dossier %1 : choisissez-en un où l’on peut écrire</translation>
+    </message>
+    <message>
+        <source>connect</source>
+        <translation>connecter</translation>
+    </message>
+    <message>
+        <source>power on</source>
+        <translation>mettre sous tension</translation>
+    </message>
+    <message>
+        <source>release the brakes</source>
+        <translation>desserrer les freins</translation>
+    </message>
+    <message>
+        <source>take control</source>
+        <translation>prendre le contrôle</translation>
+    </message>
+    <message>
+        <source>start recording</source>
+        <translation>commencer l’enregistrement</translation>
+    </message>
+    <message>
+        <source>teach the first waypoint</source>
+        <translation>apprendre le premier point de passage</translation>
+    </message>
+    <message>
+        <source>jog X+ in Base for 50 mm</source>
+        <translation>aller en X+ en Base sur 50 mm</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>lâcher</translation>
+    </message>
+    <message>
+        <source>teach the second waypoint</source>
+        <translation>apprendre le second point de passage</translation>
+    </message>
+    <message>
+        <source>go to the first waypoint (held)</source>
+        <translation>aller au premier point de passage (tenu)</translation>
+    </message>
+    <message>
+        <source>let go of Go to</source>
+        <translation>lâcher Aller à</translation>
+    </message>
+    <message>
+        <source>digital output 0 on</source>
+        <translation>sortie numérique 0 activée</translation>
+    </message>
+    <message>
+        <source>digital output 0 off</source>
+        <translation>sortie numérique 0 désactivée</translation>
+    </message>
+    <message>
+        <source>take the screenshots</source>
+        <translation>prendre les captures d’écran</translation>
+    </message>
+    <message>
+        <source>write the screenshots to %1</source>
+        <translation>écrire les captures d’écran dans %1</translation>
+    </message>
+    <message>
+        <source>stop recording</source>
+        <translation>arrêter l’enregistrement</translation>
+    </message>
+    <message>
+        <source>%1: did not happen within %2 s (%3)</source>
+        <translation>%1 : ne s’est pas produit en %2 s (%3)</translation>
+    </message>
+    <message>
+        <source>the robot reports no reason</source>
+        <translation>le robot ne donne pas de raison</translation>
+    </message>
+    <message>
+        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <translation>appuyé de nouveau    %1 fois : le mouvement s’était arrêté avant le lâcher</translation>
+    </message>
+    <message>
+        <source>jogged               </source>
+        <translation>déplacé               </translation>
+    </message>
+    <message>
+        <source>release to standstill </source>
+        <translation>du lâcher à l’arrêt </translation>
+    </message>
+    <message>
+        <source>packets              </source>
+        <translation>paquets              </translation>
+    </message>
+    <message>
+        <source> received, </source>
+        <translation> reçus, </translation>
+    </message>
+    <message>
+        <source> late, </source>
+        <translation> en retard, </translation>
+    </message>
+    <message>
+        <source> lost
+</source>
+        <translation> perdus
+</translation>
+    </message>
+    <message>
+        <source>recorded             </source>
+        <translation>enregistré             </translation>
+    </message>
+    <message>
+        <source> rows, </source>
+        <translation> lignes, </translation>
+    </message>
+    <message>
+        <source>files                </source>
+        <translation>fichiers                </translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot; in the window</source>
+        <translation>il n’y a pas de touche &quot;%1&quot; dans la fenêtre</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DeviceSettings</name>
+    <message>
+        <source>Device that moves the arm</source>
+        <translation>Périphérique qui bouge le bras</translation>
+    </message>
+    <message>
+        <source>Try it out…</source>
+        <translation>L’essayer…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>Ce que dit chaque périphérique maintenant et où il ira.</translation>
+    </message>
+    <message>
+        <source>Moves the arm</source>
+        <translation>Bouge le bras</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Manette</translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation>SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Dead zone of the %1</source>
+        <translation>Zone morte : %1</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>So far a stick may be out without moving anything.</source>
+        <translation>Jusque-là un stick peut être dévié sans rien bouger.</translation>
+    </message>
+    <message>
+        <source>Curve of the %1</source>
+        <translation>Courbe : %1</translation>
+    </message>
+    <message>
+        <source>exponent </source>
+        <translation>exposant </translation>
+    </message>
+    <message>
+        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <translation>1 : égale. Plus : douce près du milieu, rapide en fin de course.</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>Seulement l’axe le plus dévié</translation>
+    </message>
+    <message>
+        <source>%1: only the axis that is out furthest</source>
+        <translation>%1 : seulement l’axe le plus dévié</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Zone morte</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>Il n’y a ni manette ni SpaceMouse. Branchez-en une : elle apparaît d’elle-même.</translation>
+    </message>
+    <message>
+        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <translation>Seulement tant que son homme mort est tenu. Ce n’est pas retenu : après un démarrage aucun périphérique ne bouge le bras.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DockStage</name>
+    <message>
+        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <translation>Il n’y a pas de panneau ici. Choisissez une perspective en bas à droite, ou montrez un panneau par le menu Vue.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::HelpPage</name>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Bouger le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant qu’une touche du pavé est tenue, et s’arrête quand elle est lâchée. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte la touche, un second bouton est pressé ou une autre main s’en mêle ;&lt;/li&gt;&lt;li&gt;à côté d’une touche tenue du clavier, un modificateur ou une touche contraire est enfoncé ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, quelque chose s’ouvre par-dessus, ou un autre repère, une autre vitesse, un autre pas ou un autre onglet est choisi ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme se fige, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou se tait ;&lt;/li&gt;&lt;li&gt;personne ne peut prouver que la touche est encore tenue : sous X11 on demande cent fois par seconde au serveur d’affichage si le bouton ou la touche est enfoncé, et un « non », ou 100 ms sans réponse, termine le mouvement. Là où l’on ne peut interroger personne, l’en-tête et les réglages le disent ;&lt;/li&gt;&lt;li&gt;elle a été tenue longtemps : un déplacement manuel %1 s (réglages), Freedrive cinq minutes, un mouvement vers une place 5 s de plus qu’il ne dure. Les 3 dernières s sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un mouvement arrêté demande un nouvel appui. &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Esc&lt;/b&gt; arrêtent de partout, les programmes des autres aussi. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend un appui dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa place sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Exercices</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ImportDialog</name>
+    <message>
+        <source>Colours, sizes and units</source>
+        <translation>Couleurs, tailles et unités</translation>
+    </message>
+    <message>
+        <source>Speed cap and longest hold</source>
+        <translation>Plafond de vitesse et plus longue tenue</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>Touches des commandes</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>Manette et SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Robots and their grippers</source>
+        <translation>Robots et leurs pinces</translation>
+    </message>
+    <message>
+        <source>Names and scales of inputs and outputs</source>
+        <translation>Noms et échelles des entrées et sorties</translation>
+    </message>
+    <message>
+        <source>Layout of the window</source>
+        <translation>Disposition de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>Tout le reste</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Importer des réglages</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed.</source>
+        <translation>%1 n’a pas été importé. Rien n’a été changé.</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1 holds:</source>
+        <translation>Ce qui est coché est remplacé par ce que contient %1 :</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <translation>Ce qui est coché est remplacé par ce que contient %1, écrit par Tiller %2 :</translation>
+    </message>
+    <message>
+        <source>%1: the same already</source>
+        <translation>%1 : déjà pareil</translation>
+    </message>
+    <message>
+        <source>%1: none in the file</source>
+        <translation>%1 : absent du fichier</translation>
+    </message>
+    <message>
+        <source>%1: %2 here, %3 in the file</source>
+        <translation>%1 : %2 ici, %3 dans le fichier</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <translation>Ce qui est remplacé est gardé dans un fichier à part, qui peut être importé de nouveau.</translation>
+    </message>
+    <message>
+        <source>There is nothing in the file that is not here already.</source>
+        <translation>Le fichier ne contient rien qui ne soit déjà ici.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Lessons</name>
+    <message>
+        <source>First steps</source>
+        <translation>Premiers pas</translation>
+    </message>
+    <message>
+        <source>A checklist in the view: from power on to a recording.</source>
+        <translation>Une liste dans la vue : de la mise sous tension à un enregistrement.</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Exercices</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>Cinq exercices sur le robot simulé, chacun avec un contrôle.</translation>
+    </message>
+    <message>
+        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <translation>Les exercices sont réservés au robot simulé de ce programme. Celui-ci est « %1 ».</translation>
+    </message>
+    <message>
+        <source>Practice: put “%1”</source>
+        <translation>Exercice : poser « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::MainWindow</name>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <translation>Clavier armé : les flèches déplacent X et Y, PgPréc et PgSuiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − tournent une articulation. Espace et Esc arrêtent.</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging disarmed</source>
+        <translation>Clavier désarmé</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Tracés</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Points de passage</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>E/S</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>%1 disconnected. The arm was stopped.</source>
+        <translation>%1 débranché. Le bras a été arrêté.</translation>
+    </message>
+    <message>
+        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <translation>%1 s’est tu pendant qu’il bougeait le bras, qui a été arrêté. Lâchez-le ; s’il reste muet, rebranchez-le.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Open recent project</source>
+        <translation>Ouvrir un projet récent</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>Opens waypoints and frames from a file.</source>
+        <translation>Ouvre points de passage et repères d’un fichier.</translation>
+    </message>
+    <message>
+        <source>Open sample project…</source>
+        <translation>Ouvrir un projet d’exemple…</translation>
+    </message>
+    <message>
+        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <translation>Une copie de l’un de trois projets, à essayer sur le robot simulé.</translation>
+    </message>
+    <message>
+        <source>Save project as…</source>
+        <translation>Enregistrer le projet sous…</translation>
+    </message>
+    <message>
+        <source>Saves to this file now, and every change from now on.</source>
+        <translation>Enregistre dans ce fichier maintenant, et chaque changement ensuite.</translation>
+    </message>
+    <message>
+        <source>Show waypoints</source>
+        <translation>Montrer les points de passage</translation>
+    </message>
+    <message>
+        <source>Show frames</source>
+        <translation>Montrer les repères</translation>
+    </message>
+    <message>
+        <source>Show I/O</source>
+        <translation>Montrer les E/S</translation>
+    </message>
+    <message>
+        <source>Show log</source>
+        <translation>Montrer le journal</translation>
+    </message>
+    <message>
+        <source>Brings this tab to the front.</source>
+        <translation>Amène cet onglet devant.</translation>
+    </message>
+    <message>
+        <source>Show gripper</source>
+        <translation>Montrer la pince</translation>
+    </message>
+    <message>
+        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <translation>Amène devant la page de la pince dans E/S.</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Réinitialiser la disposition</translation>
+    </message>
+    <message>
+        <source>All panels back to where the current perspective has them.</source>
+        <translation>Tous les panneaux là où la perspective actuelle les a.</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Couleurs claires</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Couleurs sombres</translation>
+    </message>
+    <message>
+        <source>Changes the colours at once and remembers it.</source>
+        <translation>Change aussitôt les couleurs et le retient.</translation>
+    </message>
+    <message>
+        <source>Zero the force in the plots, or show it as measured</source>
+        <translation>Mettre à zéro la force dans les tracés, ou la montrer telle que mesurée</translation>
+    </message>
+    <message>
+        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <translation>Compte la force TCP à partir de ce qu’elle est ; encore une fois : comme le robot la mesure.</translation>
+    </message>
+    <message>
+        <source>Commands…</source>
+        <translation>Commandes…</translation>
+    </message>
+    <message>
+        <source>Finds a command by its name.</source>
+        <translation>Trouve une commande par son nom.</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Réglages…</translation>
+    </message>
+    <message>
+        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <translation>Couleurs, tailles, unités, plafond de vitesse, périphériques et touche de chaque commande.</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>Exporter les réglages…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <translation>Un fichier avec tout ce qui est retenu, pour un autre ordinateur ou comme copie.</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>Importer des réglages…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <translation>Reprend ce que contient un tel fichier ; dit d’abord ce qu’il remplace.</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>All commands with their keys, and the rules of jogging.</source>
+        <translation>Toutes les commandes avec leurs touches, et les règles du déplacement.</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Stops the arm, ends the connection and closes the window.</source>
+        <translation>Arrête le bras, termine la connexion et ferme la fenêtre.</translation>
+    </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>Montrer ou cacher %1</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>Détacher %1</translation>
+    </message>
+    <message>
+        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <translation>En fait une fenêtre à part, pour un second écran, ou la remet.</translation>
+    </message>
+    <message>
+        <source>Moves this panel to that side of the others.</source>
+        <translation>Déplace ce panneau de ce côté des autres.</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 à gauche</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 à droite</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>%1 en haut</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>%1 en bas</translation>
+    </message>
+    <message>
+        <source>Load program</source>
+        <translation>Charger un programme</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as the tablet shows it</source>
+        <translation>Nom du programme sur le robot, comme la tablette le montre</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as in pick.urp</source>
+        <translation>Nom du programme sur le robot, comme pick.urp</translation>
+    </message>
+    <message>
+        <source>Speed cap %1</source>
+        <translation>Plafond de vitesse %1</translation>
+    </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>Un enregistrement est en cours. Terminez-le d’abord : rien ne doit y manquer.</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>Points de passage, Repères, Outils, E/S, Journal</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PanelDock</name>
+    <message>
+        <source>Put back</source>
+        <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>Back into the main window</source>
+        <translation>De retour dans la fenêtre principale</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Closes this panel. The menu View brings it back.</source>
+        <translation>Ferme ce panneau. Le menu Vue le ramène.</translation>
+    </message>
+    <message>
+        <source>Move, float or close %1</source>
+        <translation>Déplacer, détacher ou fermer %1</translation>
+    </message>
+    <message>
+        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <translation>Clic : déplacer, détacher ou fermer ce panneau. Tirer : le porter ailleurs.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PerspectiveActions</name>
+    <message>
+        <source>Save perspective</source>
+        <translation>Enregistrer la perspective</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, into the current perspective.</source>
+        <translation>Les panneaux tels qu’ils sont, dans la perspective actuelle.</translation>
+    </message>
+    <message>
+        <source>This perspective is built in. Save it under a name of your own.</source>
+        <translation>Cette perspective est intégrée. Enregistrez-la sous un nom à vous.</translation>
+    </message>
+    <message>
+        <source>Save perspective as…</source>
+        <translation>Enregistrer la perspective sous…</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, under a name of your own.</source>
+        <translation>Les panneaux tels qu’ils sont, sous un nom à vous.</translation>
+    </message>
+    <message>
+        <source>Save perspective as</source>
+        <translation>Enregistrer la perspective sous</translation>
+    </message>
+    <message>
+        <source>Rename perspective…</source>
+        <translation>Renommer la perspective…</translation>
+    </message>
+    <message>
+        <source>Gives the current perspective another name.</source>
+        <translation>Donne un autre nom à la perspective actuelle.</translation>
+    </message>
+    <message>
+        <source>Rename perspective</source>
+        <translation>Renommer la perspective</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and keeps its name.</source>
+        <translation>Cette perspective est intégrée et garde son nom.</translation>
+    </message>
+    <message>
+        <source>Delete perspective…</source>
+        <translation>Supprimer la perspective…</translation>
+    </message>
+    <message>
+        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <translation>Oublie la perspective actuelle. Les panneaux restent tels quels.</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and stays.</source>
+        <translation>Cette perspective est intégrée et reste.</translation>
+    </message>
+    <message>
+        <source>Perspective %1</source>
+        <translation>Perspective %1</translation>
+    </message>
+    <message>
+        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <translation>Perspective %1. Choisissez comment sont les panneaux, ou enregistrez comment ils sont.</translation>
+    </message>
+    <message>
+        <source>Name of the perspective</source>
+        <translation>Nom de la perspective</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Delete perspective</source>
+        <translation>Supprimer la perspective</translation>
+    </message>
+    <message>
+        <source>Delete the perspective “%1”? This cannot be undone.</source>
+        <translation>Supprimer la perspective « %1 » ? Cela ne peut être annulé.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Garder</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Perspectives</name>
+    <message>
+        <source>Teach</source>
+        <translation>Apprendre</translation>
+    </message>
+    <message>
+        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <translation>Montre la vue, les points de passage à côté et les tracés dessous.</translation>
+    </message>
+    <message>
+        <source>Monitor</source>
+        <translation>Surveiller</translation>
+    </message>
+    <message>
+        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <translation>Montre entrées et sorties, une vue plus petite à côté et des tracés plus hauts dessous.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Tracés</translation>
+    </message>
+    <message>
+        <source>Shows the plots alone, as large as the window allows.</source>
+        <translation>Montre les tracés seuls, aussi grands que la fenêtre le permet.</translation>
+    </message>
+    <message>
+        <source>Shows the panels as you saved them.</source>
+        <translation>Montre les panneaux comme vous les avez enregistrés.</translation>
+    </message>
+    <message>
+        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <translation>La perspective « %1 » ne peut être montrée : sa disposition dans les réglages est endommagée. Disposez les panneaux et enregistrez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>Type a name.</source>
+        <translation>Tapez un nom.</translation>
+    </message>
+    <message>
+        <source>The name is too long.</source>
+        <translation>Le nom est trop long.</translation>
+    </message>
+    <message>
+        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <translation>Il y a autant de perspectives qu’on peut en garder. Supprimez-en d’abord une.</translation>
+    </message>
+    <message>
+        <source>There is a perspective of this name. Choose another name.</source>
+        <translation>Une perspective porte déjà ce nom. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <translation>Les panneaux sont comme dans la perspective « %1 » : la disposition de la version précédente ne va pas à celle-ci. Disposez-les de nouveau ; c’est retenu.</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <translation>Les panneaux sont comme dans la perspective « %1 » : la disposition dans les réglages est endommagée ou d’une autre version. Disposez-les de nouveau ; c’est retenu.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::RecordingSettings</name>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose the folder for recordings</source>
+        <translation>Choisir le dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>Pattern of the file name</source>
+        <translation>Modèle du nom de fichier</translation>
+    </message>
+    <message>
+        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <translation>{date}, {time}, {robot} et {number} sont remplis quand un enregistrement commence.</translation>
+    </message>
+    <message>
+        <source>One row every so many packets</source>
+        <translation>Une ligne tous les tant de paquets</translation>
+    </message>
+    <message>
+        <source>Search signals</source>
+        <translation>Chercher des signaux</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
+        <source>Signals in a recording</source>
+        <translation>Signaux d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>All signals</source>
+        <translation>Tous les signaux</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation>Nom de fichier</translation>
+    </message>
+    <message>
+        <source>One row every</source>
+        <translation>Une ligne tous les</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signaux</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>UR5e du labo</translation>
+    </message>
+    <message>
+        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <translation>Par exemple %1. {date}, {time}, {robot} et {number} sont remplis ; un fichier existant n’est jamais remplacé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <translation>
+            <numerusform>%n paquet par ligne : %1 lignes par seconde d’un robot qui envoie 500 paquets par seconde.</numerusform>
+            <numerusform>%n paquets par ligne : %1 lignes par seconde d’un robot qui envoie 500 paquets par seconde.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SampleDialog</name>
+    <message>
+        <source>Open sample project</source>
+        <translation>Ouvrir un projet d’exemple</translation>
+    </message>
+    <message>
+        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <translation>Chacun est appris pour un UR5e et peut être parcouru avec le robot simulé. Vous travaillez sur une copie : enregistrer demande un fichier à vous.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open “%1”</source>
+        <translation>Ouvrir « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Look and motion</source>
+        <translation>Aspect et mouvement</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Périphériques</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>Exporter les réglages…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <translation>Un fichier avec tout ce qui est retenu, pour un autre ordinateur ou comme copie</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>Importer des réglages…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces</source>
+        <translation>Reprend ce que contient un tel fichier ; dit d’abord ce qu’il remplace</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Size of keys and rows</source>
+        <translation>Taille des touches et lignes</translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation>Compact</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Souris</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Tactile</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Taille de tout</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Longueurs</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimètres</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Pouces</translation>
+    </message>
+    <message>
+        <source>Rotations</source>
+        <translation>Rotations</translation>
+    </message>
+    <message>
+        <source>Roll, pitch, yaw in degrees</source>
+        <translation>Roulis, tangage, lacet en degrés</translation>
+    </message>
+    <message>
+        <source>Rotation vector in radians, as scripts write it</source>
+        <translation>Vecteur de rotation en radians, comme l’écrivent les scripts</translation>
+    </message>
+    <message>
+        <source>Speed cap of this program</source>
+        <translation>Plafond de vitesse de ce programme</translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation>Plus longue tenue</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <translation>Après ce temps un déplacement finit et sa touche doit être pressée de nouveau. Freedrive a cinq minutes, un mouvement vers une place sa durée et 5 s.</translation>
+    </message>
+    <message>
+        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <translation>Tactile : aussi haut qu’un doigt le demande. Dans une fenêtre de moins de %1 px, les touches des articulations, onglets et barres de titre restent plus petites.</translation>
+    </message>
+    <message>
+        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <translation>Comment longueurs, vitesses du TCP et orientations sont montrées et saisies. Tracés et fichiers gardent mètres, millimètres et degrés.</translation>
+    </message>
+    <message>
+        <source>Speed cap</source>
+        <translation>Plafond de vitesse</translation>
+    </message>
+    <message>
+        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <translation>Texte, touches, lignes, tracés et la vue, tout pareil.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <translation>Vaut dès le prochain démarrage de Tiller. L’écran n’a de place que pour %1 %, qu’il aura alors.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller.</source>
+        <translation>Vaut dès le prochain démarrage de Tiller.</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <translation>▲ Au-dessus de %1. Rien d’autre ne limite un déplacement depuis un PC : ni le mode manuel ni le dispositif de validation du pupitre. L’en-tête le dit, et cela finit avec le programme.</translation>
+    </message>
+    <message>
+        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <translation>Aucun mouvement de ce programme ne le dépasse, au TCP et au coude. Il vaut aussitôt et arrête ce qui bouge.</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>Touches des commandes</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Touche</translation>
+    </message>
+    <message>
+        <source>Restore default shortcuts</source>
+        <translation>Rétablir les touches par défaut</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
+        <translation>Pressez la nouvelle touche dans le champ ; Retour arrière l’ôte. Espace et Esc arrêtent toujours le bras.</translation>
+    </message>
+    <message>
+        <source>Key for %1</source>
+        <translation>Touche pour %1</translation>
+    </message>
+    <message>
+        <source>%1 stops the arm and nothing else.</source>
+        <translation>%1 arrête le bras et rien d’autre.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <translation>%1 appartient à &quot;%2&quot;. Ôtez-la d’abord là.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>Comme le système : %1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>Rouvrir la fenêtre</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>Arrête le bras, rend le contrôle et se reconnecte ; ce que montrent les tracés recommence. Le projet est enregistré.</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>De la fenêtre et des vérifications. Fichiers et scripts sont les mêmes dans toutes.</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>Vaut dès le prochain démarrage de Tiller, ou dès que la fenêtre est rouverte.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsTransfer</name>
+    <message>
+        <source>Settings of Tiller (*.json)</source>
+        <translation>Réglages de Tiller (*.json)</translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation>Exporter les réglages</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Importer des réglages</translation>
+    </message>
+    <message>
+        <source>Settings exported to %1</source>
+        <translation>Réglages exportés dans %1</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed. %2</source>
+        <translation>%1 n’a pas été importé. Rien n’a été changé. %2</translation>
+    </message>
+    <message>
+        <source>Settings imported from %1. What was here before is in %2</source>
+        <translation>Réglages importés de %1. Ce qui était ici avant est dans %2</translation>
+    </message>
+</context>
+</TS>

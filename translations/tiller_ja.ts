@@ -1,0 +1,9695 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja_JP" sourcelanguage="en">
+<context>
+    <name>ActionTable</name>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>Power and safety</source>
+        <translation>電源と安全</translation>
+    </message>
+    <message>
+        <source>Control and programs</source>
+        <translation>制御とプログラム</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>ジョグ</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>ウェイポイント</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>I/O</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>ログ</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>ビュー</translation>
+    </message>
+    <message>
+        <source>Perspectives</source>
+        <translation>パースペクティブ</translation>
+    </message>
+    <message>
+        <source>Move panels</source>
+        <translation>パネルの移動</translation>
+    </message>
+    <message>
+        <source>Program Tiller</source>
+        <translation>プログラム Tiller</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+</context>
+<context>
+    <name>BackTrack</name>
+    <message>
+        <source>go back: nothing left to undo</source>
+        <translation>戻る：元に戻す動きはもうありません</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
+        <translation>ユニバーサルロボットのアームを PC からジョグ、教示、運転、監視します。</translation>
+    </message>
+    <message>
+        <source>Start with the built-in simulated UR5e.</source>
+        <translation>内蔵のシミュレートされた UR5e で開始します。</translation>
+    </message>
+    <message>
+        <source>Connect to the robot at this address or host name.</source>
+        <translation>このアドレスまたはホスト名のロボットに接続します。</translation>
+    </message>
+    <message>
+        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <translation>シミュレートされたロボットで台本どおりのデモを実行し、ファイルをこのフォルダーに残して終了します。</translation>
+    </message>
+    <message>
+        <source>Open this project file (.tiller).</source>
+        <translation>このプロジェクトファイル (.tiller) を開きます。</translation>
+    </message>
+    <message>
+        <source>Colours: light or dark.</source>
+        <translation>色：light（明）または dark（暗）。</translation>
+    </message>
+    <message>
+        <source>see tiller --help</source>
+        <translation>tiller --help を参照</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not expected</source>
+        <translation>&quot;%1&quot; は予期されていません</translation>
+    </message>
+    <message>
+        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <translation>--theme には light か dark を指定します（&quot;%1&quot; は不可）</translation>
+    </message>
+    <message>
+        <source>--robot and --simulator exclude each other</source>
+        <translation>--robot と --simulator は同時に使えません</translation>
+    </message>
+    <message>
+        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <translation>--demo はシミュレートされたロボットだけで動きます（--robot とは併用できません）</translation>
+    </message>
+    <message>
+        <source>--demo needs a folder</source>
+        <translation>--demo にはフォルダーが必要です</translation>
+    </message>
+    <message>
+        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <translation>--robot にはアドレスが必要です（例：--robot 192.168.0.10）</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>開けるプロジェクトは一つだけです（&quot;%1&quot; は不可）</translation>
+    </message>
+</context>
+<context>
+    <name>ControllerCodes</name>
+    <message>
+        <source>Near a joint limit</source>
+        <translation>関節限界の近く</translation>
+    </message>
+    <message>
+        <source>A joint came close to the end of its range.</source>
+        <translation>関節が可動範囲の端に近づきました。</translation>
+    </message>
+    <message>
+        <source>Jog the joint back, and plan the move away from the limit.</source>
+        <translation>関節をジョグで戻し、限界から離れた動きにしてください。</translation>
+    </message>
+    <message>
+        <source>Near a tool orientation limit</source>
+        <translation>ツール姿勢限界の近く</translation>
+    </message>
+    <message>
+        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <translation>ツールが安全設定の限界近くまで回転しました。</translation>
+    </message>
+    <message>
+        <source>Turn the tool back, or change the waypoint.</source>
+        <translation>ツールを戻すか、ウェイポイントを変更してください。</translation>
+    </message>
+    <message>
+        <source>Near a safety plane</source>
+        <translation>安全平面の近く</translation>
+    </message>
+    <message>
+        <source>The arm came close to a safety plane.</source>
+        <translation>アームが安全平面に近づきました。</translation>
+    </message>
+    <message>
+        <source>Jog away from the plane, or change the waypoint.</source>
+        <translation>平面から離れるようにジョグするか、ウェイポイントを変更してください。</translation>
+    </message>
+    <message>
+        <source>Position deviates from path</source>
+        <translation>位置が経路から外れています</translation>
+    </message>
+    <message>
+        <source>The arm is not where the controller sent it.</source>
+        <translation>アームがコントローラーの指令した位置にありません。</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <translation>障害物を探し、ペイロード、重心、取り付けを確認し、加速度を下げてください。</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>特異点</translation>
+    </message>
+    <message>
+        <source>The straight move leads through a singular position of the arm.</source>
+        <translation>直線動作がアームの特異姿勢を通ります。</translation>
+    </message>
+    <message>
+        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <translation>関節を一つずつジョグして抜け出し、この領域では MoveJ を使ってください。</translation>
+    </message>
+    <message>
+        <source>Cannot hold its position</source>
+        <translation>位置を保持できません</translation>
+    </message>
+    <message>
+        <source>The arm sagged or was pushed while it stood.</source>
+        <translation>停止中にアームが下がったか、押されました。</translation>
+    </message>
+    <message>
+        <source>Check payload, centre of gravity and mounting.</source>
+        <translation>ペイロード、重心、取り付けを確認してください。</translation>
+    </message>
+    <message>
+        <source>Wrong payload or mounting</source>
+        <translation>ペイロードまたは取り付けの誤り</translation>
+    </message>
+    <message>
+        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <translation>力がペイロードと合わないか、フリードライブ開始時に何かがアームを押しました。</translation>
+    </message>
+    <message>
+        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <translation>ペイロードと取り付けを直し、アームから手を離して、もう一度試してください。</translation>
+    </message>
+    <message>
+        <source>Collision noticed by a joint</source>
+        <translation>関節が衝突を検出</translation>
+    </message>
+    <message>
+        <source>A joint needed more torque than the motion explains.</source>
+        <translation>関節が、動作から説明できる以上のトルクを必要としました。</translation>
+    </message>
+    <message>
+        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <translation>障害物を取り除いてください。なければペイロードを確認してください。</translation>
+    </message>
+    <message>
+        <source>Collision noticed by the tool force</source>
+        <translation>ツールの力が衝突を検出</translation>
+    </message>
+    <message>
+        <source>The force at the tool exceeded what is allowed.</source>
+        <translation>ツールの力が許容値を超えました。</translation>
+    </message>
+    <message>
+        <source>Position deviation</source>
+        <translation>位置のずれ</translation>
+    </message>
+    <message>
+        <source>A joint left its commanded position.</source>
+        <translation>関節が指令位置から外れました。</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle and check payload and mounting.</source>
+        <translation>障害物を探し、ペイロードと取り付けを確認してください。</translation>
+    </message>
+    <message>
+        <source>Too many protective stops</source>
+        <translation>保護停止が多すぎます</translation>
+    </message>
+    <message>
+        <source>One joint had more than fifty protective stops in eight hours.</source>
+        <translation>一つの関節で 8 時間に 50 回を超える保護停止がありました。</translation>
+    </message>
+    <message>
+        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <translation>続ける前に停止の原因を見つけ、その後コントローラーを再起動してください。</translation>
+    </message>
+    <message>
+        <source>Sudden change of target position</source>
+        <translation>目標位置の急変</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in position.</source>
+        <translation>プログラムが位置の飛びを要求しました。</translation>
+    </message>
+    <message>
+        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <translation>プログラムをアームの現在位置から始め、サーボの刻みを小さくしてください。</translation>
+    </message>
+    <message>
+        <source>Sudden change of target speed</source>
+        <translation>目標速度の急変</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in speed.</source>
+        <translation>プログラムが速度の飛びを要求しました。</translation>
+    </message>
+    <message>
+        <source>Lower the acceleration, or smooth the path.</source>
+        <translation>加速度を下げるか、経路を滑らかにしてください。</translation>
+    </message>
+    <message>
+        <source>Protective stop by a program</source>
+        <translation>プログラムによる保護停止</translation>
+    </message>
+    <message>
+        <source>The running program itself asked for the stop.</source>
+        <translation>実行中のプログラム自身が停止を要求しました。</translation>
+    </message>
+    <message>
+        <source>See the program&apos;s own messages before it.</source>
+        <translation>その前のプログラムのメッセージを見てください。</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>ロボットはローカル制御です</translation>
+    </message>
+    <message>
+        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <translation>スクリプトが送られましたが、ロボットはペンダントにだけ従います。</translation>
+    </message>
+    <message>
+        <source>Switch to Remote control on the teach pendant.</source>
+        <translation>ティーチペンダントでリモート制御に切り替えてください。</translation>
+    </message>
+    <message>
+        <source>Controller message C%1</source>
+        <translation>コントローラーのメッセージ C%1</translation>
+    </message>
+    <message>
+        <source>The controller reported this number.</source>
+        <translation>コントローラーがこの番号を報告しました。</translation>
+    </message>
+    <message>
+        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <translation>メーカーのエラーコード一覧で C%1 を調べてください。</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>信号を計算する</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>信号「%1」はありません。信号の一覧に名前があります。</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>信号が含まれていません。</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>信号が多すぎます。</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>一つの数になる必要があります。</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>文が長すぎます。</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>名前、等号、式の順に書いてください：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>等号が一つ多いです。比較は二つです：==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>時間の幅は 0.001〜60 秒です。</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceTrainer</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%2 の %1</translation>
+    </message>
+    <message>
+        <source>Axes of the device</source>
+        <translation>デバイスの軸</translation>
+    </message>
+</context>
+<context>
+    <name>Doctor</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 と他 %2</translation>
+    </message>
+    <message>
+        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
+        <translation>このソフトウェアは古すぎます。ロボットを %1.%2 以降に更新してください。</translation>
+    </message>
+    <message>
+        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <translation>いくつかの値と制御用レジスターがありません。ロボットを %1.%2 以降に更新してください。</translation>
+    </message>
+    <message>
+        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <translation>アームを見て原因を取り除き、復旧してください：ヘッダーの「復旧…」またはティーチペンダント。</translation>
+    </message>
+    <message>
+        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <translation>電源を入れてブレーキを解除してください。ヘッダーのボタンが案内します。</translation>
+    </message>
+    <message>
+        <source>the RTDE port takes connections but does not answer</source>
+        <translation>RTDE ポートは接続を受けますが応答しません</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 does not speak RTDE</source>
+        <translation>ポート %1 の相手は RTDE を話しません</translation>
+    </message>
+    <message>
+        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <translation>RTDE クライアントが多すぎるか、コントローラーが固まっています。他のプログラムを閉じ、コントローラーを再起動してください。</translation>
+    </message>
+    <message>
+        <source>Check the address: this is another device, or another program took the port.</source>
+        <translation>アドレスを確認してください：別の機器か、別のプログラムがポートを使っています。</translation>
+    </message>
+    <message>
+        <source>protocol version %1</source>
+        <translation>プロトコルバージョン %1</translation>
+    </message>
+    <message>
+        <source>another program holds %1</source>
+        <translation>別のプログラムが %1 を使用中</translation>
+    </message>
+    <message>
+        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <translation>このロボットを制御している別のプログラム（別のウィンドウ、ROS、ur_rtde）を終了してください。</translation>
+    </message>
+    <message>
+        <source>this software has no registers 24 to 47</source>
+        <translation>このソフトウェアにはレジスター 24〜47 がありません</translation>
+    </message>
+    <message>
+        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
+        <translation>ロボットのソフトウェアを 3.9 または 5.3 に更新してください。</translation>
+    </message>
+    <message>
+        <source>24 to 47 are free</source>
+        <translation>24〜47 は空いています</translation>
+    </message>
+    <message>
+        <source>a fieldbus adapter or another program holds %1</source>
+        <translation>フィールドバスアダプターか別のプログラムが %1 を使用中</translation>
+    </message>
+    <message>
+        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <translation>ジョグには対応不要です。これらのレジスターを使うには、ロボットのインストールで EtherNet/IP、PROFINET、MODBUS を無効にしてください。</translation>
+    </message>
+    <message>
+        <source>0 to 23 are free</source>
+        <translation>0〜23 は空いています</translation>
+    </message>
+    <message>
+        <source>the robot takes the subscription but sends no data</source>
+        <translation>ロボットは購読を受け付けますがデータを送りません</translation>
+    </message>
+    <message>
+        <source>Close other RTDE programs, then restart the robot&apos;s controller.</source>
+        <translation>他の RTDE プログラムを閉じ、ロボットのコントローラーを再起動してください。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 packages a second</source>
+        <translation>毎秒 %1 / %2 パケット</translation>
+    </message>
+    <message>
+        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <translation>パケットが欠けています：無線ではなくケーブルを使い、ロボットやこの PC に負荷をかける他のプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>priority %1</source>
+        <translation>優先度 %1</translation>
+    </message>
+    <message>
+        <source>the system grants this user no real-time priority</source>
+        <translation>システムはこのユーザーにリアルタイム優先度を許可していません</translation>
+    </message>
+    <message>
+        <source>permitted, and asked for by loops with priority</source>
+        <translation>許可済み。優先度付きループが要求します</translation>
+    </message>
+    <message>
+        <source>processors may sleep deeply, loops begin later</source>
+        <translation>プロセッサーが深く眠ることがあり、ループの開始が遅れます</translation>
+    </message>
+    <message>
+        <source>TCP %1 mm from the flange, payload %2 kg</source>
+        <translation>TCP はフランジから %1 mm、ペイロード %2 kg</translation>
+    </message>
+    <message>
+        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
+        <translation>ツールを付けている場合は、ロボットのインストールで TCP とペイロードを設定してください。誤ったペイロードは保護停止の原因になり、フリードライブでアームが下がります。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <translation>&quot;%1&quot; はアドレスではなく、その名前のホストもありません</translation>
+    </message>
+    <message>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <translation>ティーチペンダントの「情報」に表示される四つの数を入力するか、ネットワーク管理者に名前を確認してください。</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 は応答しません</translation>
+    </message>
+    <message>
+        <source>There is no way to %1</source>
+        <translation>%1 への経路がありません</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <translation>ロボットの電源とケーブルを確認し、間にファイアウォールがないことを確認してください。</translation>
+    </message>
+    <message>
+        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <translation>この PC にロボットのネットワークのアドレス（最初の三つの数が同じ）を設定し、ケーブルを確認してください。</translation>
+    </message>
+    <message>
+        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <translation>%1 は応答しますが、ロボットのサービスがありません</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <translation>ロボット自身のアドレスか確認してください。電源投入直後のロボットはもう 1 分かかります。</translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation>%1 は応答します</translation>
+    </message>
+    <message>
+        <source>dashboard, port %1</source>
+        <translation>ダッシュボード、ポート %1</translation>
+    </message>
+    <message>
+        <source>port %1</source>
+        <translation>ポート %1</translation>
+    </message>
+    <message>
+        <source>port %1 is closed</source>
+        <translation>ポート %1 は閉じています</translation>
+    </message>
+    <message>
+        <source>port %1 does not answer</source>
+        <translation>ポート %1 は応答しません</translation>
+    </message>
+    <message>
+        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <translation>ロボットでこのインターフェースを有効にしてください：設定、セキュリティ、サービス。</translation>
+    </message>
+    <message>
+        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <translation>ファイアウォールがこのポートを遮っています：ロボットへの TCP ポート %1 を許可してください。</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <translation>ティーチペンダント右上でロボットをリモート制御に切り替えてください。それまで Tiller は監視だけです。</translation>
+    </message>
+    <message>
+        <source>the dashboard takes connections but does not answer</source>
+        <translation>ダッシュボードは接続を受けますが応答しません</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 is not a dashboard</source>
+        <translation>ポート %1 の相手はダッシュボードではありません</translation>
+    </message>
+    <message>
+        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <translation>ロボットのコントローラーを再起動してください。直らなければログを見てください。</translation>
+    </message>
+    <message>
+        <source>Check the address, and that no other program uses this port.</source>
+        <translation>アドレスと、他のプログラムがこのポートを使っていないことを確認してください。</translation>
+    </message>
+    <message>
+        <source>this series has no Local/Remote switch</source>
+        <translation>このシリーズにはローカル／リモートの切り替えがありません</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>リモート</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>ローカル</translation>
+    </message>
+    <message>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <translation>ダッシュボード（ポート %1）も Robot API（ポート %2）もありません</translation>
+    </message>
+    <message>
+        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <translation>ロボットで Dashboard Server を有効にしてください：設定、セキュリティ、サービス。PolyScope X の Robot API は 10.11 以降が必要です。</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <translation>Robot API %1、ポート %2。ポップアップはタブレットで閉じます</translation>
+    </message>
+    <message>
+        <source>the primary interface does not describe the arm</source>
+        <translation>プライマリーインターフェースがアームを記述していません</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <translation>ロボット自身のアドレスか確認し、コントローラーを再起動してください。</translation>
+    </message>
+    <message>
+        <source>robot type %1 is newer than this program</source>
+        <translation>ロボット型式 %1 はこのプログラムより新しいものです</translation>
+    </message>
+    <message>
+        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <translation>監視は可能です。限界とプレビューはロボットが報告する寸法を使います。最初はゆっくりジョグしてください。</translation>
+    </message>
+    <message>
+        <source>Address resolves</source>
+        <translation>アドレスの解決</translation>
+    </message>
+    <message>
+        <source>Host answers</source>
+        <translation>ホストの応答</translation>
+    </message>
+    <message>
+        <source>RTDE port</source>
+        <translation>RTDE ポート</translation>
+    </message>
+    <message>
+        <source>Primary port</source>
+        <translation>プライマリーポート</translation>
+    </message>
+    <message>
+        <source>Secondary port</source>
+        <translation>セカンダリーポート</translation>
+    </message>
+    <message>
+        <source>Real-time port</source>
+        <translation>リアルタイムポート</translation>
+    </message>
+    <message>
+        <source>Dashboard or Robot API</source>
+        <translation>ダッシュボードまたは Robot API</translation>
+    </message>
+    <message>
+        <source>RTDE is understood</source>
+        <translation>RTDE の理解</translation>
+    </message>
+    <message>
+        <source>Controller software</source>
+        <translation>コントローラーのソフトウェア</translation>
+    </message>
+    <message>
+        <source>Robot model</source>
+        <translation>ロボット型式</translation>
+    </message>
+    <message>
+        <source>Remote control</source>
+        <translation>リモート制御</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>安全</translation>
+    </message>
+    <message>
+        <source>Power and brakes</source>
+        <translation>電源とブレーキ</translation>
+    </message>
+    <message>
+        <source>Registers for control free</source>
+        <translation>制御用レジスターの空き</translation>
+    </message>
+    <message>
+        <source>No fieldbus holds registers</source>
+        <translation>フィールドバスによるレジスター使用なし</translation>
+    </message>
+    <message>
+        <source>Data rate</source>
+        <translation>データレート</translation>
+    </message>
+    <message>
+        <source>Real-time privilege of this PC</source>
+        <translation>この PC のリアルタイム権限</translation>
+    </message>
+    <message>
+        <source>Fast wake-ups of this PC</source>
+        <translation>この PC の速い起床</translation>
+    </message>
+    <message>
+        <source>TCP and payload</source>
+        <translation>TCP とペイロード</translation>
+    </message>
+</context>
+<context>
+    <name>Freedrive</name>
+    <message>
+        <source>All axes</source>
+        <translation>全軸</translation>
+    </message>
+    <message>
+        <source>Position only</source>
+        <translation>位置のみ</translation>
+    </message>
+    <message>
+        <source>Orientation only</source>
+        <translation>姿勢のみ</translation>
+    </message>
+    <message>
+        <source>Plane X Y</source>
+        <translation>平面 X Y</translation>
+    </message>
+    <message>
+        <source>Line Z</source>
+        <translation>直線 Z</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest before freedrive.</source>
+        <translation>フリードライブの前にアームを静止させてください。</translation>
+    </message>
+    <message>
+        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <translation>ペイロード %2 kg でアームに %1 がかかっています。ひとりでに動きます。ツールから手を離すか、ペイロードと TCP を直してください。</translation>
+    </message>
+</context>
+<context>
+    <name>Gamepad</name>
+    <message>
+        <source>left shoulder</source>
+        <translation>左ショルダー</translation>
+    </message>
+    <message>
+        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <translation>左スティックは X と Y、右スティックは Z と回転。右ショルダー：スティックで回転。</translation>
+    </message>
+</context>
+<context>
+    <name>HoldWitness</name>
+    <message>
+        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>この画面には第二の証人がいません（%1）：キーがまだ押されているかはウィンドウのイベントからしか分かりません。</translation>
+    </message>
+    <message>
+        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <translation>ボタンやキーがまだ押されているかを 10 ms ごとにディスプレイサーバーに尋ねます。</translation>
+    </message>
+    <message>
+        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>ディスプレイサーバーに二重に尋ねることができません：キーがまだ押されているかはウィンドウのイベントからしか分かりません。</translation>
+    </message>
+</context>
+<context>
+    <name>InterfaceSize</name>
+    <message>
+        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <translation>この画面は画素が細かいです。設定の「全体の大きさ」で文字、キー、グラフを大きくできます。</translation>
+    </message>
+</context>
+<context>
+    <name>JogActions</name>
+    <message>
+        <source>Jog speed %1</source>
+        <translation>ジョグ速度 %1</translation>
+    </message>
+    <message>
+        <source>Jog step %1, %2°</source>
+        <translation>ジョグステップ %1、%2°</translation>
+    </message>
+    <message>
+        <source>Arm or disarm the keyboard</source>
+        <translation>キーボードを有効／無効にする</translation>
+    </message>
+    <message>
+        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <translation>有効な間、矢印キーがアームを動かし、ウィンドウの周りに枠が出ます。30 秒でひとりでに終わります。</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse…</source>
+        <translation>ゲームパッドと SpaceMouse…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>各デバイスの現在の値と、動く向き。</translation>
+    </message>
+    <message>
+        <source>Zero here</source>
+        <translation>ここをゼロに</translation>
+    </message>
+    <message>
+        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <translation>ここから TCP の移動量を数えます。もう一度で、押してからの量に戻ります。</translation>
+    </message>
+    <message>
+        <source>Stops the arm; the next press has this speed.</source>
+        <translation>アームを止めます。次に押すとこの速度になります。</translation>
+    </message>
+    <message>
+        <source>Moves by this much, only while the key is held.</source>
+        <translation>キーを押し続けている間だけ、この量動きます。</translation>
+    </message>
+    <message>
+        <source>Moves by this much at each press.</source>
+        <translation>押すたびにこの量動きます。</translation>
+    </message>
+    <message>
+        <source>Jog until contact, %1 N</source>
+        <translation>接触までジョグ、%1 N</translation>
+    </message>
+    <message>
+        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <translation>押し続けるとゆっくり動き、ツールがこの力に当たると終わります。</translation>
+    </message>
+    <message>
+        <source>Jog speed, other…</source>
+        <translation>他のジョグ速度…</translation>
+    </message>
+    <message>
+        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <translation>TCP の速度を尋ねます。回転と関節は比例します。</translation>
+    </message>
+    <message>
+        <source>Jog step, other…</source>
+        <translation>他のジョグステップ…</translation>
+    </message>
+    <message>
+        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <translation>ステップの長さを尋ねます。回転の角度は変わりません。</translation>
+    </message>
+    <message>
+        <source>Jog turn, other…</source>
+        <translation>他の回転ステップ…</translation>
+    </message>
+    <message>
+        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <translation>ツールや関節を回すステップの角度を尋ねます。長さは変わりません。</translation>
+    </message>
+    <message>
+        <source>Jog until contact, other force…</source>
+        <translation>接触までジョグ、他の力…</translation>
+    </message>
+    <message>
+        <source>Asks for the force in N at which the motion ends.</source>
+        <translation>動作を終える力を N で尋ねます。</translation>
+    </message>
+    <message>
+        <source>Freedrive: %1</source>
+        <translation>フリードライブ：%1</translation>
+    </message>
+    <message>
+        <source>What the hand can move while Freedrive is held.</source>
+        <translation>フリードライブを押している間に手で動かせるもの。</translation>
+    </message>
+</context>
+<context>
+    <name>JogColumn</name>
+    <message>
+        <source>Tool</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>ビュー</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+</context>
+<context>
+    <name>JointNames</name>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>肩</translation>
+    </message>
+    <message>
+        <source>Elbow</source>
+        <translation>肘</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>手首1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>手首2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>手首3</translation>
+    </message>
+</context>
+<context>
+    <name>LimiterAdvice</name>
+    <message>
+        <source>Elbow almost straight</source>
+        <translation>肘がほぼ伸びています</translation>
+    </message>
+    <message>
+        <source>Elbow almost straight: %1 of the speed</source>
+        <translation>肘がほぼ伸びています：速度の %1</translation>
+    </message>
+    <message>
+        <source>bend the elbow</source>
+        <translation>肘を曲げる</translation>
+    </message>
+    <message>
+        <source>jog %1 or bend the elbow</source>
+        <translation>%1 へジョグするか肘を曲げる</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis</source>
+        <translation>手首がベース軸の上</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis: %1 of the speed</source>
+        <translation>手首がベース軸の上：速度の %1</translation>
+    </message>
+    <message>
+        <source>move outwards</source>
+        <translation>外側へ動かす</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn the base</source>
+        <translation>%1 へジョグするかベースを回す</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°</source>
+        <translation>手首2が 0° か 180° の近く</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <translation>手首2が 0° か 180° の近く：速度の %1</translation>
+    </message>
+    <message>
+        <source>turn wrist 2</source>
+        <translation>手首2を回す</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn wrist 2</source>
+        <translation>%1 へジョグするか手首2を回す</translation>
+    </message>
+    <message>
+        <source>%1 %2° from its limit</source>
+        <translation>%1 は限界まで %2°</translation>
+    </message>
+    <message>
+        <source>turn %1 %2</source>
+        <translation>%1 を %2 に回す</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn %2 %3</source>
+        <translation>%1 へジョグするか %2 を %3 に回す</translation>
+    </message>
+    <message>
+        <source>TCP at its speed cap: %1</source>
+        <translation>TCP が速度上限：%1</translation>
+    </message>
+    <message>
+        <source>the cap is in the settings</source>
+        <translation>上限は設定にあります</translation>
+    </message>
+    <message>
+        <source>Elbow at its speed cap: %1</source>
+        <translation>肘が速度上限：%1</translation>
+    </message>
+    <message>
+        <source>move less sideways</source>
+        <translation>横への動きを減らす</translation>
+    </message>
+    <message>
+        <source>Turning at its cap: %1</source>
+        <translation>回転が上限：%1</translation>
+    </message>
+    <message>
+        <source>%1 at its top speed: %2</source>
+        <translation>%1 が最高速度：%2</translation>
+    </message>
+    <message>
+        <source>choose a slower class</source>
+        <translation>遅い速度を選ぶ</translation>
+    </message>
+</context>
+<context>
+    <name>LocalSimulator</name>
+    <message>
+        <source>Simulated UR5e</source>
+        <translation>シミュレートされた UR5e</translation>
+    </message>
+</context>
+<context>
+    <name>ModeLook</name>
+    <message>
+        <source>FREEDRIVE</source>
+        <translation>フリードライブ</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand that moves it.</source>
+        <translation>アームは動かす手に従います。</translation>
+    </message>
+    <message>
+        <source>MOVING</source>
+        <translation>動作中</translation>
+    </message>
+    <message>
+        <source>The robot confirms that the arm moves.</source>
+        <translation>ロボットがアームの動作を確認しています。</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>リモート</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>ローカル</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手動</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>データなし</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>制御を取得中…</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>フリードライブ</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>ジョグ</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>準備完了</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>制御中</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>拒否</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>制御なし</translation>
+    </message>
+    <message>
+        <source>monitoring</source>
+        <translation>監視中</translation>
+    </message>
+    <message>
+        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <translation>パケットが遅れるか届きません：ジョグが止まったり、グラフに隙間ができます。無線ではなくケーブルを使い、他のプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <translation>指令に 20 ms より長くかかります：アームがキーに遅れて従います。ゆっくりジョグしてください。</translation>
+    </message>
+    <message>
+        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <translation>良好：アームはすぐキーに従い、切れた接続は 1/4 秒以内にアームを止めます。</translation>
+    </message>
+    <message>
+        <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
+        <translation>直近 10 秒：%1 パケット、遅れ %2、欠落 %3</translation>
+    </message>
+    <message>
+        <source>Since connecting: %1 packets, %2 late, %3 lost</source>
+        <translation>接続以来：%1 パケット、遅れ %2、欠落 %3</translation>
+    </message>
+    <message>
+        <source>Late is a packet that comes more than half a period after its time.</source>
+        <translation>「遅れ」は時刻より半周期以上遅く届いたパケットです。</translation>
+    </message>
+    <message>
+        <source>No robot connected</source>
+        <translation>ロボット未接続</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>接続中…</translation>
+    </message>
+    <message>
+        <source>Late: %1 s</source>
+        <translation>遅れ：%1 s</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source> · %1 late</source>
+        <translation> · 遅れ %1</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · 欠落 %1</translation>
+    </message>
+    <message>
+        <source>LINK · JOG STOPS</source>
+        <translation>リンク · ジョグ停止</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>リンク</translation>
+    </message>
+    <message>
+        <source>LINK · JOG MAY STOP</source>
+        <translation>リンク · 停止の恐れ</translation>
+    </message>
+    <message>
+        <source>LINK · ARM LAGS</source>
+        <translation>リンク · 動作の遅れ</translation>
+    </message>
+    <message>
+        <source>LINK · GOOD</source>
+        <translation>リンク · 良好</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>接続…</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>電源オン</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>ブレーキ解除</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>復旧…</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>制御を取得</translation>
+    </message>
+    <message>
+        <source>Choose the simulator or the address of a robot</source>
+        <translation>シミュレーターかロボットのアドレスを選んでください</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>アームが数ミリ下がることがあります。離れてください。</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <translation>アームを止めた原因、直前の 5 秒、戻り方を示します。何も動きません。</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>ロボットで制御プログラムを起動します。他のプログラムは止まります。</translation>
+    </message>
+</context>
+<context>
+    <name>ModeWords</name>
+    <message>
+        <source>No controller</source>
+        <translation>コントローラーなし</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s controller is not running. Restart the control box.</source>
+        <translation>ロボットのコントローラーが動いていません。コントロールボックスを再起動してください。</translation>
+    </message>
+    <message>
+        <source>Arm off line</source>
+        <translation>アーム未接続</translation>
+    </message>
+    <message>
+        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <translation>コントローラーがアームと通信していません。ティーチペンダントを見てください。</translation>
+    </message>
+    <message>
+        <source>Confirm safety</source>
+        <translation>安全の確認</translation>
+    </message>
+    <message>
+        <source>Confirm the safety configuration on the teach pendant.</source>
+        <translation>ティーチペンダントで安全設定を確認してください。</translation>
+    </message>
+    <message>
+        <source>Booting</source>
+        <translation>起動中</translation>
+    </message>
+    <message>
+        <source>The arm is starting. Wait a few seconds.</source>
+        <translation>アームが起動中です。数秒お待ちください。</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>電源オフ</translation>
+    </message>
+    <message>
+        <source>The arm is off. Power it on.</source>
+        <translation>アームの電源が切れています。入れてください。</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>電源オン</translation>
+    </message>
+    <message>
+        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <translation>アームに電源が入り、準備しています。しばらくお待ちください。</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>待機</translation>
+    </message>
+    <message>
+        <source>The brakes are on. Release them.</source>
+        <translation>ブレーキがかかっています。解除してください。</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>バックドライブ</translation>
+    </message>
+    <message>
+        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <translation>ブレーキに逆らって手でアームを動かしています。フリードライブボタンを離してください。</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>稼働中</translation>
+    </message>
+    <message>
+        <source>Brakes are released. The arm stands still.</source>
+        <translation>ブレーキは解除され、アームは静止しています。</translation>
+    </message>
+    <message>
+        <source>Updating firmware</source>
+        <translation>ファームウェア更新中</translation>
+    </message>
+    <message>
+        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
+        <translation>関節のファームウェアを更新しています。終わるまで電源を切らないでください。</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>通常</translation>
+    </message>
+    <message>
+        <source>No safety function is active.</source>
+        <translation>安全機能は作動していません。</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>低減</translation>
+    </message>
+    <message>
+        <source>The robot keeps to its reduced limits.</source>
+        <translation>ロボットは低減された限界を守っています。</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>保護停止</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <translation>コントローラーがアームを止めました。原因を調べてからロックを解除してください（5 秒後）。</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>リカバリー</translation>
+    </message>
+    <message>
+        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <translation>アームが安全限界の外にあります。ティーチペンダントで限界内に戻してください。</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>安全防護停止</translation>
+    </message>
+    <message>
+        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <translation>安全防護が開いています。閉じて、リセットが設定されていれば押してください。</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>システム非常停止</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>セルの非常停止が押されています。解除してから電源を入れ、ブレーキを解除してください。</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>非常停止</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
+        <translation>ロボットの非常停止が押されています。ボタンを引き出してから電源を入れ、ブレーキを解除してください。</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>安全違反</translation>
+    </message>
+    <message>
+        <source>A safety limit was exceeded and power was cut. Check the cause, then restart the safety system.</source>
+        <translation>安全限界を超え、電源が切られました。原因を調べてから安全システムを再起動してください。</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>安全故障</translation>
+    </message>
+    <message>
+        <source>The safety system found a fault. Check the robot&apos;s log, then restart the safety system.</source>
+        <translation>安全システムが故障を検出しました。ロボットのログを確認してから安全システムを再起動してください。</translation>
+    </message>
+    <message>
+        <source>Validate joints</source>
+        <translation>関節の検証</translation>
+    </message>
+    <message>
+        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <translation>関節が交換されました。ティーチペンダントで関節を検証してください。</translation>
+    </message>
+    <message>
+        <source>Undefined</source>
+        <translation>未定義</translation>
+    </message>
+    <message>
+        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <translation>コントローラーが安全モードを伝えません。ティーチペンダントを見てください。</translation>
+    </message>
+    <message>
+        <source>Automatic safeguard stop</source>
+        <translation>自動安全防護停止</translation>
+    </message>
+    <message>
+        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <translation>自動モードの安全防護が開いています。閉じるか手動モードに切り替えてください。</translation>
+    </message>
+    <message>
+        <source>Enabling device stop</source>
+        <translation>イネーブル装置停止</translation>
+    </message>
+    <message>
+        <source>The enabling device is not held. Hold it in its middle position.</source>
+        <translation>イネーブル装置が握られていません。中間位置で握ってください。</translation>
+    </message>
+    <message>
+        <source>Pendant enabling stop</source>
+        <translation>ペンダントイネーブル停止</translation>
+    </message>
+    <message>
+        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <translation>ペンダントのイネーブルキーが握られていません。中間位置で握ってください。</translation>
+    </message>
+    <message>
+        <source>IMMI emergency stop</source>
+        <translation>IMMI 非常停止</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>成形機の非常停止が押されています。解除してから電源を入れ、ブレーキを解除してください。</translation>
+    </message>
+    <message>
+        <source>IMMI safeguard stop</source>
+        <translation>IMMI 安全防護停止</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s safeguard is open. Close it.</source>
+        <translation>成形機の安全防護が開いています。閉じてください。</translation>
+    </message>
+    <message>
+        <source>PROFIsafe waiting</source>
+        <translation>PROFIsafe 待機</translation>
+    </message>
+    <message>
+        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <translation>ロボットは PROFIsafe コントローラーを待っています。フィールドバスとパラメーターを確認してください。</translation>
+    </message>
+    <message>
+        <source>PROFIsafe automatic stop</source>
+        <translation>PROFIsafe 自動停止</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
+        <translation>PROFIsafe コントローラーが自動モードの安全防護を開いています。そちらで閉じてください。</translation>
+    </message>
+    <message>
+        <source>PROFIsafe safeguard stop</source>
+        <translation>PROFIsafe 安全防護停止</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
+        <translation>PROFIsafe コントローラーが安全防護を開いています。そちらで閉じてください。</translation>
+    </message>
+    <message>
+        <source>PROFIsafe emergency stop</source>
+        <translation>PROFIsafe 非常停止</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <translation>PROFIsafe コントローラーが非常停止を要求しています。そちらで解除してから電源を入れ、ブレーキを解除してください。</translation>
+    </message>
+    <message>
+        <source>Safety API stop</source>
+        <translation>Safety API 停止</translation>
+    </message>
+    <message>
+        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
+        <translation>プログラムが安全インターフェースでアームを止めています。そのプログラムで停止を終えてください。</translation>
+    </message>
+    <message>
+        <source>I/O plane stop</source>
+        <translation>I/O 平面停止</translation>
+    </message>
+    <message>
+        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <translation>入力で有効になった安全平面をツールが越えました。ティーチペンダントで外へ出すか、入力を切ってください。</translation>
+    </message>
+    <message>
+        <source>Program stopping</source>
+        <translation>プログラム停止中</translation>
+    </message>
+    <message>
+        <source>The program on the robot is ending.</source>
+        <translation>ロボットのプログラムが終わるところです。</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>プログラムなし</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>ロボットでプログラムは動いていません。</translation>
+    </message>
+    <message>
+        <source>Program plays</source>
+        <translation>プログラム再生中</translation>
+    </message>
+    <message>
+        <source>A program runs on the robot and may move the arm.</source>
+        <translation>ロボットでプログラムが動いており、アームを動かすことがあります。</translation>
+    </message>
+    <message>
+        <source>Program pausing</source>
+        <translation>プログラム一時停止へ</translation>
+    </message>
+    <message>
+        <source>The program is coming to a halt.</source>
+        <translation>プログラムが止まるところです。</translation>
+    </message>
+    <message>
+        <source>Program paused</source>
+        <translation>プログラム一時停止</translation>
+    </message>
+    <message>
+        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <translation>再生すると中断した動作を続けます。破棄するにはプログラムを停止してください。</translation>
+    </message>
+    <message>
+        <source>Program resuming</source>
+        <translation>プログラム再開中</translation>
+    </message>
+    <message>
+        <source>The program is going on: the arm may move.</source>
+        <translation>プログラムが続きます：アームが動くことがあります。</translation>
+    </message>
+    <message>
+        <source>Unknown robot mode %1. See the teach pendant.</source>
+        <translation>不明なロボットモード %1。ティーチペンダントを見てください。</translation>
+    </message>
+    <message>
+        <source>Unknown safety mode %1. See the teach pendant.</source>
+        <translation>不明な安全モード %1。ティーチペンダントを見てください。</translation>
+    </message>
+    <message>
+        <source>Unknown program state %1. See the teach pendant.</source>
+        <translation>不明なプログラム状態 %1。ティーチペンダントを見てください。</translation>
+    </message>
+</context>
+<context>
+    <name>OutputGripper</name>
+    <message>
+        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <translation>ロボットが出力を確認しませんでした。別のプログラムかインストールが使っている可能性があります。</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>グリッパー：閉じる</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>グリッパー：開く</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>保留中…</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>told to open</source>
+        <translation>開く指令</translation>
+    </message>
+    <message>
+        <source>told to close</source>
+        <translation>閉じる指令</translation>
+    </message>
+    <message>
+        <source>both outputs off</source>
+        <translation>両出力オフ</translation>
+    </message>
+    <message>
+        <source>both outputs on</source>
+        <translation>両出力オン</translation>
+    </message>
+    <message>
+        <source>Choose two different outputs: one closes, the other opens.</source>
+        <translation>異なる二つの出力を選んでください：一方が閉じ、他方が開きます。</translation>
+    </message>
+</context>
+<context>
+    <name>PanelActions</name>
+    <message>
+        <source>Record</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <translation>停止するまで、ロボットの全パケットを CSV ファイルに書きます。</translation>
+    </message>
+    <message>
+        <source>A recording runs already.</source>
+        <translation>すでに記録中です。</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>先にロボットに接続してください。</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>記録を停止</translation>
+    </message>
+    <message>
+        <source>Ends the recording; its file is complete.</source>
+        <translation>記録を終えます。ファイルは完全です。</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded.</source>
+        <translation>何も記録していません。</translation>
+    </message>
+    <message>
+        <source>Pause or resume the plots</source>
+        <translation>グラフを一時停止／再開</translation>
+    </message>
+    <message>
+        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <translation>グラフを止めます。データと記録は続きます。もう一度で最新のサンプルに戻ります。</translation>
+    </message>
+    <message>
+        <source>Export the plots…</source>
+        <translation>グラフをエクスポート…</translation>
+    </message>
+    <message>
+        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <translation>表示範囲を画像、図面、ページ、または値として保存します。</translation>
+    </message>
+    <message>
+        <source>Plots show %1</source>
+        <translation>グラフは %1 を表示</translation>
+    </message>
+    <message>
+        <source>How much time the plots show.</source>
+        <translation>グラフが表示する時間。</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>入出力を検索</translation>
+    </message>
+    <message>
+        <source>Finds a terminal or a register by its number or name.</source>
+        <translation>番号か名前で端子やレジスターを探します。</translation>
+    </message>
+    <message>
+        <source>Rename the chosen input or output</source>
+        <translation>選んだ入出力の名前を変更</translation>
+    </message>
+    <message>
+        <source>The row of the tab I/O that has the focus.</source>
+        <translation>フォーカスのある I/O タブの行。</translation>
+    </message>
+    <message>
+        <source>Switch the chosen output</source>
+        <translation>選んだ出力を切り替え</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <translation>フォーカスのある I/O タブの出力：オン、またはオフに戻します。</translation>
+    </message>
+    <message>
+        <source>Pulse the chosen output</source>
+        <translation>選んだ出力をパルス</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <translation>フォーカスのある I/O タブの出力：0.5 秒オン、その後オフ。</translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation>ログを検索</translation>
+    </message>
+    <message>
+        <source>Shows only the lines with these words.</source>
+        <translation>これらの語を含む行だけを表示します。</translation>
+    </message>
+    <message>
+        <source>Log: show all</source>
+        <translation>ログ：すべて表示</translation>
+    </message>
+    <message>
+        <source>Log: show warnings and worse</source>
+        <translation>ログ：警告以上を表示</translation>
+    </message>
+    <message>
+        <source>Log: show errors</source>
+        <translation>ログ：エラーを表示</translation>
+    </message>
+    <message>
+        <source>Chooses which lines of the log are shown.</source>
+        <translation>ログのどの行を表示するかを選びます。</translation>
+    </message>
+    <message>
+        <source>Copy the log</source>
+        <translation>ログをコピー</translation>
+    </message>
+    <message>
+        <source>Copies the selected lines, or all that are shown.</source>
+        <translation>選択した行、または表示中の全行をコピーします。</translation>
+    </message>
+    <message>
+        <source>Export the log…</source>
+        <translation>ログをエクスポート…</translation>
+    </message>
+    <message>
+        <source>Writes the lines that are shown to a file.</source>
+        <translation>表示中の行をファイルに書きます。</translation>
+    </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>グラフの信号を検索</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>ロボットが伝えるすべての一覧を開きます：ドラッグ、ダブルクリック、Return でグラフへ。</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>グラフの新しいページ</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>他の後に空のページ。全ページが同じ時間を表示します。</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>グラフの全履歴を表示</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>メモリーにあるすべてを、各グラフに最適な目盛りで。</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>レーン %1 を外す</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>ここにメモ…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 を表示</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 を隠す</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>カーソルで %1 を読む</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>%1 を独立したグラフへ</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>%1 を外す</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>%1 のとき警報</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>%1 のとき警報しない</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>%1 の変化率</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>%1 の 0.5 秒移動平均</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>平均 %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>このグラフの曲線のノルム</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>下に新しいグラフ</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>隣に新しいグラフ</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>このグラフを外す</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>目盛りを曲線に任せる</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>すべて表示</translation>
+    </message>
+</context>
+<context>
+    <name>Practice</name>
+    <message>
+        <source>Waiting for the stop.</source>
+        <translation>停止を待っています。</translation>
+    </message>
+    <message>
+        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <translation>アームは保護停止中です。ヘッダーの「復旧」を押してください。</translation>
+    </message>
+    <message>
+        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <translation>ロック解除済み。アームはまだ稼働していません：復旧ページに従ってください。</translation>
+    </message>
+    <message>
+        <source>Unlocked. Take control again.</source>
+        <translation>ロック解除済み。もう一度制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>The arm runs and is under your control again.</source>
+        <translation>アームは稼働し、再び制御下にあります。</translation>
+    </message>
+    <message>
+        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <translation>新しい座標系はまだありません。「3 点」は座標系タブにあります。</translation>
+    </message>
+    <message>
+        <source>“%1” lies as it was asked for.</source>
+        <translation>「%1」は求められた位置にあります。</translation>
+    </message>
+    <message>
+        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <translation>「%1」：その Z はベースの Z から %2° ずれています。3 点目は +Y 側です。</translation>
+    </message>
+    <message>
+        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <translation>「%1」：その X はベースの Y から %2° ずれています。</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <translation>「%1」はアームで取られていません：TCP がその原点にありませんでした。</translation>
+    </message>
+    <message>
+        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <translation>ウェイポイントがもうありません。開始で新しく置きます。</translation>
+    </message>
+    <message>
+        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <translation>「%1」は元の位置です。アームは X に沿って %2 離れています。</translation>
+    </message>
+    <message>
+        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <translation>「%1」は %2 動き、あるべき位置から %3 離れています。</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the tool was turned.</source>
+        <translation>「%1」は位置に合っていますが、ツールが回っています。</translation>
+    </message>
+    <message>
+        <source>“%1” is at the part again.</source>
+        <translation>「%1」は再び部品にあります。</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <translation>「%1」は位置に合っていますが、アームがそこにありません。アームを部品に当てて修正教示してください。</translation>
+    </message>
+    <message>
+        <source>Slowed down to %1. Go on.</source>
+        <translation>%1 に減速。続けてください。</translation>
+    </message>
+    <message>
+        <source>No limit yet. The line below the pad will name it.</source>
+        <translation>まだ限界ではありません。パッドの下の行に名前が出ます。</translation>
+    </message>
+    <message>
+        <source>That is the limit. Now back: %1 of %2.</source>
+        <translation>それが限界です。戻ってください：%2 のうち %1。</translation>
+    </message>
+    <message>
+        <source>Found it, and out of it again.</source>
+        <translation>見つけて、抜け出しました。</translation>
+    </message>
+    <message>
+        <source>Recording: %1 s of %2 s.</source>
+        <translation>記録中：%2 s のうち %1 s。</translation>
+    </message>
+    <message>
+        <source>That recording is too short. Record again.</source>
+        <translation>その記録は短すぎます。もう一度記録してください。</translation>
+    </message>
+    <message>
+        <source>No recording yet. Record is above the plots.</source>
+        <translation>まだ記録がありません。「記録」はグラフの上にあります。</translation>
+    </message>
+    <message>
+        <source>Recorded. Enter the force that the plot shows.</source>
+        <translation>記録済み。グラフが示す力を入力してください。</translation>
+    </message>
+    <message>
+        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <translation>%1 は記録された値ではありません。曲線 Fz を見てください。</translation>
+    </message>
+    <message>
+        <source>Right: it was %1.</source>
+        <translation>正解：%1 でした。</translation>
+    </message>
+    <message>
+        <source>Recover from a protective stop</source>
+        <translation>保護停止からの復旧</translation>
+    </message>
+    <message>
+        <source>Teach a frame</source>
+        <translation>座標系の教示</translation>
+    </message>
+    <message>
+        <source>Touch up a waypoint</source>
+        <translation>ウェイポイントの修正教示</translation>
+    </message>
+    <message>
+        <source>Find the reach limit</source>
+        <translation>到達限界を見つける</translation>
+    </message>
+    <message>
+        <source>Record and measure</source>
+        <translation>記録と計測</translation>
+    </message>
+    <message>
+        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <translation>開始するとシミュレートされたアームが衝突し、保護停止になります。原因を見て 5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <translation>座標系タブで 3 点から座標系を教示してください。X はベースの Y+ に沿い、Z は上向き：原点、次に Y+ に沿った点、次に X− に沿った点を取ります。</translation>
+    </message>
+    <message>
+        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>開始するとアームの位置にウェイポイント「部品」を置きます。その後、部品はベースの X+ に %1 動きました。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
+    </message>
+    <message>
+        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <translation>ベースから外側へ、限界でアームが半分の速度になるまでジョグしてください。パッドの下の行に名前と抜け方が出ます。その後 %1 戻ってください。</translation>
+    </message>
+    <message>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <translation>開始すると手がツールを上から押します。3 秒以上記録して停止してください。グラフで力 Fz の大きさを読み、入力してください。</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>部品</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>No robot connected. Choose one at the top left.</source>
+        <translation>ロボット未接続。左上で選んでください。</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>接続中…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself.</source>
+        <translation>ロボットからのデータなし。自動で再接続します。</translation>
+    </message>
+    <message>
+        <source>Robot data is late. Waiting for it to come back.</source>
+        <translation>ロボットのデータが遅れています。戻るのを待っています。</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>制御を取得中…</translation>
+    </message>
+    <message>
+        <source>Not in control. Press “Take control” in the header.</source>
+        <translation>制御なし。ヘッダーの「制御を取得」を押してください。</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingChoice</name>
+    <message>
+        <source>A file needs a name that does not begin with a point.</source>
+        <translation>ファイル名は点で始まらない名前が必要です。</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain “%1”.</source>
+        <translation>ファイル名に「%1」は使えません。</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>この名前は長すぎます。</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryGuide</name>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>安全は再び通常です</translation>
+    </message>
+    <message>
+        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <translation>アームを動かせます。停止前に準備したものは動きません：動作ごとに新しく押す必要があります。</translation>
+    </message>
+    <message>
+        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <translation>アームは準備完了です。動かすには制御を取得するか、ティーチペンダントで続けてください。</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>制御を取得中…</translation>
+    </message>
+    <message>
+        <source>No data from the robot</source>
+        <translation>ロボットからのデータなし</translation>
+    </message>
+    <message>
+        <source>Waiting for the connection</source>
+        <translation>接続を待っています</translation>
+    </message>
+    <message>
+        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <translation>アームを見た：誰も触れず、何も挟まっていない。</translation>
+    </message>
+    <message>
+        <source>What stopped it is known and removed.</source>
+        <translation>止めた原因が分かり、取り除いた。</translation>
+    </message>
+    <message>
+        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <translation>ペイロードと TCP は取り付けたツールのものである。</translation>
+    </message>
+    <message>
+        <source>Possible in %1 s</source>
+        <translation>あと %1 s で可能</translation>
+    </message>
+    <message>
+        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <translation>アームとロボットのログを見た：原因が分かっている。</translation>
+    </message>
+    <message>
+        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <translation>原因を取り除き、アームの届く範囲に誰もいない。</translation>
+    </message>
+    <message>
+        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <translation>ここで押すものはありません：原因がなくなれば終わります。</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>ロック解除</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>安全を再起動</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>電源オン</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>ブレーキ解除</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>制御を取得</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>RobotActions</name>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>先にロボットに接続してください。</translation>
+    </message>
+    <message>
+        <source>Give control back first.</source>
+        <translation>先に制御を返却してください。</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>ロボットでプログラムは動いていません。</translation>
+    </message>
+    <message>
+        <source>A program runs already.</source>
+        <translation>すでにプログラムが動いています。</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>接続…</translation>
+    </message>
+    <message>
+        <source>Choose the simulator, a robot or a project.</source>
+        <translation>シミュレーター、ロボット、プロジェクトを選びます。</translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation>シミュレートされたロボット</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot and connects to it.</source>
+        <translation>シミュレートされたロボットを起動して接続します。</translation>
+    </message>
+    <message>
+        <source>Check the connection…</source>
+        <translation>接続を確認…</translation>
+    </message>
+    <message>
+        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <translation>この PC とロボットの間のすべてを調べ、対処を示します。</translation>
+    </message>
+    <message>
+        <source>Choose a robot first.</source>
+        <translation>先にロボットを選んでください。</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>切断</translation>
+    </message>
+    <message>
+        <source>Ends the connection; a motion of ours stops first.</source>
+        <translation>接続を終えます。こちらの動作は先に止まります。</translation>
+    </message>
+    <message>
+        <source>No robot is connected.</source>
+        <translation>ロボットは接続されていません。</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
+    </message>
+    <message>
+        <source>The arm has power, or is getting it.</source>
+        <translation>アームには電源が入っているか、入るところです。</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>アームが数ミリ下がることがあります。離れてください。</translation>
+    </message>
+    <message>
+        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <translation>ブレーキをかけ、アームの電源を切ります。プログラムは止まります。</translation>
+    </message>
+    <message>
+        <source>The arm is off.</source>
+        <translation>アームの電源は切れています。</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>復旧…</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, and the way back.</source>
+        <translation>アームを止めた原因と戻り方を示します。</translation>
+    </message>
+    <message>
+        <source>No stop of the safety system.</source>
+        <translation>安全システムによる停止はありません。</translation>
+    </message>
+    <message>
+        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <translation>違反や故障の後、原因が分かってから。アームの電源は切れたままです。</translation>
+    </message>
+    <message>
+        <source>Only after a violation or a fault.</source>
+        <translation>違反か故障の後だけです。</translation>
+    </message>
+    <message>
+        <source>Closes the popups on the teach pendant.</source>
+        <translation>ティーチペンダントのポップアップを閉じます。</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>制御を取得</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>ロボットで制御プログラムを起動します。他のプログラムは止まります。</translation>
+    </message>
+    <message>
+        <source>In control already.</source>
+        <translation>すでに制御中です。</translation>
+    </message>
+    <message>
+        <source>Give control back</source>
+        <translation>制御を返却</translation>
+    </message>
+    <message>
+        <source>Ends the control program on the robot.</source>
+        <translation>ロボットの制御プログラムを終えます。</translation>
+    </message>
+    <message>
+        <source>Not in control.</source>
+        <translation>制御していません。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <translation>動いているものすべてのソフトウェア停止。非常停止ではありません。</translation>
+    </message>
+    <message>
+        <source>Load program…</source>
+        <translation>プログラムを読み込む…</translation>
+    </message>
+    <message>
+        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <translation>ロボット自身のプログラムを名前で読み込みます。</translation>
+    </message>
+    <message>
+        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <translation>読み込んだプログラムを開始、または一時停止から続けます：アームがすぐ動くことがあります。</translation>
+    </message>
+    <message>
+        <source>Pauses the program that runs.</source>
+        <translation>実行中のプログラムを一時停止します。</translation>
+    </message>
+    <message>
+        <source>Stops the robot&apos;s own program.</source>
+        <translation>ロボット自身のプログラムを停止します。</translation>
+    </message>
+</context>
+<context>
+    <name>RobotOutputs</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Output %1: %2</source>
+        <translation>出力 %1：%2</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <translation>%1：オン</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1：オフ</translation>
+    </message>
+    <message>
+        <source>Analog output %1: %2 %3</source>
+        <translation>アナログ出力 %1：%2 %3</translation>
+    </message>
+    <message>
+        <source>Input register %1: %2</source>
+        <translation>入力レジスター %1：%2</translation>
+    </message>
+    <message>
+        <source>Speed slider: %1 %</source>
+        <translation>速度スライダー：%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>RobotServices</name>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>%1 に失敗しました。%2</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>電源オン</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>ブレーキ解除</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>電源オフ</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>安全を再起動</translation>
+    </message>
+    <message>
+        <source>Close popups</source>
+        <translation>ポップアップを閉じる</translation>
+    </message>
+    <message>
+        <source>Play program</source>
+        <translation>プログラム再生</translation>
+    </message>
+    <message>
+        <source>Pause program</source>
+        <translation>プログラム一時停止</translation>
+    </message>
+    <message>
+        <source>Stop program</source>
+        <translation>プログラム停止</translation>
+    </message>
+    <message>
+        <source>Protective stop unlocked by the operator</source>
+        <translation>操作者が保護停止のロックを解除</translation>
+    </message>
+    <message>
+        <source>Load program %1</source>
+        <translation>プログラム %1 の読み込み</translation>
+    </message>
+    <message>
+        <source>The program on the robot was stopped</source>
+        <translation>ロボットのプログラムを停止しました</translation>
+    </message>
+    <message>
+        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <translation>ロボットのプログラムを停止できませんでした：ティーチペンダントで停止してください。%1</translation>
+    </message>
+    <message>
+        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <translation>ロボットがローカル制御に切り替わりました：動作を止め、制御を返却しました。ティーチペンダントでリモート制御に戻し、もう一度制御を取得してください。</translation>
+    </message>
+</context>
+<context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP とペイロードはアームの静止中に設定します。静止させてください。</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>ロボットに TCP を設定：%1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>ロボットにペイロードを設定：%1</translation>
+    </message>
+</context>
+<context>
+    <name>SampleProjects</name>
+    <message>
+        <source>Pick and place</source>
+        <translation>ピックアンドプレース</translation>
+    </message>
+    <message>
+        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <translation>部品を供給器から取り、トレーの六つの場所の一つに置きます。場所はトレーの座標系で与えられ、一緒に動きます。</translation>
+    </message>
+    <message>
+        <source>Gluing along a path</source>
+        <translation>経路に沿った接着</translation>
+    </message>
+    <message>
+        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <translation>角の丸いふたの周りをゆっくり直線で塗ります。ブレンドにより角でもノズルが動き続けます。</translation>
+    </message>
+    <message>
+        <source>Measuring round</source>
+        <translation>計測巡回</translation>
+    </message>
+    <message>
+        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <translation>プローブが部品を上と四方から、それぞれ接近点からツールを傾けて触れます。</translation>
+    </message>
+</context>
+<context>
+    <name>SceneActions</name>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>最初の向きから透視で見る</translation>
+    </message>
+    <message>
+        <source>From between front and side, a little above, with everything in the picture.</source>
+        <translation>正面と側面の間、少し上から、全体が入ります。</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>正面から見る</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Z up.</source>
+        <translation>ベースの X が右、Z が上。</translation>
+    </message>
+    <message>
+        <source>Look from the side</source>
+        <translation>側面から見る</translation>
+    </message>
+    <message>
+        <source>Y of the base to the right, Z up.</source>
+        <translation>ベースの Y が右、Z が上。</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>上から見る</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Y up.</source>
+        <translation>ベースの X が右、Y が上。</translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation>全体をビューに収める</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <translation>今見ている向きのまま、アーム、目標、ウェイポイントを収めます。</translation>
+    </message>
+</context>
+<context>
+    <name>SessionRecording</name>
+    <message>
+        <source>Nothing is recorded: connect to a robot first.</source>
+        <translation>記録していません：先にロボットに接続してください。</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>%1 に記録中</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n rows to %1</source>
+        <translation>
+            <numerusform>%n 行を %1 に記録しました</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SettingsFile</name>
+    <message>
+        <source>write %1</source>
+        <translation>%1 を書き込む</translation>
+    </message>
+    <message>
+        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <translation>&quot;%1&quot; の値は設定にありえないものです。</translation>
+    </message>
+    <message>
+        <source>The file is too large for settings.</source>
+        <translation>設定としてはファイルが大きすぎます。</translation>
+    </message>
+    <message>
+        <source>The file is damaged at byte %1: %2.</source>
+        <translation>ファイルのバイト %1 が壊れています：%2。</translation>
+    </message>
+    <message>
+        <source>The file holds no settings of Tiller.</source>
+        <translation>ファイルに Tiller の設定がありません。</translation>
+    </message>
+    <message>
+        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
+        <translation>ファイルはより新しい Tiller が書いたものです。Tiller を更新してから取り込んでください。</translation>
+    </message>
+    <message>
+        <source>The file does not say which version it has.</source>
+        <translation>ファイルにバージョンの記載がありません。</translation>
+    </message>
+    <message>
+        <source>The file has no list of values, or one that is too long.</source>
+        <translation>ファイルに値の一覧がないか、長すぎます。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a setting.</source>
+        <translation>&quot;%1&quot; は設定の名前ではありません。</translation>
+    </message>
+    <message>
+        <source>read %1</source>
+        <translation>%1 を読み込む</translation>
+    </message>
+</context>
+<context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>入出力</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>モードと状態</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>電力と温度</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>速度とプログラム</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>ペイロードとツール</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>レジスター</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>TCP の力</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>TCP のトルク</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>TCP の位置</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>TCP の回転ベクトル</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>TCP の速度</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>TCP の回転速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>TCP の加速度</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>TCP の目標位置</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>TCP の目標回転ベクトル</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>TCP の目標速度</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>TCP の目標回転速度</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>センサーの生の力</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>センサーの生のトルク</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>TCP の力、ノルム</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>フランジの加速度計</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>肘の位置</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>肘の速度</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>運動量</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>関節位置</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>関節速度</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>関節電流</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>関節温度</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>関節電圧</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>目標関節位置</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>目標関節速度</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>目標関節加速度</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>目標関節電流</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>目標関節トルク</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>関節制御電流</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>電流の許容偏差</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>位置偏差と限界の比</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>衝突量と限界の比</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>関節モード</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>デジタル入力</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>デジタル出力</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>アナログ入力 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>アナログ入力 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>アナログ出力 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>アナログ出力 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>ツールアナログ入力 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>ツールアナログ入力 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>ロボットモード</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>安全モード</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>安全状態</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>プログラム状態</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>ロボット状態</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>安全ビット</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>ツールモード</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>主電圧</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>アーム電圧</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>アーム電流</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>I/O の電流</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>ツール温度</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>ツール電圧</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>ツール電流</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>速度スケーリング</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>速度スライダー</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>制御ステップの時間</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>スクリプト行</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>コントローラー時刻</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>ペイロード</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>ペイロードの重心</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>TCP オフセット</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>TCP 回転</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>電源オン</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>プログラム実行中</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>フリードライブボタン</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>電源ボタン</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>通常</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>低減</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>保護停止</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>リカバリー</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>安全防護停止</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>システム非常停止</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>ロボット非常停止</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>非常停止</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>違反</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>安全による停止</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>イネーブル装置</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>ビット %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>出力レジスター、数値</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>入力レジスター、数値</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>出力レジスター、整数</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>入力レジスター、整数</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>出力レジスター、ビット</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>入力レジスター、ビット</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMouse</name>
+    <message>
+        <source>left key</source>
+        <translation>左キー</translation>
+    </message>
+    <message>
+        <source>The cap moves and turns as the tool shall.</source>
+        <translation>ツールが動くべきようにキャップを動かし回します。</translation>
+    </message>
+</context>
+<context>
+    <name>StartProject</name>
+    <message>
+        <source>The project worked in last is not there any more: %1</source>
+        <translation>最後に作業したプロジェクトがもうありません：%1</translation>
+    </message>
+</context>
+<context>
+    <name>StateLane</name>
+    <message>
+        <source>Protective stop</source>
+        <translation>保護停止</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>リカバリー</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>安全防護停止</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>非常停止</translation>
+    </message>
+    <message>
+        <source>Enabling device released</source>
+        <translation>イネーブル装置が離された</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>安全違反</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>安全故障</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>電源オフ</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>起動中</translation>
+    </message>
+    <message>
+        <source>Brakes on</source>
+        <translation>ブレーキ中</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>バックドライブ</translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>非稼働</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>データなし</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>フリードライブ</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>ジョグ</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>%1 へジョグ</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>動作中</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>待機</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <translation>アドレスを確認してください：192.168.0.10 のような四つの数か、ネットワークにある名前。</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <translation>ロボットの電源、ケーブル、この PC が同じネットワークにあることを確認してください。</translation>
+    </message>
+    <message>
+        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <translation>ロボットでインターフェースを有効にしてください：設定、セキュリティ、サービス。起動直後のロボットはもう 1 分かかることがあります。</translation>
+    </message>
+    <message>
+        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <translation>ロボットが接続を終えました：再起動中か、ローカルとリモートが切り替えられた可能性があります。</translation>
+    </message>
+    <message>
+        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <translation>ロボットが応答しません。ケーブルと、アドレスがロボット自身のものか確認してください。</translation>
+    </message>
+    <message>
+        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <translation>データが届かなくなりました。ケーブルを確認してください。接続は自動で戻りますが、動作は戻りません。</translation>
+    </message>
+    <message>
+        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <translation>そこで応答するものは RTDE を正しく話しません。アドレスとポートを確認してください。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software is too old for this.</source>
+        <translation>ロボットのソフトウェアが古すぎます。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software does not have this value.</source>
+        <translation>ロボットのソフトウェアにこの値はありません。</translation>
+    </message>
+    <message>
+        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <translation>別のプログラムかロボットのフィールドバスがこれらのレジスターを使っています：そのプログラムを閉じるか、インストールでフィールドバスを無効にしてください。</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>先にロボットに接続してください。</translation>
+    </message>
+    <message>
+        <source>Take control first.</source>
+        <translation>先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>Bring the robot to Running and its safety to Normal first.</source>
+        <translation>先にロボットを「稼働中」、安全を「通常」にしてください。</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <translation>ティーチペンダント右上でロボットをリモート制御に切り替えてください。</translation>
+    </message>
+    <message>
+        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <translation>アームの範囲内の目標と上限内の速度を選んでください。</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <translation>アームはこの姿勢に到達できません：点を近づけるか、ツールを回してください。</translation>
+    </message>
+    <message>
+        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <translation>ロボットは送られたプログラムを実行できませんでした。ロボットの言葉はログにあります。</translation>
+    </message>
+    <message>
+        <source>Check that the file exists and may be read.</source>
+        <translation>ファイルが存在し、読めることを確認してください。</translation>
+    </message>
+    <message>
+        <source>Choose a folder you may write to.</source>
+        <translation>書き込めるフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <translation>ファイルはそのままです。バックアップを開くか、示された箇所を直してください。</translation>
+    </message>
+    <message>
+        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
+        <translation>ディスクが一杯です：記録した分は残ります。空きを作って記録し直してください。</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Address not found</source>
+        <translation>アドレスが見つかりません</translation>
+    </message>
+    <message>
+        <source>Robot not reachable</source>
+        <translation>ロボットに到達できません</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>接続拒否</translation>
+    </message>
+    <message>
+        <source>Connection ended by the robot</source>
+        <translation>ロボットが接続を終了</translation>
+    </message>
+    <message>
+        <source>No answer in time</source>
+        <translation>時間内に応答なし</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>取り消し</translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation>リンク切れ</translation>
+    </message>
+    <message>
+        <source>Not understood</source>
+        <translation>理解できません</translation>
+    </message>
+    <message>
+        <source>Not supported by this robot</source>
+        <translation>このロボットでは非対応</translation>
+    </message>
+    <message>
+        <source>Value not available</source>
+        <translation>値がありません</translation>
+    </message>
+    <message>
+        <source>Registers in use</source>
+        <translation>レジスター使用中</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>未接続</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>制御なし</translation>
+    </message>
+    <message>
+        <source>Not possible in this state</source>
+        <translation>この状態では不可</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>ロボットはローカル制御です</translation>
+    </message>
+    <message>
+        <source>Outside the limits</source>
+        <translation>範囲外</translation>
+    </message>
+    <message>
+        <source>Not a valid value</source>
+        <translation>有効な値ではありません</translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation>到達不可</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Refused by the robot</source>
+        <translation>ロボットが拒否</translation>
+    </message>
+    <message>
+        <source>Program error on the robot</source>
+        <translation>ロボットのプログラムエラー</translation>
+    </message>
+    <message>
+        <source>File cannot be read</source>
+        <translation>ファイルを読めません</translation>
+    </message>
+    <message>
+        <source>File cannot be written</source>
+        <translation>ファイルに書けません</translation>
+    </message>
+    <message>
+        <source>File is damaged</source>
+        <translation>ファイルが壊れています</translation>
+    </message>
+    <message>
+        <source>Disk full</source>
+        <translation>ディスクが一杯</translation>
+    </message>
+    <message>
+        <source>Internal error</source>
+        <translation>内部エラー</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>離した</translation>
+    </message>
+    <message>
+        <source>pointer left the key</source>
+        <translation>ポインターがキーから外れた</translation>
+    </message>
+    <message>
+        <source>focus lost</source>
+        <translation>フォーカスを失った</translation>
+    </message>
+    <message>
+        <source>window no longer active</source>
+        <translation>ウィンドウが非アクティブ</translation>
+    </message>
+    <message>
+        <source>window closed</source>
+        <translation>ウィンドウを閉じた</translation>
+    </message>
+    <message>
+        <source>a dialog or menu opened</source>
+        <translation>ダイアログかメニューが開いた</translation>
+    </message>
+    <message>
+        <source>selection changed</source>
+        <translation>選択が変わった</translation>
+    </message>
+    <message>
+        <source>second button</source>
+        <translation>第二ボタン</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Space</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>input device lost</source>
+        <translation>入力デバイスを失った</translation>
+    </message>
+    <message>
+        <source>robot data too old</source>
+        <translation>ロボットのデータが古い</translation>
+    </message>
+    <message>
+        <source>robot or safety mode changed</source>
+        <translation>ロボットか安全のモードが変わった</translation>
+    </message>
+    <message>
+        <source>not refreshed in time</source>
+        <translation>時間内に更新されなかった</translation>
+    </message>
+    <message>
+        <source>PC going to sleep</source>
+        <translation>PC がスリープ</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>リンク切れ</translation>
+    </message>
+    <message>
+        <source>limit reached</source>
+        <translation>限界に到達</translation>
+    </message>
+    <message>
+        <source>control lost</source>
+        <translation>制御を失った</translation>
+    </message>
+    <message>
+        <source>target reached</source>
+        <translation>目標に到達</translation>
+    </message>
+    <message>
+        <source>stopped by a program</source>
+        <translation>プログラムが停止</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>target cannot be reached</source>
+        <translation>目標に到達できない</translation>
+    </message>
+    <message>
+        <source>target too far away for one step</source>
+        <translation>一度のステップには目標が遠い</translation>
+    </message>
+    <message>
+        <source>no sign that it was still held</source>
+        <translation>押し続けている印がない</translation>
+    </message>
+    <message>
+        <source>held for the longest time; press again</source>
+        <translation>最長時間押された。もう一度押してください</translation>
+    </message>
+    <message>
+        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <translation>10.11 より前の PolyScope X はこの指令をネットワークで受け付けません：タブレットを使ってください。</translation>
+    </message>
+    <message>
+        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <translation>PolyScope X にはネットワークでポップアップを閉じる指令がありません：タブレットを使ってください。</translation>
+    </message>
+    <message>
+        <source>Only watching. Take control to move the arm.</source>
+        <translation>監視のみです。アームを動かすには制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>制御を取得中…</translation>
+    </message>
+    <message>
+        <source>Control was given back. Take control to move the arm.</source>
+        <translation>制御を返却しました。アームを動かすには制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>The control program was stopped on the robot. Take control again.</source>
+        <translation>制御プログラムがロボットで停止されました。もう一度制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>The control program does not answer. Take control again.</source>
+        <translation>制御プログラムが応答しません。もう一度制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>The link was lost. Take control again.</source>
+        <translation>リンクが切れました。もう一度制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>A script of your own is running. Control comes back when it ends.</source>
+        <translation>あなたのスクリプトが動いています。終わると制御が戻ります。</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointClipboard</name>
+    <message>
+        <source>is missing</source>
+        <translation>がありません</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation>「%1」は数ではありません</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3</source>
+        <translation>%1 は %2〜%3 の範囲外です</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: %3</source>
+        <translation>行 %1、%2：%3</translation>
+    </message>
+    <message>
+        <source>“%1” is neither J nor L</source>
+        <translation>「%1」は J でも L でもありません</translation>
+    </message>
+    <message>
+        <source>“%1” is neither joints nor pose</source>
+        <translation>「%1」は joints でも pose でもありません</translation>
+    </message>
+    <message>
+        <source>there is no frame “%1” in this project</source>
+        <translation>このプロジェクトに座標系「%1」はありません</translation>
+    </message>
+    <message>
+        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <translation>これはウェイポイントの表ではありません。一覧から一つコピーして列を確かめるか、姿勢の六つの数を貼り付けてください。</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>「%1」はウェイポイントの色ではありません</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>行 %1：引用符が閉じていません</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::AnalogRow</name>
+    <message>
+        <source>4–20 mA</source>
+        <translation>4–20 mA</translation>
+    </message>
+    <message>
+        <source>0–10 V</source>
+        <translation>0–10 V</translation>
+    </message>
+    <message>
+        <source>%1 domain</source>
+        <translation>%1 の範囲</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 の値</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>%1 を設定</translation>
+    </message>
+    <message>
+        <source>%1: %2
+Right click or F2 to rename and scale.</source>
+        <translation>%1：%2
+右クリックか F2 で名前変更とスケール。</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>名前を変更…</translation>
+    </message>
+    <message>
+        <source>Scale…</source>
+        <translation>スケール…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>%1 の名前</translation>
+    </message>
+    <message>
+        <source>Scale of %1</source>
+        <translation>%1 のスケール</translation>
+    </message>
+    <message>
+        <source>bar; empty: not scaled</source>
+        <translation>bar。空：スケールなし</translation>
+    </message>
+    <message>
+        <source>At 4 mA or 0 V</source>
+        <translation>4 mA または 0 V で</translation>
+    </message>
+    <message>
+        <source>At 20 mA or 10 V</source>
+        <translation>20 mA または 10 V で</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ArmKey</name>
+    <message>
+        <source>Keyboard armed</source>
+        <translation>キーボード有効</translation>
+    </message>
+    <message>
+        <source>Arm keyboard</source>
+        <translation>キーボードを有効に</translation>
+    </message>
+    <message>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <translation>矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。クリックするか 30 秒待つとキーボードは無効になります。</translation>
+    </message>
+    <message>
+        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <translation>その後、押している間だけ矢印キーがアームを動かし、ウィンドウの周りに枠が出ます。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::DeviceTrainer</name>
+    <message>
+        <source>Moves the arm (until the program ends)</source>
+        <translation>アームを動かす（プログラム終了まで）</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>最も大きく倒した軸だけ</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>ゲームパッドと SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>デバイス</translation>
+    </message>
+    <message>
+        <source>Which way the arm would go</source>
+        <translation>アームが動く向き</translation>
+    </message>
+    <message>
+        <source>Dead-man</source>
+        <translation>デッドマン</translation>
+    </message>
+    <message>
+        <source>Would move</source>
+        <translation>動く向き</translation>
+    </message>
+    <message>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <translation>キーボード（有効な間、Ctrl+J）：矢印 X と Y、PgUp と PgDn Z、Alt で回転、1〜6 と + − で関節、Home、End で整列、Backspace で戻る、F フリードライブ。Ctrl 遅く、Shift 速く。Space と Esc で停止。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>ゲームパッドも SpaceMouse もありません。差し込むと自動で現れます。</translation>
+    </message>
+    <message>
+        <source>● held (%1)</source>
+        <translation>● 押下中（%1）</translation>
+    </message>
+    <message>
+        <source>○ not held: hold the %1</source>
+        <translation>○ 未押下：%1 を押し続けてください</translation>
+    </message>
+    <message>
+        <source>nothing: neutral</source>
+        <translation>なし：中立</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FigureBox</name>
+    <message>
+        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <translation>「%1」は採用されませんでした：%2〜%3。何も変わっていません。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstSteps</name>
+    <message>
+        <source>Power on (header)</source>
+        <translation>電源オン（ヘッダー）</translation>
+    </message>
+    <message>
+        <source>Release brakes (header)</source>
+        <translation>ブレーキ解除（ヘッダー）</translation>
+    </message>
+    <message>
+        <source>Take control, hold a pad key</source>
+        <translation>制御を取得、パッドのキーを押す</translation>
+    </message>
+    <message>
+        <source>Teach here (T)</source>
+        <translation>ここを教示 (T)</translation>
+    </message>
+    <message>
+        <source>Jog away, hold Go to (G)</source>
+        <translation>離れて、移動を押し続ける (G)</translation>
+    </message>
+    <message>
+        <source>Record (above the plots)</source>
+        <translation>記録（グラフの上）</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstStepsCard</name>
+    <message>
+        <source>First steps</source>
+        <translation>最初のステップ</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>練習課題</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <translation>一覧は自動では戻りません。コマンド「最初のステップ」で戻せます。</translation>
+    </message>
+    <message>
+        <source>First steps · %1 of %2</source>
+        <translation>最初のステップ · %1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameDetails</name>
+    <message>
+        <source>Selected frame</source>
+        <translation>選んだ座標系</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>原点</translation>
+    </message>
+    <message>
+        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <translation>ベースで。Return で適用します。動くのは座標系だけです。</translation>
+    </message>
+    <message>
+        <source>no waypoint uses it</source>
+        <translation>使うウェイポイントなし</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントが一緒に動く</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the TCP</source>
+        <translation>TCP から %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameEditing</name>
+    <message>
+        <source>No waypoint moved with it.</source>
+        <translation>一緒に動いたウェイポイントはありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints moved with it.</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントが一緒に動きました。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach there.</source>
+        <translation>
+            <numerusform>そのうち %n 個はそこでは到達不可です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>「%1」を教示</translation>
+    </message>
+    <message>
+        <source>It moves by %1 (%2, base frame).</source>
+        <translation>%1 動きます（%2、ベース座標系）。</translation>
+    </message>
+    <message>
+        <source>No waypoint is given in it.</source>
+        <translation>これで与えられたウェイポイントはありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it.</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントが一緒に動きます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>「%1」を修正教示しますか？</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正教示</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>「%1」を修正教示</translation>
+    </message>
+    <message>
+        <source>“%1” is touched up</source>
+        <translation>「%1」を修正教示しました</translation>
+    </message>
+    <message>
+        <source>Set the place of “%1”</source>
+        <translation>「%1」の位置を設定</translation>
+    </message>
+    <message>
+        <source>“%1” is set in figures. %2</source>
+        <translation>「%1」を数値で設定しました。%2</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>「%1」を複製</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>「%1」を削除しますか？</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントがこれで与えられています。位置はそのままで、ベースで与えられます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>座標系を削除</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameModel</name>
+    <message>
+        <source>A frame needs a name.</source>
+        <translation>座標系には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>ビュー</translation>
+    </message>
+    <message>
+        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <translation>「%1」はどのロボットにもある座標系です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another frame. Choose another name.</source>
+        <translation>「%1」は別の座標系の名前です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」を「%2」に名前変更</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>原点 %1</translation>
+    </message>
+    <message>
+        <source>Origin in Base, X Y Z, %1</source>
+        <translation>ベースでの原点、X Y Z、%1</translation>
+    </message>
+    <message>
+        <source>Rotation rad</source>
+        <translation>回転 rad</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Rotation vector in Base, radians</source>
+        <translation>ベースでの回転ベクトル、ラジアン</translation>
+    </message>
+    <message>
+        <source>Roll, pitch and yaw in Base</source>
+        <translation>ベースでのロール、ピッチ、ヨー</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Waypoints that move with it</source>
+        <translation>一緒に動くウェイポイント</translation>
+    </message>
+    <message>
+        <source>TCP %1</source>
+        <translation>TCP %1</translation>
+    </message>
+    <message>
+        <source>Distance of the TCP, %1</source>
+        <translation>TCP からの距離、%1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTable</name>
+    <message>
+        <source>Frames</source>
+        <translation>座標系</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTeacher</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Frame from three points</source>
+        <translation>3 点から座標系</translation>
+    </message>
+    <message>
+        <source>Cancel the frame</source>
+        <translation>座標系を取り消す</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>原点</translation>
+    </message>
+    <message>
+        <source>On +X</source>
+        <translation>+X 上</translation>
+    </message>
+    <message>
+        <source>Towards +Y</source>
+        <translation>+Y 側</translation>
+    </message>
+    <message>
+        <source>Take the origin here</source>
+        <translation>ここを原点に取る</translation>
+    </message>
+    <message>
+        <source>Take the point on +X here</source>
+        <translation>ここを +X 上の点に取る</translation>
+    </message>
+    <message>
+        <source>Take the point towards +Y here</source>
+        <translation>ここを +Y 側の点に取る</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>取る</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>座標系を作成</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the point again.</source>
+        <translation>ロボットが有効な位置を送りませんでした。点を取り直してください。</translation>
+    </message>
+    <message>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <translation>+X 上の点は原点から %1 しか離れていません。%2 以上離して取り直してください：遠いほど軸が正確です。</translation>
+    </message>
+    <message>
+        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <translation>3 点目は原点から %1 しか離れていません。%2 以上離して取り直してください。</translation>
+    </message>
+    <message>
+        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <translation>3 点が一直線上にあります：3 点目は X 軸から %1 だけです。+Y 側に %2 以上離して取り直してください。</translation>
+    </message>
+    <message>
+        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <translation>準備完了：+X 上の点は %1、3 点目は X 軸から %2。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <translation>先端を座標系の原点へジョグして取ってください (P)。</translation>
+    </message>
+    <message>
+        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <translation>次は +X 上の点へ：原点から %1、最小 %2。</translation>
+    </message>
+    <message>
+        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <translation>次は +Y 側へ：X 軸から %1、最小 %2。</translation>
+    </message>
+    <message>
+        <source>Take  P</source>
+        <translation>取る  P</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>もう一度</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FramesTab</name>
+    <message>
+        <source>Frames</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>From TCP</source>
+        <translation>TCP から</translation>
+    </message>
+    <message>
+        <source>Teach a frame from the TCP</source>
+        <translation>TCP から座標系を教示</translation>
+    </message>
+    <message>
+        <source>3 points</source>
+        <translation>3 点</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points</source>
+        <translation>3 点から座標系を教示</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正教示</translation>
+    </message>
+    <message>
+        <source>Touch up the frame</source>
+        <translation>座標系を修正教示</translation>
+    </message>
+    <message>
+        <source>More about frames</source>
+        <translation>座標系の他の操作</translation>
+    </message>
+    <message>
+        <source>No frames yet.
+Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+        <translation>座標系はまだありません。
+先端をトレーやテーブルの角へジョグし、「TCP から」、または「3 点」で原点、+X、+Y を取ってください。</translation>
+    </message>
+    <message>
+        <source>new frame</source>
+        <translation>新しい座標系</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <translation>TCP の位置に、ツールの軸で座標系 (Shift+T)</translation>
+    </message>
+    <message>
+        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>原点、+X 上の点、+Y 側の点 (Ctrl+Shift+T)</translation>
+    </message>
+    <message>
+        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <translation>選んだ座標系を TCP の位置へ (Shift+U)</translation>
+    </message>
+    <message>
+        <source>Select a frame to touch up.</source>
+        <translation>修正教示する座標系を選んでください。</translation>
+    </message>
+    <message>
+        <source>Teach frame from the TCP</source>
+        <translation>TCP から座標系を教示</translation>
+    </message>
+    <message>
+        <source>Teach frame from three points</source>
+        <translation>3 点から座標系を教示</translation>
+    </message>
+    <message>
+        <source>Take the next point of the frame</source>
+        <translation>座標系の次の点を取る</translation>
+    </message>
+    <message>
+        <source>Make the frame of the points taken</source>
+        <translation>取った点から座標系を作成</translation>
+    </message>
+    <message>
+        <source>Cancel frame teaching</source>
+        <translation>座標系の教示を取り消す</translation>
+    </message>
+    <message>
+        <source>Touch up frame from the TCP</source>
+        <translation>TCP から座標系を修正教示</translation>
+    </message>
+    <message>
+        <source>Touch up frame from three points</source>
+        <translation>3 点から座標系を修正教示</translation>
+    </message>
+    <message>
+        <source>Jog in this frame</source>
+        <translation>この座標系でジョグ</translation>
+    </message>
+    <message>
+        <source>Rename frame</source>
+        <translation>座標系の名前を変更</translation>
+    </message>
+    <message>
+        <source>Set frame in figures</source>
+        <translation>座標系を数値で設定</translation>
+    </message>
+    <message>
+        <source>Duplicate frame</source>
+        <translation>座標系を複製</translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>座標系を削除</translation>
+    </message>
+    <message>
+        <source>Touch up “%1” from three points</source>
+        <translation>「%1」を 3 点から修正教示</translation>
+    </message>
+    <message>
+        <source>New frame from three points</source>
+        <translation>3 点から新しい座標系</translation>
+    </message>
+    <message>
+        <source>Touch up…</source>
+        <translation>修正教示…</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>座標系を作成</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>巡るウェイポイントがありません。教示するか選択してください。</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>これより前のウェイポイントはありません。</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>経路のウェイポイントがこのプロジェクトにもうありません。</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>「%1」：%2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>繰り返し</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>ウェイポイントを巡る</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>巡る（押す）</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>巡る、押し続ける</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>押している間ウェイポイントを順に巡ります。ジョグ速度を超えません。離すと一時停止、次に押すと次のウェイポイントへ続きます。</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ ステップ</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>一つ前のウェイポイントへ、押し続ける</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>押している間、前のウェイポイントへ戻ります</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>ステップ ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>一つ次のウェイポイントへ、押し続ける</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>押している間、次のウェイポイントへ動き、そこで止まります</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>巡るウェイポイント</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>どのウェイポイント</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>巡るウェイポイント、一覧の順</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>ここから</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>繰り返す</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>押している限り、最後の次は再び最初のウェイポイントです</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>次：%1 / %2、%3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>済み</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>完了。次に押すと最初から始めます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイント</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoToButton</name>
+    <message>
+        <source>Go to (hold)  G</source>
+        <translation>移動（押す）  G</translation>
+    </message>
+    <message>
+        <source>Go to, hold</source>
+        <translation>移動、押し続ける</translation>
+    </message>
+    <message>
+        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
+        <translation>キーを押している間、選んだウェイポイントへアームを動かします (G)。ジョグ速度を超えません</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GripperPanel</name>
+    <message>
+        <source>State of the gripper</source>
+        <translation>グリッパーの状態</translation>
+    </message>
+    <message>
+        <source>How far the gripper is open</source>
+        <translation>グリッパーの開き</translation>
+    </message>
+    <message>
+        <source>What the gripper holds</source>
+        <translation>グリッパーがつかむもの</translation>
+    </message>
+    <message>
+        <source>Activate</source>
+        <translation>有効化</translation>
+    </message>
+    <message>
+        <source>Activate the gripper</source>
+        <translation>グリッパーを有効化</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>グリッパーを開く</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>グリッパーを閉じる</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>動かす</translation>
+    </message>
+    <message>
+        <source>Move the fingers to this opening</source>
+        <translation>指をこの開きへ動かす</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>グリッパー</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>グリッパー：開く</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>グリッパー：閉じる</translation>
+    </message>
+    <message>
+        <source>Gripper: to %1</source>
+        <translation>グリッパー：%1 へ</translation>
+    </message>
+    <message>
+        <source>Which gripper</source>
+        <translation>グリッパーの種類</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Robotiq %1</source>
+        <translation>Robotiq %1</translation>
+    </message>
+    <message>
+        <source>One output: on closes</source>
+        <translation>一出力：オンで閉じる</translation>
+    </message>
+    <message>
+        <source>Two outputs: open, close</source>
+        <translation>二出力：開く、閉じる</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>閉じる出力</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>開く出力</translation>
+    </message>
+    <message>
+        <source>Opening wanted</source>
+        <translation>目標の開き</translation>
+    </message>
+    <message>
+        <source>Speed of the fingers</source>
+        <translation>指の速度</translation>
+    </message>
+    <message>
+        <source>Force of the fingers</source>
+        <translation>指の力</translation>
+    </message>
+    <message>
+        <source>What to do about the gripper</source>
+        <translation>グリッパーについてすべきこと</translation>
+    </message>
+    <message>
+        <source>Closes</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Opens</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>開き</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>把持</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <translation>指の開き、0〜%1。「動かす」で送ります。</translation>
+    </message>
+    <message>
+        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <translation>次の動作の速度。0 % は約 %1、100 % は約 %2。</translation>
+    </message>
+    <message>
+        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <translation>次の把持の力。0 % は約 %1、100 % は約 %2。</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Gripper of this robot: %1</source>
+        <translation>このロボットのグリッパー：%1</translation>
+    </message>
+    <message>
+        <source>%1 (speed %2, force %3)</source>
+        <translation>%1（速度 %2、力 %3）</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first: each robot remembers its gripper.</source>
+        <translation>先にロボットに接続してください：ロボットごとにグリッパーを覚えます。</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>ロボットからのデータなし。</translation>
+    </message>
+    <message>
+        <source>One moment…</source>
+        <translation>しばらくお待ちください…</translation>
+    </message>
+    <message>
+        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <translation>手首にあるものを選んでください。このロボットとともに記憶します。</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>being activated…</source>
+        <translation>有効化中…</translation>
+    </message>
+    <message>
+        <source>not active</source>
+        <translation>無効</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>保留中…</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>有効</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>動作中</translation>
+    </message>
+    <message>
+        <source>active, standing</source>
+        <translation>有効、静止</translation>
+    </message>
+    <message>
+        <source>unknown while it moves</source>
+        <translation>動作中は不明</translation>
+    </message>
+    <message>
+        <source>an object, from outside</source>
+        <translation>物体、外側から</translation>
+    </message>
+    <message>
+        <source>an object, from inside</source>
+        <translation>物体、内側から</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>With this port offset no gripper can be reached.</source>
+        <translation>このポートオフセットではグリッパーに届きません。</translation>
+    </message>
+    <message>
+        <source>Being activated: the fingers open and close once.</source>
+        <translation>有効化中：指が一度開閉します。</translation>
+    </message>
+    <message>
+        <source>Activate the gripper first.</source>
+        <translation>先にグリッパーを有効化してください。</translation>
+    </message>
+    <message>
+        <source>The gripper is active.</source>
+        <translation>グリッパーは有効です。</translation>
+    </message>
+    <message>
+        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <translation>アームが停止してもグリッパーはそのままです：つかみ続けます。</translation>
+    </message>
+    <message>
+        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <translation>指が一度開閉し、つかんだものは落ちます。指を入れないでください。</translation>
+    </message>
+    <message>
+        <source>Opens the gripper; what it holds is let go.</source>
+        <translation>グリッパーを開きます。つかんだものは放されます。</translation>
+    </message>
+    <message>
+        <source>Closes the gripper. Keep fingers out of it.</source>
+        <translation>グリッパーを閉じます。指を入れないでください。</translation>
+    </message>
+    <message>
+        <source>Sends the fingers to this opening.</source>
+        <translation>指をこの開きへ送ります。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HeaderBar</name>
+    <message>
+        <source>ROBOT</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>ROBOT MODE</source>
+        <translation>ロボットモード</translation>
+    </message>
+    <message>
+        <source>SAFETY</source>
+        <translation>安全</translation>
+    </message>
+    <message>
+        <source>CONTROL</source>
+        <translation>制御</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>リンク</translation>
+    </message>
+    <message>
+        <source>LAST STOP</source>
+        <translation>最後の停止</translation>
+    </message>
+    <message>
+        <source>State of the robot</source>
+        <translation>ロボットの状態</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>次の手順</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>データなし</translation>
+    </message>
+    <message>
+        <source>LAST STOP · no witness</source>
+        <translation>最後の停止 · 証人なし</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>見えず</translation>
+    </message>
+    <message>
+        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <translation>動作中にデータが途切れました：どう止まったかは不明です。</translation>
+    </message>
+    <message>
+        <source>%1 ms · %2</source>
+        <translation>%1 ms · %2</translation>
+    </message>
+    <message>
+        <source>From the stop to standstill, measured. Cause: %1</source>
+        <translation>停止から静止まで、実測。原因：%1</translation>
+    </message>
+    <message>
+        <source>No stop measured yet</source>
+        <translation>停止はまだ計測されていません</translation>
+    </message>
+    <message>
+        <source>▲ Speed cap raised to %1</source>
+        <translation>▲ 速度上限を %1 に引き上げ</translation>
+    </message>
+    <message>
+        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <translation>アームは %1 より速くなることがあります。設定で下げてください。プログラム終了で終わります。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldButton</name>
+    <message>
+        <source>hold</source>
+        <translation>押す</translation>
+    </message>
+    <message>
+        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <translation>このキーを押し続けてください：押している間だけアームが動きます。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldRules</name>
+    <message>
+        <source>The window was not the active one. Press again.</source>
+        <translation>ウィンドウがアクティブではありませんでした。もう一度押してください。</translation>
+    </message>
+    <message>
+        <source>Click into the window first.</source>
+        <translation>先にウィンドウ内をクリックしてください。</translation>
+    </message>
+    <message>
+        <source>A dialog or a menu is open. Close it first.</source>
+        <translation>ダイアログかメニューが開いています。先に閉じてください。</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>別のキーが押されています。</translation>
+    </message>
+    <message>
+        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <translation>ディスプレイサーバーが応答しません：キーを離した時が分かりません。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>保護停止</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>非常停止</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>安全違反</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>インシデント（%1）を記録できませんでした。</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>インシデントを記録：%1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>%1 s 前からのすべてが %2 にあります。この行をダブルクリックで開きます。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoChannel</name>
+    <message>
+        <source>no data</source>
+        <translation>データなし</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>保留中…</translation>
+    </message>
+    <message>
+        <source>%1, old data</source>
+        <translation>%1、古いデータ</translation>
+    </message>
+    <message>
+        <source>
+Cannot be switched while no data come from the robot.</source>
+        <translation>
+ロボットのデータが届かない間は切り替えられません。</translation>
+    </message>
+    <message>
+        <source>
+Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+        <translation>
+クリックで切替：%1。P：パルス。右クリック：パルス、名前変更。</translation>
+    </message>
+    <message>
+        <source>%1 (held by another)</source>
+        <translation>%1（他が使用中）</translation>
+    </message>
+    <message>
+        <source>Pulse</source>
+        <translation>パルス</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>名前を変更…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>%1 の名前</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoPages</name>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>グリッパー</translation>
+    </message>
+    <message>
+        <source>Part of I/O</source>
+        <translation>I/O の部分</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoTab</name>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>入出力</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>入出力を検索</translation>
+    </message>
+    <message>
+        <source>Search by terminal or name</source>
+        <translation>端子か名前で検索</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>デジタル出力</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>デジタル入力</translation>
+    </message>
+    <message>
+        <source>Configurable outputs</source>
+        <translation>構成可能出力</translation>
+    </message>
+    <message>
+        <source>Configurable inputs</source>
+        <translation>構成可能入力</translation>
+    </message>
+    <message>
+        <source>Tool outputs</source>
+        <translation>ツール出力</translation>
+    </message>
+    <message>
+        <source>Tool inputs</source>
+        <translation>ツール入力</translation>
+    </message>
+    <message>
+        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <translation>先に Tab キーで I/O タブの行に移ってください。</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm %1</source>
+        <translation>ロボットが %1 を確認しませんでした</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may own it.</source>
+        <translation>別のプログラムかインストールが使っている可能性があります。</translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation>アナログ</translation>
+    </message>
+    <message>
+        <source>Registers of the robot&apos;s programs</source>
+        <translation>ロボットプログラムのレジスター</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>ロボットからのデータなし。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogColumn</name>
+    <message>
+        <source>Jog</source>
+        <translation>ジョグ</translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation>押して動かす</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>姿勢</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Shown below the pad</source>
+        <translation>パッドの下に表示</translation>
+    </message>
+    <message>
+        <source>The arm has not moved yet.</source>
+        <translation>アームはまだ動いていません。</translation>
+    </message>
+    <message>
+        <source>let go and press again</source>
+        <translation>離して押し直してください</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>フリードライブ</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>ホーム</translation>
+    </message>
+    <message>
+        <source>Moves every joint to the home position while held</source>
+        <translation>押している間、全関節をホーム位置へ動かします</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>整列</translation>
+    </message>
+    <message>
+        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <translation>押している間、選んだ座標系の最寄りの軸へツールを回します</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Goes back the way the arm came while held</source>
+        <translation>押している間、来た道を戻ります</translation>
+    </message>
+    <message>
+        <source>home</source>
+        <translation>ホーム</translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation>整列済み</translation>
+    </message>
+    <message>
+        <source>Ends in %1 s</source>
+        <translation>あと %1 s で終了</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>別のキーが押されています。</translation>
+    </message>
+    <message>
+        <source>Last stop: not seen, data ended while the arm moved</source>
+        <translation>最後の停止：見えず、動作中にデータが途切れました</translation>
+    </message>
+    <message>
+        <source>Last stop: %1, standstill after %2 ms, %3</source>
+        <translation>最後の停止：%1、%2 ms 後に静止、%3</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <translation>押している間アームが手に従います：%1。右クリック：他の軸</translation>
+    </message>
+    <message>
+        <source>Freedrive, %1</source>
+        <translation>フリードライブ、%1</translation>
+    </message>
+    <message>
+        <source>Freedrive…</source>
+        <translation>フリードライブ…</translation>
+    </message>
+    <message>
+        <source>Check the payload first (until the next connection)</source>
+        <translation>先にペイロードを確認（次の接続まで）</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogKey</name>
+    <message>
+        <source>%1 left this way</source>
+        <translation>この向きに残り %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogPad</name>
+    <message>
+        <source>Jog keys</source>
+        <translation>ジョグキー</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>%1 へジョグ</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogSelectors</name>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>ビュー</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>押す</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>動作</translation>
+    </message>
+    <message>
+        <source>Moves while the key is held</source>
+        <translation>キーを押している間動きます</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Turns while the key is held</source>
+        <translation>キーを押している間回ります</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <translation>画面の軸：X 右、Y 奥、Z 上</translation>
+    </message>
+    <message>
+        <source>Needs the 3D view</source>
+        <translation>3D ビューが必要です</translation>
+    </message>
+    <message>
+        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <translation>座標系がまだありません。座標系タブで教示してください。</translation>
+    </message>
+    <message>
+        <source>One step a press: %1</source>
+        <translation>押すたびに一ステップ：%1</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1</source>
+        <translation>押すたびにツールか関節を一回転量：%1</translation>
+    </message>
+    <message>
+        <source>≤ %1</source>
+        <translation>≤ %1</translation>
+    </message>
+    <message>
+        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <translation>押している間、ツールが %1 N で何かに触れるまでゆっくり。もう一度クリックで他のステップ</translation>
+    </message>
+    <message>
+        <source>One step a press: %1. Click again for other steps</source>
+        <translation>押すたびに一ステップ：%1。もう一度クリックで他のステップ</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <translation>押すたびにツールか関節を一回転量：%1。もう一度クリックで他の回転</translation>
+    </message>
+    <message>
+        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <translation>%1 · 回転 %2 · 関節 %3 · Ctrl × 0.1、Shift × 3</translation>
+    </message>
+    <message>
+        <source>Other turn…</source>
+        <translation>他の回転…</translation>
+    </message>
+    <message>
+        <source>Other step…</source>
+        <translation>他のステップ…</translation>
+    </message>
+    <message>
+        <source>Until contact, %1 N</source>
+        <translation>接触まで、%1 N</translation>
+    </message>
+    <message>
+        <source>Until contact, other force…</source>
+        <translation>接触まで、他の力…</translation>
+    </message>
+    <message>
+        <source>Other speed…</source>
+        <translation>他の速度…</translation>
+    </message>
+    <message>
+        <source>Step in %1</source>
+        <translation>ステップ（%1）</translation>
+    </message>
+    <message>
+        <source>Turn in degrees</source>
+        <translation>回転（度）</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP in %1</source>
+        <translation>TCP の速度（%1）</translation>
+    </message>
+    <message>
+        <source>Force that ends the motion, in N</source>
+        <translation>動作を終える力（N）</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRow</name>
+    <message>
+        <source>%1 minus</source>
+        <translation>%1 マイナス</translation>
+    </message>
+    <message>
+        <source>%1 plus</source>
+        <translation>%1 プラス</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRows</name>
+    <message>
+        <source>Joints</source>
+        <translation>関節</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::KeyboardJog</name>
+    <message>
+        <source>Keyboard jogging is armed</source>
+        <translation>キーボードジョグが有効</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimiterLine</name>
+    <message>
+        <source>Limiter</source>
+        <translation>リミッター</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogModel</name>
+    <message>
+        <source>Info</source>
+        <translation>情報</translation>
+    </message>
+    <message>
+        <source>▲ Warning</source>
+        <translation>▲ 警告</translation>
+    </message>
+    <message>
+        <source>⬣ Error</source>
+        <translation>⬣ エラー</translation>
+    </message>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>(×%1 until %2) %3</source>
+        <translation>（%2 まで ×%1）%3</translation>
+    </message>
+    <message>
+        <source>%1 · from %2</source>
+        <translation>%1 · %2 から</translation>
+    </message>
+    <message>
+        <source>%1 times from %2 to %3 · from %4</source>
+        <translation>%2 から %3 まで %1 回 · %4 から</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>重大度</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>できごと</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogTab</name>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>ログ</translation>
+    </message>
+    <message>
+        <source>Show from severity</source>
+        <translation>表示する重大度</translation>
+    </message>
+    <message>
+        <source>Filter the log by words</source>
+        <translation>ログを語で絞り込む</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>絞り込み</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <translation>選択した行、または表示中の全行をコピー (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>エクスポート…</translation>
+    </message>
+    <message>
+        <source>Write the lines that are shown to a file</source>
+        <translation>表示中の行をファイルに書く</translation>
+    </message>
+    <message>
+        <source>The selected line in full</source>
+        <translation>選択した行の全文</translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation>%1 を書き込む</translation>
+    </message>
+    <message>
+        <source>Export the log</source>
+        <translation>ログをエクスポート</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>テキスト (*.txt)</translation>
+    </message>
+    <message>
+        <source>Log written to %1</source>
+        <translation>ログを %1 に書きました</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>選択した行の記録を開く：インシデントにあります</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 はここですでにアームの%2に触れています</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 は経路の %3 でアームの%2に当たります</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 はここですでに床に触れています</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 は経路の %2 で床に当たります</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 はここですでに「%2」に触れています</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 は経路の %3 で「%2」に当たります</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>直線は経路の %1 で手首の特異点に入ります</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>経路の %1 で手首の特異点近くのため低速</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>直線は経路の %1 で肘が伸び切ります</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>経路の %1 で肘が伸び切る近くのため低速</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>直線は経路の %1 でベースの軸に入ります</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>経路の %1 でベースの軸近くのため低速</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>経路の %1 で関節が一度に回る必要があります</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 は経路の %2 で可動範囲を出ます</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>直線は経路の %1 でアームの到達範囲を出ます</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>肩</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>上腕</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>前腕</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>手首1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>手首2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>手首3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>ツール</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NothingFound</name>
+    <message>
+        <source>Nothing found</source>
+        <translation>見つかりません</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>この条件では見つかりません。</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>「%1」は見つかりません。
+検索を空にするとすべて表示します。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation>通知</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>承諾</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>その他</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>記録した経路の許容差</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>経路を記録</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>経路を CSV でエクスポート…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>実演を取り込む (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>経路の記録がひとりでに終わりました：データが途絶えたか、10 分続きました。</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>それまでの記録は残ります。</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ 経路を記録</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>経路の記録を終える</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>経路を間引いています。</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>ロボットからデータが来ません：記録するものがありません。</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>記録を終え、経路をウェイポイントとして残します</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>もう一度押すまで、フリードライブやジョグでアームが導かれた道を記録し、ウェイポイントとして残します。何も動かしません。</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>経路のウェイポイントを二つ以上選んでください。</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>経路をエクスポート</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>経路は書き込まれませんでした。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを経路として %1 に書きました</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>実演を取り込む</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 に列「%2」がありません。timestamp と actual_q_0〜actual_q_5 が必要です。</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>ロボットからデータが来ません：記録するものがありません。</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>読み込みませんでした：経路を記録中です。先に終えてください。</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>実演を読めませんでした。</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>経路 %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>アームが動きませんでした：経路は残しませんでした。</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>「%1」を記録</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>「%1」：%2 s を %3 個のウェイポイントに。記録した位置はすべて %4 と %5 以内です。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n パケットが届きませんでした。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>経路のウェイポイントを二つ以上選んでください。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>「%1」に到達できません。修正教示するか、除いてください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>パターン</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>三隅からパターン</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>パターン「%1」</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>最初の場所</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>最初の行の終わり</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>最後の行の始め</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>ウェイポイントを選択</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>教示どおり</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>一行の場所数</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>層数</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>一層の高さ</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>層から次の層へ、ツールの向きと逆に。</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>順序</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>行ごと</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>蛇行</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>パターンを作成</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変更</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>パターンには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>その名前のパターンがあります。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>各隅のウェイポイントを選んでください。なければ先に三隅を教示してください。</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>二つの隅が同じ位置です。一方に別のウェイポイントを選んでください。</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>層の高さがありえない値です。</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>層には高さが必要です。</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 か所はパターンの上限 %2 を超えます。</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>すべての場所が除かれています。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n 個のウェイポイント。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 すべて到達可能です。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>うち %n 個は到達不可で、印を付けました。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>パターンの場所</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>場所をクリックすると除外／復帰します。最初の隅は左下です。</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>行 %1、列 %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>次の姿勢（押す）</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>ペイロードを採用</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>ペイロードを求める</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>いくつかの姿勢で量ってペイロードを求める</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>次の姿勢、押し続ける</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>押している間、手首を次の姿勢へ回します。ジョグ速度を超えません。ツールが回れる余地を確かめてください。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>ペイロードを求めるのを取り消す</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>アームが動きました。静止させ、何にも触れず、姿勢を取り直してください。</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>ロボットが力を送りません。質量と重心を数値で入力してください。</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>計量中… ツールに何も触れないでください。</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg、重心はフランジから %2。姿勢は %3 と %4 以内で一致。</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を取ってください。</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ取ってください。</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg：軽すぎてセンサーが重心を示せません。数値で入力してください。</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>アームを静止させ、何にも触れず、姿勢を取ります。次にジョグか「次の姿勢」で手首を回し、さらに三つ取ります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>手首を別の側に回して姿勢を取ってください。残り：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>姿勢 %1 を取る</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>最悪のものを除く</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>最後のものを除く</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>姿勢 %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ 最も合わない</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>質量 kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>ペイロードには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>「%1」は別のペイロードの名前です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」を「%2」に名前変更</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>取り付けなし</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85、空</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140、空</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>ペイロード</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>ペイロードはまだありません。
+「ロボットから」で現在のものを採用するか、「計量…」でアームで求めてください。</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>質量</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>ペイロードの質量</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>重心 X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>重心 Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>重心 Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>ロボットに設定</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>このペイロードを使い、ロボットに設定する</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>計量…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>アームでペイロードを求める</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>正しいか？</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>ペイロードが正しいか確認する</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>ロボットのペイロードを採用</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>数値で新しいペイロード</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>ペイロード</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>既定値を追加：%1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>ペイロードの名前を変更</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>ペイロードを複製</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>ペイロードを削除</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>ペイロード「%1」を追加</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>ペイロード「%1」を変更</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>設定するペイロードを選んでください。</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>ペイロード「%1」を使う</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>ペイロード「%1」を削除</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>計量中… ツールに何も触れないでください。</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>アームが動きました。静止させ、何にも触れず、もう一度確認してください。</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>ロボットが力を送りません：ペイロードを確認できません。</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>%1 kg でアームは静止時に %2 と %3 を受けています。</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>ペイロードは正しいです。%1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>ペイロードは正しい</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>伝えられた値より約 %1 kg 重いです。</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>伝えられた値より約 %1 kg 軽いです。</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>重心が別の所にあるか、何かがツールに触れています。</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 計量するか、別のペイロードを選んでください。力センサーをゼロにしても、ツールが回るまで誤りが隠れるだけです。</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>ペイロードが正しくありません。%1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>ペイロードが正しくない</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1、ロボットと同じ</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1。ロボットには %2 kg、重心 %3</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>ロボットのペイロードは「%1」と異なります</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>ロボット：%1 kg、重心 %2。プロジェクト：%3 kg、重心 %4。何も変わっていません。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>「%1」をロボットに設定</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotDock</name>
+    <message>
+        <source>5 s</source>
+        <translation>5 s</translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation>30 s</translation>
+    </message>
+    <message>
+        <source>2 min</source>
+        <translation>2 min</translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation>10 min</translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation>30 min</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Cursor read-out</source>
+        <translation>カーソルの読み</translation>
+    </message>
+    <message>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <translation>グラフをクリックしてカーソル A と B を置きます。ドラッグするか、A、B と矢印キーを使います。凡例の名前をクリックで曲線を隠し、Ctrl でその信号を読みます。</translation>
+    </message>
+    <message>
+        <source>Time window</source>
+        <translation>時間の幅</translation>
+    </message>
+    <message>
+        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <translation>グラフが表示する時間。グラフ上のホイールで拡大します。左の値の上、または Ctrl で値を拡大し、そこでダブルクリックすると曲線に任せます。</translation>
+    </message>
+    <message>
+        <source>Pause the plots</source>
+        <translation>グラフを一時停止</translation>
+    </message>
+    <message>
+        <source>Zero the force shown</source>
+        <translation>表示の力をゼロに</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>ゼロ</translation>
+    </message>
+    <message>
+        <source>Export the shown range</source>
+        <translation>表示範囲をエクスポート</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>エクスポート…</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <translation>表示中のものを画像 (PNG) か値 (CSV) で保存</translation>
+    </message>
+    <message>
+        <source>Record to a CSV file</source>
+        <translation>CSV ファイルに記録</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <translation>ロボットが送るものを CSV ファイルに記録。隣のキーが内容と場所を示します</translation>
+    </message>
+    <message>
+        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>力をゼロにできませんでした：グラフにサンプルがありません。ロボットに接続するか、サンプルのある時刻に移ってください。</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s back</source>
+        <translation>一時停止 · %1 s 前</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>Hold the plots still; data and recording go on</source>
+        <translation>グラフを止める。データと記録は続きます</translation>
+    </message>
+    <message>
+        <source>Back to the newest samples</source>
+        <translation>最新のサンプルに戻る</translation>
+    </message>
+    <message>
+        <source>Show the force as the robot measures it again. %1</source>
+        <translation>力を再びロボットの測定どおりに表示。%1</translation>
+    </message>
+    <message>
+        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <translation>力を今の値から数えます。グラフの表示だけです：ロボット、記録、エクスポートの値は測定どおりです。</translation>
+    </message>
+    <message>
+        <source>● REC %1</source>
+        <translation>● REC %1</translation>
+    </message>
+    <message>
+        <source>● Record</source>
+        <translation>● 記録</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>記録を停止</translation>
+    </message>
+    <message>
+        <source>controller time %1 … %2 s</source>
+        <translation>コントローラー時刻 %1 … %2 s</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>シミュレーション</translation>
+    </message>
+    <message>
+        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>エクスポートしませんでした：グラフにサンプルがありません。ロボットに接続するか、サンプルのある時刻に移ってください。</translation>
+    </message>
+    <message>
+        <source>Exported the shown range to %1</source>
+        <translation>表示範囲を %1 にエクスポートしました</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation>図面 (*.svg)</translation>
+    </message>
+    <message>
+        <source>Page (*.pdf)</source>
+        <translation>ページ (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation>値 (*.csv)</translation>
+    </message>
+    <message>
+        <source>What is recorded</source>
+        <translation>記録するもの</translation>
+    </message>
+    <message>
+        <source>Rows, signals, folder and file name of the next recording</source>
+        <translation>次の記録の行、信号、フォルダー、ファイル名</translation>
+    </message>
+    <message>
+        <source>A row for every packet</source>
+        <translation>全パケットに一行</translation>
+    </message>
+    <message numerus="yes">
+        <source>A row for every %n packet(s)</source>
+        <translation>
+            <numerusform>%n パケットごとに一行</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All signals…</source>
+        <translation>すべての信号…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s)…</source>
+        <translation>
+            <numerusform>%n 個の信号…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>File name %1…</source>
+        <translation>ファイル名 %1…</translation>
+    </message>
+    <message>
+        <source>Folder %1…</source>
+        <translation>フォルダー %1…</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>フォルダーを表示</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>記録用フォルダー</translation>
+    </message>
+    <message>
+        <source>export to %1</source>
+        <translation>%1 にエクスポート</translation>
+    </message>
+    <message>
+        <source>export: there are no samples in this range</source>
+        <translation>エクスポート：この範囲にサンプルがありません</translation>
+    </message>
+    <message>
+        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <translation>画像は .png、.svg、.pdf、値は .csv の名前にしてください</translation>
+    </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1、グラフ時刻 %2 s</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>メモ：%1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>この時何が起きましたか？</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>グラフを画像としてクリップボードに入れました。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>履歴 %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>新しいページ</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>このページを外す</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>標準のグラフ</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>記録を開く…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>記録を閉じる</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>グラフを画像としてコピー</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>この配置を保存…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>配置を開く…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>履歴用メモリー</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>配置を %1 に保存する</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>配置 %1 を開く</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>記録 %1 を開きました</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>記録 (*.mcap *.csv *.h5 *.hdf5);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>グラフの配置を保存</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>グラフの配置 (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>グラフの配置を開く</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 ほか</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>信号の一覧</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>ロボットが伝えるすべて：グラフへドラッグ、端へなら独立したグラフ、またはダブルクリック</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>カーソルの値</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>カーソル A と B での各信号の値と、その間の最小、最大、平均、RMS、偏差、傾き</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>グラフのページと配置</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>配置 ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>グラフの配置を読む</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 が %2 より上</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 が %2 より下</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>グラフのページ</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>ページの名前</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>ページ %1</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>ダブルクリック：別の名前</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>カーソルの値</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>標準偏差</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>ピークピーク</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>傾き /s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>グラフをクリックして A、次に B を置くと、その間がここにまとまります。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotView</name>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s · Δ%2 %3</source>
+        <translation>A–B Δt %1 s · Δ%2 %3</translation>
+    </message>
+    <message>
+        <source>%1 (zeroed)</source>
+        <translation>%1（ゼロ）</translation>
+    </message>
+    <message>
+        <source>%1 %2 s · %3 %4</source>
+        <translation>%1 %2 s · %3 %4</translation>
+    </message>
+    <message>
+        <source>Scale held · double click the axis to let it go</source>
+        <translation>目盛り固定 · 軸をダブルクリックで解除</translation>
+    </message>
+    <message>
+        <source>No samples yet: connect to a robot</source>
+        <translation>サンプルがまだありません：ロボットに接続してください</translation>
+    </message>
+    <message>
+        <source>Zeroed: %1 %2 taken off</source>
+        <translation>ゼロ：%1 %2 を差し引き</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>時間に対するグラフ</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A と B でカーソルを置き、矢印キーで動かし、上下で読む信号を選びます。H で曲線を隠し、Ctrl+Delete で外します。プラスとマイナスで時間の幅、Ctrl で値の目盛り、Ctrl+0 で曲線に任せます。N でメモ、F で全体、End で最新のサンプルに戻ります</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>ここに信号をドロップ</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseEditor</name>
+    <message>
+        <source>%1 X</source>
+        <translation>%1 X</translation>
+    </message>
+    <message>
+        <source>%1 Y</source>
+        <translation>%1 Y</translation>
+    </message>
+    <message>
+        <source>%1 Z</source>
+        <translation>%1 Z</translation>
+    </message>
+    <message>
+        <source>Rotation about X (RX)</source>
+        <translation>X 周りの回転 (RX)</translation>
+    </message>
+    <message>
+        <source>Rotation about Y (RY)</source>
+        <translation>Y 周りの回転 (RY)</translation>
+    </message>
+    <message>
+        <source>Rotation about Z (RZ)</source>
+        <translation>Z 周りの回転 (RZ)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseView</name>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP はフランジ</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP はフランジから %1</translation>
+    </message>
+    <message>
+        <source>in %1 · %2</source>
+        <translation>%1 で · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>TCP pose in %1</source>
+        <translation>%1 での TCP 姿勢</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリック：押してからの移動</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <translation>姿勢の表記は設定どおり。Δ：押してからの移動。クリック：ここをゼロに</translation>
+    </message>
+    <message>
+        <source>TCP in the frame of the flange: %1</source>
+        <translation>フランジ座標系での TCP：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>関節 °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>ホーム</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>位置には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>「%1」は別の位置の名前です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」を「%2」に名前変更</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>位置はまだありません。
+アームをジョグし、「ここをホームに」か「ここを追加」を押してください。</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>安全高さ</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1。Return で適用します。動くのは位置だけです。</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>ベース座標系でこれより上には何もありません：TCP は横に動けます。</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>ここ</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>安全高さを今の TCP の高さにする</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>ここをホームに</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>ここを追加</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>アームの位置を採用</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>ホームに使う</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>選んだ位置をホームに使う</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>位置を修正教示</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>通常のホームに戻す</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>通常のホームを使う</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>位置の名前を変更</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>位置を削除</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>「%1」をアームの位置に設定しますか？</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>今後ホームキーはそこへ動きます。</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>ホームを設定</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>位置「%1」を追加</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>修正教示する位置を選んでください。</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>「%1」を修正教示しますか？</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>最大の関節変化：%1 %2。</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正教示</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>「%1」を修正教示</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>「%1」をホームに使う</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>ホームに使う位置を選んでください。</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>「%1」を削除</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>「%1」を変更</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>安全高さを設定</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>安全高さなし</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>ホームキーは通常のホームへ動きます：直立し、自身に触れません。</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1：ホームキーはそこへ動きます</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · ここから %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::Practice</name>
+    <message>
+        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <translation>先にシミュレートされたロボットを起動してください：ロボットメニューにあります。</translation>
+    </message>
+    <message>
+        <source>Power the arm on and release the brakes first.</source>
+        <translation>先にアームの電源を入れ、ブレーキを解除してください。</translation>
+    </message>
+    <message>
+        <source>The arm is in a stop. Recover from it first.</source>
+        <translation>アームは停止中です。先に復旧してください。</translation>
+    </message>
+    <message>
+        <source>Done. Start does it once more.</source>
+        <translation>完了。開始でもう一度行えます。</translation>
+    </message>
+    <message>
+        <source>Press Start.</source>
+        <translation>開始を押してください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PracticeCard</name>
+    <message>
+        <source>Practice</source>
+        <translation>練習</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Force Fz in newtons</source>
+        <translation>力 Fz（ニュートン）</translation>
+    </message>
+    <message>
+        <source>figure, then Return</source>
+        <translation>数値、次に Return</translation>
+    </message>
+    <message>
+        <source>Fz [N]</source>
+        <translation>Fz [N]</translation>
+    </message>
+    <message>
+        <source>The task before</source>
+        <translation>前の課題</translation>
+    </message>
+    <message>
+        <source>The next task</source>
+        <translation>次の課題</translation>
+    </message>
+    <message>
+        <source>Practice · %1 of %2</source>
+        <translation>練習 · %1 / %2</translation>
+    </message>
+    <message>
+        <source>Begins the task, or begins it anew</source>
+        <translation>課題を始める、または始め直す</translation>
+    </message>
+    <message>
+        <source>Goes on to the next task</source>
+        <translation>次の課題へ進む</translation>
+    </message>
+    <message>
+        <source>Possible once the check above says so</source>
+        <translation>上の確認が認めると可能になります</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PreflightPage</name>
+    <message>
+        <source>Good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>要確認</translation>
+    </message>
+    <message>
+        <source>Bad</source>
+        <translation>不良</translation>
+    </message>
+    <message>
+        <source>Not looked at</source>
+        <translation>未確認</translation>
+    </message>
+    <message>
+        <source>Before you connect to %1</source>
+        <translation>%1 に接続する前に</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <translation>それでも接続すると、ある限りのデータを表示します。上の赤い項目は制御の取得を妨げたり、動作を途中で終えることがあります。</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>もう一度確認</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>接続</translation>
+    </message>
+    <message>
+        <source>Keep everybody out of the arm&apos;s reach.
+Keep the emergency stop at hand: STOP in this window is a software stop.
+Begin slowly: the first speed is %1.
+Watch the arm, not the screen, while a key is held.
+Let go of the key and the arm stops.</source>
+        <translation>アームの届く範囲に人を入れないでください。
+非常停止を手元に置いてください：このウィンドウの STOP はソフトウェア停止です。
+ゆっくり始めてください：最初の速度は %1 です。
+キーを押している間は画面ではなくアームを見てください。
+キーを離すとアームは止まります。</translation>
+    </message>
+    <message>
+        <source>Looking at %1…</source>
+        <translation>%1 を確認中…</translation>
+    </message>
+    <message>
+        <source>Something is in the way</source>
+        <translation>妨げがあります</translation>
+    </message>
+    <message>
+        <source>Ready, with warnings</source>
+        <translation>警告付きで準備完了</translation>
+    </message>
+    <message>
+        <source>Everything is ready</source>
+        <translation>すべて準備完了</translation>
+    </message>
+    <message>
+        <source>Connect anyway</source>
+        <translation>それでも接続</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectDocument</name>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>「%1」を削除</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを削除</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the order</source>
+        <translation>順序を変更</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFiles</name>
+    <message>
+        <source>The damaged project file was kept as %1</source>
+        <translation>壊れたプロジェクトファイルを %1 として残しました</translation>
+    </message>
+    <message>
+        <source>The project could not be saved</source>
+        <translation>プロジェクトを保存できませんでした</translation>
+    </message>
+    <message>
+        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <translation>%1。開くには Tiller を更新してください。ファイルはそのままです。</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Tiller projects (*.tiller)</source>
+        <translation>Tiller プロジェクト (*.tiller)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+    <message>
+        <source>The project could not be opened</source>
+        <translation>プロジェクトを開けませんでした</translation>
+    </message>
+    <message>
+        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <translation>「%1」の写しを開きました。変更を残すにはファイルに保存してください。</translation>
+    </message>
+    <message>
+        <source>“%1” is a copy and has changes that are in no file.</source>
+        <translation>「%1」は写しで、どのファイルにもない変更があります。</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>名前を付けて保存…</translation>
+    </message>
+    <message>
+        <source>Drop the changes</source>
+        <translation>変更を破棄</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation>%1 は壊れています</translation>
+    </message>
+    <message>
+        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <translation>%1。読めるウェイポイント：%2、読めないもの：%3。壊れたファイルは残します。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを開く</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectStore</name>
+    <message>
+        <source>%1 — a copy, not saved to a file</source>
+        <translation>%1 — 写し、ファイル未保存</translation>
+    </message>
+    <message>
+        <source>project not saved to a file</source>
+        <translation>プロジェクトはファイル未保存</translation>
+    </message>
+    <message>
+        <source>disk full</source>
+        <translation>ディスクが一杯</translation>
+    </message>
+    <message>
+        <source>%1 — not saved: %2</source>
+        <translation>%1 — 未保存：%2</translation>
+    </message>
+    <message>
+        <source>%1 — saving…</source>
+        <translation>%1 — 保存中…</translation>
+    </message>
+    <message>
+        <source>%1 — saved</source>
+        <translation>%1 — 保存済み</translation>
+    </message>
+    <message>
+        <source>no file chosen</source>
+        <translation>ファイル未選択</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecoveryPage</name>
+    <message>
+        <source>Recovery</source>
+        <translation>復旧</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>TCP の力</translation>
+    </message>
+    <message>
+        <source>Joint current</source>
+        <translation>関節電流</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>TCP の速度</translation>
+    </message>
+    <message>
+        <source>Waiting for data from the robot…</source>
+        <translation>ロボットのデータを待っています…</translation>
+    </message>
+    <message>
+        <source>At X %1, Y %2, Z %3.</source>
+        <translation>位置 X %1、Y %2、Z %3。</translation>
+    </message>
+    <message>
+        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <translation>疑わしい関節：%1（電流が目標から最も外れた）。</translation>
+    </message>
+    <message>
+        <source> (%1 s)</source>
+        <translation> (%1 s)</translation>
+    </message>
+    <message>
+        <source>Tick what you have looked at.</source>
+        <translation>確認した項目に印を付けてください。</translation>
+    </message>
+    <message>
+        <source>Asked; waiting for the robot…</source>
+        <translation>要求済み。ロボットを待っています…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RegisterPanel</name>
+    <message>
+        <source>General purpose registers</source>
+        <translation>汎用レジスター</translation>
+    </message>
+    <message>
+        <source>Int %1</source>
+        <translation>整数 %1</translation>
+    </message>
+    <message>
+        <source>Number %1</source>
+        <translation>数値 %1</translation>
+    </message>
+    <message>
+        <source>Int</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation>ビット</translation>
+    </message>
+    <message>
+        <source>Kind of input register</source>
+        <translation>入力レジスターの種類</translation>
+    </message>
+    <message>
+        <source>Number of the input register</source>
+        <translation>入力レジスターの番号</translation>
+    </message>
+    <message>
+        <source>Value for the input register</source>
+        <translation>入力レジスターの値</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>書き込む</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotPopup</name>
+    <message>
+        <source>Error</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Popup on the robot</source>
+        <translation>ロボットのポップアップ</translation>
+    </message>
+    <message>
+        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <translation>ここからは閉じられませんでした：ティーチペンダントで閉じてください。</translation>
+    </message>
+    <message>
+        <source>No data from the robot: close it on the teach pendant.</source>
+        <translation>ロボットからのデータなし：ティーチペンダントで閉じてください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the robot.</source>
+        <translation>
+            <numerusform>ロボットに他 %n 件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <translation>待っているプログラムは閉じると続きます：アームから離れてください。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隠す</translation>
+    </message>
+    <message>
+        <source>Close the popup on the robot</source>
+        <translation>ロボットのポップアップを閉じる</translation>
+    </message>
+    <message>
+        <source>Hide the popup</source>
+        <translation>ポップアップを隠す</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotSession</name>
+    <message>
+        <source>Stopped: %1 (%2 ms, %3)</source>
+        <translation>停止：%1（%2 ms、%3）</translation>
+    </message>
+    <message>
+        <source>Connecting to %1 (%2)</source>
+        <translation>%1（%2）に接続中</translation>
+    </message>
+    <message>
+        <source>Disconnected from %1</source>
+        <translation>%1 から切断</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>制御中</translation>
+    </message>
+    <message>
+        <source>Taking control was ended by a stop</source>
+        <translation>停止により制御の取得が終わりました</translation>
+    </message>
+    <message>
+        <source>Connected to %1</source>
+        <translation>%1 に接続</translation>
+    </message>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>安全は再び通常です</translation>
+    </message>
+    <message>
+        <source>Program: %1</source>
+        <translation>プログラム：%1</translation>
+    </message>
+    <message>
+        <source>Program error in line %1, column %2: %3</source>
+        <translation>プログラムエラー 行 %1、列 %2：%3</translation>
+    </message>
+    <message>
+        <source>Popup on the robot: %1 %2</source>
+        <translation>ロボットのポップアップ：%1 %2</translation>
+    </message>
+    <message>
+        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <translation>ロボットのプログラムがティーチペンダントでの応答を待っています：%1</translation>
+    </message>
+    <message>
+        <source>Not connected to a robot.</source>
+        <translation>ロボットに接続していません。</translation>
+    </message>
+    <message>
+        <source>Waiting for data from %1.</source>
+        <translation>%1 のデータを待っています。</translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation>%1 に接続中…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <translation>ロボットからのデータなし。自動で再接続します。動作は再開しません。</translation>
+    </message>
+    <message>
+        <source>Data from the robot are late.</source>
+        <translation>ロボットのデータが遅れています。</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>制御を取得中…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotiqLink</name>
+    <message>
+        <source>Connecting to the gripper…</source>
+        <translation>グリッパーに接続中…</translation>
+    </message>
+    <message>
+        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <translation>グリッパーの値がありません。アームの電源を入れてください。直らなければ手首のグリッパーのケーブルを確認してください。</translation>
+    </message>
+    <message>
+        <source>The gripper answers again</source>
+        <translation>グリッパーが再び応答しています</translation>
+    </message>
+    <message>
+        <source>The gripper is active</source>
+        <translation>グリッパーは有効です</translation>
+    </message>
+    <message>
+        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <translation>グリッパーが有効になりませんでした。指を妨げるものがないか見て、もう一度「有効化」を押してください。</translation>
+    </message>
+    <message>
+        <source>The gripper holds an object (%1 open)</source>
+        <translation>グリッパーが物体をつかんでいます（開き %1）</translation>
+    </message>
+    <message>
+        <source>The gripper lost the object it held</source>
+        <translation>グリッパーがつかんだ物体を失いました</translation>
+    </message>
+    <message>
+        <source>Gripper: activate</source>
+        <translation>グリッパー：有効化</translation>
+    </message>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>%1 に失敗しました。%2</translation>
+    </message>
+    <message>
+        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <translation>%1:%2 でグリッパーの応答がありません。ロボットに Robotiq の URCap を入れ、インストールでグリッパーを選んでください。</translation>
+    </message>
+    <message>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <translation>グリッパーが応答しません。手首のケーブルとロボットのインストールのページを確認してください。直らなければロボットを再起動してください。</translation>
+    </message>
+    <message>
+        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <translation>ロボットがグリッパーとの接続を終えました。再起動中かもしれません。自動で戻ります。グリッパーはつかみ続けます。</translation>
+    </message>
+    <message>
+        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <translation>グリッパーが受け付けませんでした。有効化してください。有効なら、ロボットのインストールのページを見てください。</translation>
+    </message>
+    <message>
+        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <translation>グリッパーを有効化中です：頼んだことはその後に行われます。</translation>
+    </message>
+    <message>
+        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <translation>有効になる前にグリッパーが動かされました。「有効化」を押してください。</translation>
+    </message>
+    <message>
+        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <translation>グリッパーが熱すぎます。冷ましてから「有効化」を押してください。</translation>
+    </message>
+    <message>
+        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <translation>グリッパーに 1 秒間何も届きませんでした。手首のケーブルを確認し、「有効化」を押してください。</translation>
+    </message>
+    <message>
+        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <translation>グリッパーの電圧が低すぎます。ツール電圧を 24 V にして「有効化」を押してください。</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <translation>グリッパーの自動解放中です。終わるのを待って「有効化」を押してください。</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <translation>グリッパーの自動解放が終わりました。「有効化」を押してください。</translation>
+    </message>
+    <message>
+        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <translation>グリッパーの内部故障です。「有効化」を押してください。再発したら Robotiq に問い合わせてください。</translation>
+    </message>
+    <message>
+        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>有効化に失敗しました。指を妨げるものがないか見て「有効化」を押してください。</translation>
+    </message>
+    <message>
+        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>グリッパーの電流が大きすぎます。指を妨げるものがないか見て「有効化」を押してください。</translation>
+    </message>
+    <message>
+        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <translation>グリッパーが故障 %1 を報告しています。「有効化」を押してください。再発したら説明書を見てください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneDock</name>
+    <message>
+        <source>View</source>
+        <translation>ビュー</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneKeys</name>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>最初の向きから透視で見る</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Look from the front: X of the base to the right, Z up</source>
+        <translation>正面から見る：ベースの X が右、Z が上</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>側面</translation>
+    </message>
+    <message>
+        <source>Look from the side: Y of the base to the right, Z up</source>
+        <translation>側面から見る：ベースの Y が右、Z が上</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Look from above: X of the base to the right, Y up</source>
+        <translation>上から見る：ベースの X が右、Y が上</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>全体</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture</source>
+        <translation>アーム、目標、ウェイポイントを収める</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneView</name>
+    <message>
+        <source>View of the arm</source>
+        <translation>アームのビュー</translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <translation>ドラッグか矢印キーで別の向きから見ます。Shift か右ボタンで画面を動かし、ホイールかプラスとマイナスで近づき、ダブルクリックか Home で最初の向きに戻ります。ここでロボットは動きません。</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>データなし</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>未接続</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · out of reach</source>
+        <translation>ゴースト「%1」 · 到達不可</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <translation>ゴースト「%1」 · 到達可能 · 最大回転 %2 %3 · %5 で %4 s</translation>
+    </message>
+    <message>
+        <source>1 name hidden: come nearer</source>
+        <translation>名前 1 件を隠しています：近づいてください</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names hidden: come nearer</source>
+        <translation>
+            <numerusform>名前 %n 件を隠しています：近づいてください</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>ゴースト「%1」 · 到達可能</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>ゴースト「%1」 · %2 · 最大回転 %3 %4 · %6 で %5 s</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>信号を計算する</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 は他と同じパケットで届きません。</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>派生</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>ロボットが一度に送れる信号を超えます：先に他を外してください。</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>%1 を開く</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>この記録に行がありません。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 の %1</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>%1 を表示する履歴メモリーが足りません：メニュー「配置」で増やしてください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>信号を検索</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>ロボットの信号</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>新規：|F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>他から計算した信号</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>名前、必要なら角括弧の単位、信号の式：ここへドラッグすると名前が入ります。norm(a, b, …)、deriv(a, 0.02)、mean(a, 0.5)、+ − * / ^ と通常の関数。Return で作成します。</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1：このロボットは送りません。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SimulationChip</name>
+    <message>
+        <source>Simulation</source>
+        <translation>シミュレーション</translation>
+    </message>
+    <message>
+        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <translation>このロボットはシミュレーションです。動くのは画素だけです。</translation>
+    </message>
+    <message>
+        <source>SIMULATION</source>
+        <translation>シミュレーション</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SpeedChip</name>
+    <message>
+        <source>Speed slider</source>
+        <translation>速度スライダー</translation>
+    </message>
+    <message>
+        <source>Speed slider of the robot, 2 to 100 %</source>
+        <translation>ロボットの速度スライダー、2〜100 %</translation>
+    </message>
+    <message>
+        <source>SPEED</source>
+        <translation>速度</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StatusLine</name>
+    <message>
+        <source>Recording, session and last message</source>
+        <translation>記録、セッション、最後のメッセージ</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>保存済み</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
+    </message>
+    <message>
+        <source>%1 samples · %2 · %3 free</source>
+        <translation>%1 サンプル · %2 · 空き %3</translation>
+    </message>
+    <message>
+        <source>Recording ended</source>
+        <translation>記録が終わりました</translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation>記録していません</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Software stop. Not an emergency stop. Power stays on.</source>
+        <translation>ソフトウェア停止。非常停止ではありません。電源は入ったままです。</translation>
+    </message>
+    <message>
+        <source>Space / Esc
+not an e-stop</source>
+        <translation>Space / Esc
+非常停止ではない</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopPlot</name>
+    <message>
+        <source>Highest value %1 in the last five seconds</source>
+        <translation>直近 5 秒の最大値 %1</translation>
+    </message>
+    <message>
+        <source>max %1</source>
+        <translation>最大 %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>TCP には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>「%1」は別の TCP の名前です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」を「%2」に名前変更</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>TCP はまだありません。
+「ロボットから」で現在のものを採用するか、「教示…」でアームで求めてください。</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>フランジから。Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>ロボットに設定</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>この TCP を使い、ロボットに設定する</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>教示…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>アームで TCP を教示</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>ロボットから</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>ロボットの TCP を採用</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>選んだ TCP を教示し直す…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>数値で新しい TCP</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>TCP の名前を変更</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>TCP を複製</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>TCP を削除</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>TCP「%1」を変更</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>TCP「%1」を教示し直す</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>TCP「%1」を追加</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>「%1」はロボットの TCP です。</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>「%1」を教示し直す</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>新しい TCP を教示</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>設定する TCP を選んでください。</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>TCP「%1」を使う</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>TCP「%1」を削除</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1、フランジから</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1、ロボットと同じ</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1、ロボットのものから %2</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>ロボットの TCP は「%1」と異なります</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>ロボット：%1。プロジェクト：%2。差は %3。何も変わっていません。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>「%1」をロボットに設定</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>姿勢を取る</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>最悪のものを取り直す</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>取る</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>TCP を採用</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>TCP を教示</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>回転の姿勢を取る</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>ツールの回転</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>回転はそのまま</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>一姿勢から回転：ツール真下</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>三姿勢から回転：+Z に沿い、+X 側へ</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>先端は %1。姿勢は %2 (rms) で一致。姿勢 %3 が最も合わず、%4。</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ取ってください。</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>ロボットが有効な位置を送りませんでした。姿勢を取り直してください。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>先端を固定された尖った点へジョグし、姿勢を取ります。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を取ってください。残り：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>ツールは今の回転を保ちます。</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、取ってください。</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>回転を取りました。取り直すと置き換わります。</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>今の位置でツールを取ります。以後回してはいけません：X、Y、Z だけジョグしてください。</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>ツールを自身の +Z に沿ってフランジから %1 以上離し、取ってください。</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>次に +X 側へ %1 以上動かし、取ってください。</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>回転を取りました：+Z に %1、横に %2。その間フランジは %3 回り、姿勢 %4 で最大。</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>フランジが途中で %1 回り、姿勢 %2 で最大でした。ツールを回さずに三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>+Z に沿った距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>+X 側への距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>三つの姿勢が一直線上にあります：三つ目は %1 だけです。三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>ロボットが有効な位置を送りませんでした。三つを取り直してください。</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>最後のものを取り直す</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>姿勢 %1 を取る</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>姿勢 %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ 最も合わない</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>ロボットがデータを送っている間に姿勢を取れます。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TickLine</name>
+    <message>
+        <source>done</source>
+        <translation>済み</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>まだ</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>ペイロード</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP、ペイロード、位置</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TravelWatch</name>
+    <message>
+        <source>%1: %2 left, then %3 is at its limit</source>
+        <translation>%1：残り %2、その先は %3 が限界</translation>
+    </message>
+    <message>
+        <source>%1: %2 left to the plane the base stands on</source>
+        <translation>%1：ベースの立つ平面まで残り %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <translation>%1：残り %2、その先は到達限界か特異点</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ViewCard</name>
+    <message>
+        <source>Fold</source>
+        <translation>たたむ</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>The view is too small to unfold this</source>
+        <translation>ビューが小さすぎて広げられません</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>広げる</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDetails</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <translation>ウェイポイントの座標系で。Return で適用します。動くのはウェイポイントだけです。</translation>
+    </message>
+    <message>
+        <source>Selected waypoint</source>
+        <translation>選んだウェイポイント</translation>
+    </message>
+    <message>
+        <source>Frame of the waypoint</source>
+        <translation>ウェイポイントの座標系</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <translation>与えられ、一緒に動く座標系。位置はそのままです。—：関節が優先</translation>
+    </message>
+    <message numerus="yes">
+        <source>used in %n steps</source>
+        <translation>
+            <numerusform>%n ステップで使用</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the live pose</source>
+        <translation>現在の姿勢から %1</translation>
+    </message>
+    <message>
+        <source>joints rule</source>
+        <translation>関節が優先</translation>
+    </message>
+    <message>
+        <source>pose rules</source>
+        <translation>姿勢が優先</translation>
+    </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>「%1」の場所</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>「%1」の隅</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>ホーム、「%1」</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>位置「%1」</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>変更するウェイポイントを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントの属性を変更</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>動かすウェイポイントを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを動かす</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>パターン「%1」を変更</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>先にパターンの三隅を教示し、選択してください。</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>パターン「%1」を作成</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>パターン「%1」を解消</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>パターンの場所を選んでください。</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>パターン「%1」を削除</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>履歴を見るウェイポイントを選んでください。</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>当時与えられていた座標系がプロジェクトにもうありません。</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>以前の「%1」に戻す</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>ウェイポイントを取り込む</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>ウェイポイント (*.csv *.txt *.json *.tiller);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>ウェイポイントをエクスポート</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>コンマ区切り (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>何も取り込みませんでした</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>%1 はウェイポイントの一覧としては大きすぎます。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>%1 にウェイポイントがありません。</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>ウェイポイント</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを取り込む</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>エクスポートするウェイポイントがありません。</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>何もエクスポートしませんでした</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを %1 に書きました</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointEditing</name>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>「%1」を複製</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを複製</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was pasted</source>
+        <translation>何も貼り付けませんでした</translation>
+    </message>
+    <message>
+        <source>There are no waypoints on the clipboard.</source>
+        <translation>クリップボードにウェイポイントがありません。</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>ウェイポイント</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを貼り付け</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>「%1」の履歴</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>変更、新しい順</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>これより前に戻す</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>名前：「%1」、今は「%2」</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>位置：%1 動いた（%2、ベース座標系）</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>関節：%1 が最大で %2 回った</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>関節が優先</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>もうない座標系</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>座標系：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>動作：MoveL、今は MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>動作：MoveJ、今は MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>MoveJ の速度：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>MoveL の速度：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>ブレンド：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP：別のもので教示</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>グループ：「%1」、今は「%2」</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>色：%1、今は %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>メモ：「%1」、今は「%2」</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>アクション：今と異なる</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>教示以来変更されていません。</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>それ以前は今と同じでした。</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>それ以前は：</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointModel</name>
+    <message>
+        <source>✕ joint</source>
+        <translation>✕ 関節</translation>
+    </message>
+    <message>
+        <source>✕ frame</source>
+        <translation>✕ 座標系</translation>
+    </message>
+    <message>
+        <source>✕ line</source>
+        <translation>✕ 直線</translation>
+    </message>
+    <message>
+        <source>✕ reach</source>
+        <translation>✕ 到達</translation>
+    </message>
+    <message>
+        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <translation>関節が可動範囲を出ます。別のアーム姿勢からウェイポイントを修正教示してください。</translation>
+    </message>
+    <message>
+        <source>Its frame is not in this project. Choose another frame.</source>
+        <translation>その座標系がこのプロジェクトにありません。別の座標系を選んでください。</translation>
+    </message>
+    <message>
+        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <translation>ここからの直線がアームの到達範囲を出ます。MoveJ を使うか、別の場所から始めてください。</translation>
+    </message>
+    <message>
+        <source>Out of reach. Touch it up nearer to the base.</source>
+        <translation>到達不可。ベースの近くで修正教示してください。</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>MoveJ: all joints start and stop together</source>
+        <translation>MoveJ：全関節が同時に始まり同時に止まる</translation>
+    </message>
+    <message>
+        <source>MoveL: the TCP goes along a straight line</source>
+        <translation>MoveL：TCP が直線に沿って動く</translation>
+    </message>
+    <message>
+        <source>The joints rule: the arm comes back in the same posture</source>
+        <translation>関節が優先：アームは同じ姿勢で戻る</translation>
+    </message>
+    <message>
+        <source>The pose rules: it moves with its frame</source>
+        <translation>姿勢が優先：座標系とともに動く</translation>
+    </message>
+    <message>
+        <source>Can be reached</source>
+        <translation>到達可能</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>動作</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Blend %1</source>
+        <translation>ブレンド %1</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>到達</translation>
+    </message>
+    <message>
+        <source>A waypoint needs a name.</source>
+        <translation>ウェイポイントには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <translation>「%1」はウェイポイント %2 の名前です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」を「%2」に名前変更</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveJ</source>
+        <translation>「%1」を MoveJ にする</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveL</source>
+        <translation>「%1」を MoveL にする</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <translation>アームはそこへ行けません。「%1」はそのままです。</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>「%1」の姿勢を変更</translation>
+    </message>
+    <message>
+        <source>Use joint positions for “%1”</source>
+        <translation>「%1」に関節位置を使う</translation>
+    </message>
+    <message>
+        <source>There is no frame “%1” in this project.</source>
+        <translation>このプロジェクトに座標系「%1」はありません。</translation>
+    </message>
+    <message>
+        <source>Give “%1” in %2</source>
+        <translation>「%1」を %2 で与える</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>「%1」は数ではありません。</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation>%1 は %2〜%3 の範囲外です。</translation>
+    </message>
+    <message>
+        <source>Set the blend of “%1”</source>
+        <translation>「%1」のブレンドを設定</translation>
+    </message>
+    <message>
+        <source>Set the speed of “%1”</source>
+        <translation>「%1」の速度を設定</translation>
+    </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>グループ：%1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>色：%1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>名前 %1、次</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>青</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>緑</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>桃</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>空色</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>印を付けたものだけ変更します。</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>「%1」の属性</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントの属性</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>グループ</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>MoveJ の速度</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>MoveL の速度</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>ブレンド</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変更</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>ウェイポイントを検索</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>名前、グループ、メモでウェイポイントを検索</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>名前、グループ、メモ</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>すべて表示</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>全ウェイポイントを表示</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n 件</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントを動かす</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>動かし方</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>オフセット</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>鏡像</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>ツール、それぞれ</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>X、Y、Z だけ</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>オフセット %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>周りまたは沿う軸</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>アームが届きません：%1。何も動かしません。</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>座標系がありません。別のものを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>うち %n 個は到達不可になります。残して印を付けます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>原点を通り軸に垂直な平面で鏡像にします。ツールは鏡像側から近づきます。</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>すべて到達可能です。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointTable</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>ウェイポイント</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointsTab</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>ウェイポイント</translation>
+    </message>
+    <message>
+        <source>Teach here  T</source>
+        <translation>ここを教示  T</translation>
+    </message>
+    <message>
+        <source>Teach here</source>
+        <translation>ここを教示</translation>
+    </message>
+    <message>
+        <source>Touch up  U</source>
+        <translation>修正教示  U</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正教示</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>No waypoints yet.
+Jog the arm to a place and press Teach here (T).</source>
+        <translation>ウェイポイントはまだありません。
+アームをジョグし、「ここを教示」(T) を押してください。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to go to.</source>
+        <translation>移動先のウェイポイントを選んでください。</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>Add the place where the arm stands, after the selection (T)</source>
+        <translation>アームの現在位置を選択の後に追加 (T)</translation>
+    </message>
+    <message>
+        <source>Replace the selected place by where the arm stands (U)</source>
+        <translation>選んだ位置をアームの現在位置で置き換え (U)</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to touch up.</source>
+        <translation>修正教示するウェイポイントを選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>名前を変更</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>複製</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>下へ</translation>
+    </message>
+    <message>
+        <source>Copy as table</source>
+        <translation>表としてコピー</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>貼り付け</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>ウェイポイント</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>「%1」を教示</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
+        <translation>「%1」の座標系がこのプロジェクトにありません。先に別の座標系を選んでください。</translation>
+    </message>
+    <message>
+        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <translation>現在の位置は %1 離れています（%2、ベース座標系）。最大の関節変化：%3 %4。</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>「%1」を修正教示しますか？</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>「%1」を修正教示</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>経路を記録しました</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>ウェイポイントを取り込む…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>ウェイポイントをエクスポート…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>ウェイポイントを検索</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>グループ、色、メモ、速度…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>オフセット、回転、鏡像…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>履歴…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>パターン…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>パターンの場所を普通のウェイポイントにする</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>パターンとそのウェイポイントを削除</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Search a command</source>
+        <translation>コマンドを検索</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>したいことを入力してください</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>見つかったコマンド</translation>
+    </message>
+    <message>
+        <source>not possible now</source>
+        <translation>今は不可</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ConnectDialog</name>
+    <message>
+        <source>Enter the robot&apos;s address, as shown on the teach pendant under About.</source>
+        <translation>ティーチペンダントの「情報」に表示されるロボットのアドレスを入力してください。</translation>
+    </message>
+    <message>
+        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <translation>アドレスは 192.168.0.10 のような 0〜255 の四つの数です。</translation>
+    </message>
+    <message>
+        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <translation>ホスト名は英字、数字、点、ハイフンだけです。</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>忘れる</translation>
+    </message>
+    <message>
+        <source>Start the simulated robot</source>
+        <translation>シミュレートされたロボットを起動</translation>
+    </message>
+    <message>
+        <source>With a sample project…</source>
+        <translation>見本プロジェクトで…</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>接続</translation>
+    </message>
+    <message>
+        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <translation>実機を動かす前に：届く範囲に人を入れず、非常停止を手元に置き、ペイロードと TCP を確認し、ゆっくり始めてください。このウィンドウの STOP は非常停止ではありません。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation>プロジェクトを開く…</translation>
+    </message>
+    <message>
+        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <translation>ロボットなしでファイルのウェイポイント：動かす以外はすべてできます。</translation>
+    </message>
+    <message>
+        <source>Try the simulator</source>
+        <translation>シミュレーターを試す</translation>
+    </message>
+    <message>
+        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <translation>このプログラム内のシミュレートされた UR5e。すべて動き、何も傷つきません。</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <translation>シミュレートされたロボットを起動し、教示済みのプロジェクトを開きます。</translation>
+    </message>
+    <message>
+        <source>Connect a robot</source>
+        <translation>ロボットに接続</translation>
+    </message>
+    <message>
+        <source>Address or host name of the robot</source>
+        <translation>ロボットのアドレスかホスト名</translation>
+    </message>
+    <message>
+        <source>Name shown for the robot</source>
+        <translation>表示するロボット名</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>実験室の UR5e</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>アドレス</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Robots connected to before</source>
+        <translation>以前に接続したロボット</translation>
+    </message>
+    <message>
+        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <translation>選んだロボットを一覧から外します (Delete)。ロボットは変わりません。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Demonstration</name>
+    <message>
+        <source>make the folder %1: choose one that may be written to</source>
+        <translation>フォルダー %1 を作る：書き込める場所を選んでください</translation>
+    </message>
+    <message>
+        <source>connect</source>
+        <translation>接続</translation>
+    </message>
+    <message>
+        <source>power on</source>
+        <translation>電源オン</translation>
+    </message>
+    <message>
+        <source>release the brakes</source>
+        <translation>ブレーキ解除</translation>
+    </message>
+    <message>
+        <source>take control</source>
+        <translation>制御を取得</translation>
+    </message>
+    <message>
+        <source>start recording</source>
+        <translation>記録を開始</translation>
+    </message>
+    <message>
+        <source>teach the first waypoint</source>
+        <translation>最初のウェイポイントを教示</translation>
+    </message>
+    <message>
+        <source>jog X+ in Base for 50 mm</source>
+        <translation>ベースで X+ に 50 mm ジョグ</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>離す</translation>
+    </message>
+    <message>
+        <source>teach the second waypoint</source>
+        <translation>二番目のウェイポイントを教示</translation>
+    </message>
+    <message>
+        <source>go to the first waypoint (held)</source>
+        <translation>最初のウェイポイントへ移動（押し続け）</translation>
+    </message>
+    <message>
+        <source>let go of Go to</source>
+        <translation>移動を離す</translation>
+    </message>
+    <message>
+        <source>digital output 0 on</source>
+        <translation>デジタル出力 0 オン</translation>
+    </message>
+    <message>
+        <source>digital output 0 off</source>
+        <translation>デジタル出力 0 オフ</translation>
+    </message>
+    <message>
+        <source>take the screenshots</source>
+        <translation>画面写真を撮る</translation>
+    </message>
+    <message>
+        <source>write the screenshots to %1</source>
+        <translation>画面写真を %1 に書く</translation>
+    </message>
+    <message>
+        <source>stop recording</source>
+        <translation>記録を停止</translation>
+    </message>
+    <message>
+        <source>%1: did not happen within %2 s (%3)</source>
+        <translation>%1：%2 s 以内に起きませんでした（%3）</translation>
+    </message>
+    <message>
+        <source>the robot reports no reason</source>
+        <translation>ロボットは理由を報告していません</translation>
+    </message>
+    <message>
+        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <translation>押し直し             %1 回：離す前に動作が止まっていました</translation>
+    </message>
+    <message>
+        <source>jogged               </source>
+        <translation>ジョグ               </translation>
+    </message>
+    <message>
+        <source>release to standstill </source>
+        <translation>離してから静止まで </translation>
+    </message>
+    <message>
+        <source>packets              </source>
+        <translation>パケット              </translation>
+    </message>
+    <message>
+        <source> received, </source>
+        <translation> 受信、 </translation>
+    </message>
+    <message>
+        <source> late, </source>
+        <translation> 遅れ、 </translation>
+    </message>
+    <message>
+        <source> lost
+</source>
+        <translation> 欠落
+</translation>
+    </message>
+    <message>
+        <source>recorded             </source>
+        <translation>記録             </translation>
+    </message>
+    <message>
+        <source> rows, </source>
+        <translation> 行、 </translation>
+    </message>
+    <message>
+        <source>files                </source>
+        <translation>ファイル                </translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot; in the window</source>
+        <translation>ウィンドウに &quot;%1&quot; というキーがありません</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DeviceSettings</name>
+    <message>
+        <source>Device that moves the arm</source>
+        <translation>アームを動かすデバイス</translation>
+    </message>
+    <message>
+        <source>Try it out…</source>
+        <translation>試す…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>各デバイスの現在の値と、動く向き。</translation>
+    </message>
+    <message>
+        <source>Moves the arm</source>
+        <translation>アームを動かす</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>ゲームパッド</translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation>SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Dead zone of the %1</source>
+        <translation>%1 の不感帯</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>So far a stick may be out without moving anything.</source>
+        <translation>ここまではスティックを倒しても何も動きません。</translation>
+    </message>
+    <message>
+        <source>Curve of the %1</source>
+        <translation>%1 の曲線</translation>
+    </message>
+    <message>
+        <source>exponent </source>
+        <translation>指数 </translation>
+    </message>
+    <message>
+        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <translation>1：均一。大きいほど中央付近は緩やか、端で速くなります。</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>最も大きく倒した軸だけ</translation>
+    </message>
+    <message>
+        <source>%1: only the axis that is out furthest</source>
+        <translation>%1：最も大きく倒した軸だけ</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>不感帯</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲線</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>ゲームパッドも SpaceMouse もありません。差し込むと自動で現れます。</translation>
+    </message>
+    <message>
+        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <translation>デッドマンを押している間だけです。記憶されません：起動後はどのデバイスもアームを動かしません。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DockStage</name>
+    <message>
+        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <translation>パネルがありません。右下でパースペクティブを選ぶか、メニュー「ビュー」でパネルを表示してください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::HelpPage</name>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;パッドのキーを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがキーから外れる、第二ボタンが押される、別の手が加わる；&lt;/li&gt;&lt;li&gt;押しているキーボードのキーの横で修飾キーや矛盾するキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、何かが上に開く、別の座標系、速度、ステップ、タブが選ばれる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが固まる、ロボットが「稼働中」、その安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、デバイスが抜かれるか黙る；&lt;/li&gt;&lt;li&gt;キーがまだ押されていると誰も証明できない：X11 ではボタンやキーが押されているかを毎秒 100 回ディスプレイサーバーに尋ね、「いいえ」または 100 ms の無応答で動作を終えます。尋ねる相手がいない場合はヘッダーと設定に示されます；&lt;/li&gt;&lt;li&gt;長く押された：ジョグは %1 s（設定）、フリードライブは 5 分、ある場所への移動は所要時間より 5 s。最後の 3 s は秒読みします。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;止まった動作には新しく押すことが必要です。&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; はどこからでも止め、他者のプログラムも止めます。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; は十倍細かく、&lt;b&gt;Shift&lt;/b&gt; は三倍速くしますが、上限を超えません。ラテン文字のないキーボードでは、下の文字は US 配列でのその位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>練習課題</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ImportDialog</name>
+    <message>
+        <source>Colours, sizes and units</source>
+        <translation>色、大きさ、単位</translation>
+    </message>
+    <message>
+        <source>Speed cap and longest hold</source>
+        <translation>速度上限と最長の押下</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>コマンドのキー</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>ゲームパッドと SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Robots and their grippers</source>
+        <translation>ロボットとそのグリッパー</translation>
+    </message>
+    <message>
+        <source>Names and scales of inputs and outputs</source>
+        <translation>入出力の名前とスケール</translation>
+    </message>
+    <message>
+        <source>Layout of the window</source>
+        <translation>ウィンドウの配置</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>その他すべて</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>設定を取り込む</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed.</source>
+        <translation>%1 は取り込まれませんでした。何も変わっていません。</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1 holds:</source>
+        <translation>印の付いたものは %1 の内容で置き換えられます：</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <translation>印の付いたものは %1（Tiller %2 が作成）の内容で置き換えられます：</translation>
+    </message>
+    <message>
+        <source>%1: the same already</source>
+        <translation>%1：すでに同じ</translation>
+    </message>
+    <message>
+        <source>%1: none in the file</source>
+        <translation>%1：ファイルにありません</translation>
+    </message>
+    <message>
+        <source>%1: %2 here, %3 in the file</source>
+        <translation>%1：ここ %2、ファイル %3</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <translation>置き換えられるものは別のファイルに残り、再び取り込めます。</translation>
+    </message>
+    <message>
+        <source>There is nothing in the file that is not here already.</source>
+        <translation>ファイルにはここにないものがありません。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Lessons</name>
+    <message>
+        <source>First steps</source>
+        <translation>最初のステップ</translation>
+    </message>
+    <message>
+        <source>A checklist in the view: from power on to a recording.</source>
+        <translation>ビュー内の一覧：電源オンから記録まで。</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>練習課題</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>シミュレートされたロボットでの五つの課題、それぞれ確認付き。</translation>
+    </message>
+    <message>
+        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <translation>練習はこのプログラムのシミュレートされたロボット専用です。これは「%1」です。</translation>
+    </message>
+    <message>
+        <source>Practice: put “%1”</source>
+        <translation>練習：「%1」を置く</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::MainWindow</name>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <translation>キーボードジョグ有効：矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging disarmed</source>
+        <translation>キーボードジョグ無効</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>ジョグ</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>ビュー</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>ウェイポイント</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>I/O</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>ログ</translation>
+    </message>
+    <message>
+        <source>%1 disconnected. The arm was stopped.</source>
+        <translation>%1 が切断されました。アームを止めました。</translation>
+    </message>
+    <message>
+        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <translation>%1 がアームを動かしている間に黙ったため、止めました。離してください。黙ったままなら差し直してください。</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Open recent project</source>
+        <translation>最近のプロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>プロジェクトを開く…</translation>
+    </message>
+    <message>
+        <source>Opens waypoints and frames from a file.</source>
+        <translation>ファイルからウェイポイントと座標系を開きます。</translation>
+    </message>
+    <message>
+        <source>Open sample project…</source>
+        <translation>見本プロジェクトを開く…</translation>
+    </message>
+    <message>
+        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <translation>三つのプロジェクトのうち一つの写しをシミュレートされたロボットで試します。</translation>
+    </message>
+    <message>
+        <source>Save project as…</source>
+        <translation>プロジェクトに名前を付けて保存…</translation>
+    </message>
+    <message>
+        <source>Saves to this file now, and every change from now on.</source>
+        <translation>今このファイルに保存し、以後の変更も保存します。</translation>
+    </message>
+    <message>
+        <source>Show waypoints</source>
+        <translation>ウェイポイントを表示</translation>
+    </message>
+    <message>
+        <source>Show frames</source>
+        <translation>座標系を表示</translation>
+    </message>
+    <message>
+        <source>Show I/O</source>
+        <translation>I/O を表示</translation>
+    </message>
+    <message>
+        <source>Show log</source>
+        <translation>ログを表示</translation>
+    </message>
+    <message>
+        <source>Brings this tab to the front.</source>
+        <translation>このタブを手前に出します。</translation>
+    </message>
+    <message>
+        <source>Show gripper</source>
+        <translation>グリッパーを表示</translation>
+    </message>
+    <message>
+        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <translation>I/O のグリッパーのページを手前に出します。</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>配置を初期化</translation>
+    </message>
+    <message>
+        <source>All panels back to where the current perspective has them.</source>
+        <translation>全パネルを現在のパースペクティブの配置に戻します。</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>明るい色</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>暗い色</translation>
+    </message>
+    <message>
+        <source>Changes the colours at once and remembers it.</source>
+        <translation>色をすぐに変えて記憶します。</translation>
+    </message>
+    <message>
+        <source>Zero the force in the plots, or show it as measured</source>
+        <translation>グラフの力をゼロにする、または測定どおりに表示</translation>
+    </message>
+    <message>
+        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <translation>TCP の力を今の値から数えます。もう一度でロボットの測定どおり。</translation>
+    </message>
+    <message>
+        <source>Commands…</source>
+        <translation>コマンド…</translation>
+    </message>
+    <message>
+        <source>Finds a command by its name.</source>
+        <translation>コマンドを名前で探します。</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>設定…</translation>
+    </message>
+    <message>
+        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <translation>色、大きさ、単位、速度上限、デバイス、各コマンドのキー。</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>設定をエクスポート…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <translation>記憶しているすべてを一つのファイルに。別のコンピューター用、または写しとして。</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>設定を取り込む…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <translation>そのファイルの内容を引き継ぎます。置き換えるものを先に示します。</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
+    </message>
+    <message>
+        <source>All commands with their keys, and the rules of jogging.</source>
+        <translation>全コマンドとキー、ジョグの決まり。</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Stops the arm, ends the connection and closes the window.</source>
+        <translation>アームを止め、接続を終え、ウィンドウを閉じます。</translation>
+    </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>%1 の表示／非表示</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>%1 を切り離す</translation>
+    </message>
+    <message>
+        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <translation>第二画面用に独立したウィンドウにする、または戻します。</translation>
+    </message>
+    <message>
+        <source>Moves this panel to that side of the others.</source>
+        <translation>このパネルを他のパネルのその側へ動かします。</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 を左へ</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 を右へ</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>%1 を上へ</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>%1 を下へ</translation>
+    </message>
+    <message>
+        <source>Load program</source>
+        <translation>プログラムを読み込む</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as the tablet shows it</source>
+        <translation>タブレットに表示されるロボットのプログラム名</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as in pick.urp</source>
+        <translation>ロボットのプログラム名（例：pick.urp）</translation>
+    </message>
+    <message>
+        <source>Speed cap %1</source>
+        <translation>速度上限 %1</translation>
+    </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>記録中です。先に終えてください：欠けが出ないように。</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>ウェイポイント、座標系、ツール、I/O、ログ</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PanelDock</name>
+    <message>
+        <source>Put back</source>
+        <translation>戻す</translation>
+    </message>
+    <message>
+        <source>Back into the main window</source>
+        <translation>メインウィンドウに戻す</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Closes this panel. The menu View brings it back.</source>
+        <translation>このパネルを閉じます。メニュー「ビュー」で戻せます。</translation>
+    </message>
+    <message>
+        <source>Move, float or close %1</source>
+        <translation>%1 を移動、切り離し、閉じる</translation>
+    </message>
+    <message>
+        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <translation>クリック：このパネルを移動、切り離し、閉じる。ドラッグ：別の場所へ。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PerspectiveActions</name>
+    <message>
+        <source>Save perspective</source>
+        <translation>パースペクティブを保存</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, into the current perspective.</source>
+        <translation>今のパネルの配置を現在のパースペクティブに。</translation>
+    </message>
+    <message>
+        <source>This perspective is built in. Save it under a name of your own.</source>
+        <translation>このパースペクティブは組み込みです。自分の名前で保存してください。</translation>
+    </message>
+    <message>
+        <source>Save perspective as…</source>
+        <translation>パースペクティブに名前を付けて保存…</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, under a name of your own.</source>
+        <translation>今のパネルの配置を自分の名前で。</translation>
+    </message>
+    <message>
+        <source>Save perspective as</source>
+        <translation>パースペクティブに名前を付けて保存</translation>
+    </message>
+    <message>
+        <source>Rename perspective…</source>
+        <translation>パースペクティブの名前を変更…</translation>
+    </message>
+    <message>
+        <source>Gives the current perspective another name.</source>
+        <translation>現在のパースペクティブに別の名前を付けます。</translation>
+    </message>
+    <message>
+        <source>Rename perspective</source>
+        <translation>パースペクティブの名前を変更</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and keeps its name.</source>
+        <translation>このパースペクティブは組み込みで、名前は変わりません。</translation>
+    </message>
+    <message>
+        <source>Delete perspective…</source>
+        <translation>パースペクティブを削除…</translation>
+    </message>
+    <message>
+        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <translation>現在のパースペクティブを忘れます。パネルはそのままです。</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and stays.</source>
+        <translation>このパースペクティブは組み込みで、残ります。</translation>
+    </message>
+    <message>
+        <source>Perspective %1</source>
+        <translation>パースペクティブ %1</translation>
+    </message>
+    <message>
+        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <translation>パースペクティブ %1。パネルの配置を選ぶか、今の配置を保存します。</translation>
+    </message>
+    <message>
+        <source>Name of the perspective</source>
+        <translation>パースペクティブの名前</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Delete perspective</source>
+        <translation>パースペクティブを削除</translation>
+    </message>
+    <message>
+        <source>Delete the perspective “%1”? This cannot be undone.</source>
+        <translation>パースペクティブ「%1」を削除しますか？元に戻せません。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>残す</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Perspectives</name>
+    <message>
+        <source>Teach</source>
+        <translation>教示</translation>
+    </message>
+    <message>
+        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <translation>ビュー、隣にウェイポイント、下にグラフを表示します。</translation>
+    </message>
+    <message>
+        <source>Monitor</source>
+        <translation>監視</translation>
+    </message>
+    <message>
+        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <translation>入出力、隣に小さなビュー、下に高いグラフを表示します。</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Shows the plots alone, as large as the window allows.</source>
+        <translation>グラフだけをウィンドウ一杯に表示します。</translation>
+    </message>
+    <message>
+        <source>Shows the panels as you saved them.</source>
+        <translation>保存したときのパネル配置を表示します。</translation>
+    </message>
+    <message>
+        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <translation>パースペクティブ「%1」を表示できません：設定の配置が壊れています。パネルを並べて保存し直してください。</translation>
+    </message>
+    <message>
+        <source>Type a name.</source>
+        <translation>名前を入力してください。</translation>
+    </message>
+    <message>
+        <source>The name is too long.</source>
+        <translation>名前が長すぎます。</translation>
+    </message>
+    <message>
+        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <translation>これ以上のパースペクティブは保存できません。先に一つ削除してください。</translation>
+    </message>
+    <message>
+        <source>There is a perspective of this name. Choose another name.</source>
+        <translation>この名前のパースペクティブがあります。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <translation>パネルはパースペクティブ「%1」の配置です：前のバージョンの配置はこのバージョンに合いません。並べ直してください。記憶されます。</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <translation>パネルはパースペクティブ「%1」の配置です：設定の配置が壊れているか別のバージョンのものです。並べ直してください。記憶されます。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::RecordingSettings</name>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>記録用フォルダー</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Choose the folder for recordings</source>
+        <translation>記録用フォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>Pattern of the file name</source>
+        <translation>ファイル名の型</translation>
+    </message>
+    <message>
+        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <translation>{date}、{time}、{robot}、{number} は記録開始時に埋められます。</translation>
+    </message>
+    <message>
+        <source>One row every so many packets</source>
+        <translation>何パケットごとに一行か</translation>
+    </message>
+    <message>
+        <source>Search signals</source>
+        <translation>信号を検索</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Signals in a recording</source>
+        <translation>記録の信号</translation>
+    </message>
+    <message>
+        <source>All signals</source>
+        <translation>すべての信号</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation>ファイル名</translation>
+    </message>
+    <message>
+        <source>One row every</source>
+        <translation>一行の間隔</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>実験室の UR5e</translation>
+    </message>
+    <message>
+        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <translation>例：%1。{date}、{time}、{robot}、{number} は埋められます。既存のファイルは置き換えません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <translation>
+            <numerusform>一行 %n パケット：毎秒 500 パケットを送るロボットで毎秒 %1 行。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SampleDialog</name>
+    <message>
+        <source>Open sample project</source>
+        <translation>見本プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで通せます。写しで作業します：保存時に自分のファイルを尋ねます。</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Open “%1”</source>
+        <translation>「%1」を開く</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Look and motion</source>
+        <translation>外観と動作</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>デバイス</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>設定をエクスポート…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <translation>記憶しているすべてを一つのファイルに。別のコンピューター用、または写しとして</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>設定を取り込む…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces</source>
+        <translation>そのファイルの内容を引き継ぎます。置き換えるものを先に示します</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>明</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>暗</translation>
+    </message>
+    <message>
+        <source>Size of keys and rows</source>
+        <translation>キーと行の大きさ</translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation>コンパクト</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>タッチ</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>全体の大きさ</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>インチ</translation>
+    </message>
+    <message>
+        <source>Rotations</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Roll, pitch, yaw in degrees</source>
+        <translation>ロール、ピッチ、ヨー（度）</translation>
+    </message>
+    <message>
+        <source>Rotation vector in radians, as scripts write it</source>
+        <translation>回転ベクトル（ラジアン）、スクリプトの書き方</translation>
+    </message>
+    <message>
+        <source>Speed cap of this program</source>
+        <translation>このプログラムの速度上限</translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation>最長の押下</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <translation>この時間でジョグは終わり、キーを押し直す必要があります。フリードライブは 5 分、ある場所への移動は所要時間と 5 s です。</translation>
+    </message>
+    <message>
+        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <translation>タッチ：指に必要な高さ。高さ %1 px 未満のウィンドウでは関節、タブ、タイトルバーのキーは小さいままです。</translation>
+    </message>
+    <message>
+        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <translation>長さ、TCP の速度、姿勢の表示と入力の方法。グラフとファイルはメートル、ミリメートル、度のままです。</translation>
+    </message>
+    <message>
+        <source>Speed cap</source>
+        <translation>速度上限</translation>
+    </message>
+    <message>
+        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <translation>文字、キー、行、グラフ、ビュー、すべて同じ割合。</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <translation>Tiller の次の起動から有効です。画面には %1 % 分の余裕しかなく、その大きさになります。</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller.</source>
+        <translation>Tiller の次の起動から有効です。</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <translation>▲ %1 を超えています。PC からのジョグを制限するものは他にありません：手動モードもペンダントのイネーブル装置も効きません。ヘッダーに示され、プログラム終了で終わります。</translation>
+    </message>
+    <message>
+        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <translation>このプログラムの動作は TCP でも肘でもこれを超えません。すぐに有効になり、動いているものを止めます。</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>コマンドのキー</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Restore default shortcuts</source>
+        <translation>既定のキーに戻す</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
+        <translation>欄で新しいキーを押してください。Backspace で消します。Space と Esc は常にアームを止めます。</translation>
+    </message>
+    <message>
+        <source>Key for %1</source>
+        <translation>%1 のキー</translation>
+    </message>
+    <message>
+        <source>%1 stops the arm and nothing else.</source>
+        <translation>%1 はアームを止めるだけのキーです。</translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <translation>%1 は &quot;%2&quot; のキーです。先にそちらから外してください。</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>システムに合わせる：%1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>ウィンドウを開き直す</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>アームを止め、制御を返却して接続し直します。グラフの表示は新しく始まります。プロジェクトは保存されます。</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>ウィンドウと確認の言語です。ファイルとスクリプトはどの言語でも同じです。</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>Tiller の次の起動から、またはウィンドウを開き直すと有効です。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsTransfer</name>
+    <message>
+        <source>Settings of Tiller (*.json)</source>
+        <translation>Tiller の設定 (*.json)</translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation>設定をエクスポート</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>設定を取り込む</translation>
+    </message>
+    <message>
+        <source>Settings exported to %1</source>
+        <translation>設定を %1 にエクスポートしました</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed. %2</source>
+        <translation>%1 は取り込まれませんでした。何も変わっていません。%2</translation>
+    </message>
+    <message>
+        <source>Settings imported from %1. What was here before is in %2</source>
+        <translation>%1 から設定を取り込みました。以前の設定は %2 にあります</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,9695 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>ActionTable</name>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Power and safety</source>
+        <translation>电源与安全</translation>
+    </message>
+    <message>
+        <source>Control and programs</source>
+        <translation>控制与程序</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>路点</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>I/O</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Perspectives</source>
+        <translation>视角布局</translation>
+    </message>
+    <message>
+        <source>Move panels</source>
+        <translation>移动面板</translation>
+    </message>
+    <message>
+        <source>Program Tiller</source>
+        <translation>程序 Tiller</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+</context>
+<context>
+    <name>BackTrack</name>
+    <message>
+        <source>go back: nothing left to undo</source>
+        <translation>返回：没有可撤销的动作了</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
+        <translation>从 PC 点动、示教、运行和监视优傲机器人的机械臂。</translation>
+    </message>
+    <message>
+        <source>Start with the built-in simulated UR5e.</source>
+        <translation>以内置的模拟 UR5e 启动。</translation>
+    </message>
+    <message>
+        <source>Connect to the robot at this address or host name.</source>
+        <translation>连接此地址或主机名的机器人。</translation>
+    </message>
+    <message>
+        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <translation>在模拟机器人上运行演示脚本，把文件留在此文件夹中，然后退出。</translation>
+    </message>
+    <message>
+        <source>Open this project file (.tiller).</source>
+        <translation>打开此项目文件 (.tiller)。</translation>
+    </message>
+    <message>
+        <source>Colours: light or dark.</source>
+        <translation>颜色：light（浅色）或 dark（深色）。</translation>
+    </message>
+    <message>
+        <source>see tiller --help</source>
+        <translation>见 tiller --help</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not expected</source>
+        <translation>未预期 &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <translation>--theme 只接受 light 或 dark，而不是 &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--robot and --simulator exclude each other</source>
+        <translation>--robot 与 --simulator 不能同时使用</translation>
+    </message>
+    <message>
+        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <translation>--demo 只能在模拟机器人上运行，不能与 --robot 一起使用</translation>
+    </message>
+    <message>
+        <source>--demo needs a folder</source>
+        <translation>--demo 需要一个文件夹</translation>
+    </message>
+    <message>
+        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <translation>--robot 需要一个地址，例如 --robot 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <translation>只能打开一个项目，不能再打开 &quot;%1&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>ControllerCodes</name>
+    <message>
+        <source>Near a joint limit</source>
+        <translation>接近关节极限</translation>
+    </message>
+    <message>
+        <source>A joint came close to the end of its range.</source>
+        <translation>某个关节接近其范围的终点。</translation>
+    </message>
+    <message>
+        <source>Jog the joint back, and plan the move away from the limit.</source>
+        <translation>把该关节点动回来，并让动作远离极限。</translation>
+    </message>
+    <message>
+        <source>Near a tool orientation limit</source>
+        <translation>接近工具方向极限</translation>
+    </message>
+    <message>
+        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <translation>工具转到了安全配置所设极限附近。</translation>
+    </message>
+    <message>
+        <source>Turn the tool back, or change the waypoint.</source>
+        <translation>把工具转回来，或更改路点。</translation>
+    </message>
+    <message>
+        <source>Near a safety plane</source>
+        <translation>接近安全平面</translation>
+    </message>
+    <message>
+        <source>The arm came close to a safety plane.</source>
+        <translation>机械臂接近了安全平面。</translation>
+    </message>
+    <message>
+        <source>Jog away from the plane, or change the waypoint.</source>
+        <translation>点动离开该平面，或更改路点。</translation>
+    </message>
+    <message>
+        <source>Position deviates from path</source>
+        <translation>位置偏离路径</translation>
+    </message>
+    <message>
+        <source>The arm is not where the controller sent it.</source>
+        <translation>机械臂不在控制器指令的位置。</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <translation>检查是否有障碍物；检查有效负载、重心和安装；降低加速度。</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>奇异点</translation>
+    </message>
+    <message>
+        <source>The straight move leads through a singular position of the arm.</source>
+        <translation>直线动作经过机械臂的奇异位置。</translation>
+    </message>
+    <message>
+        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <translation>单个关节点动离开；在此区域使用 MoveJ。</translation>
+    </message>
+    <message>
+        <source>Cannot hold its position</source>
+        <translation>无法保持位置</translation>
+    </message>
+    <message>
+        <source>The arm sagged or was pushed while it stood.</source>
+        <translation>机械臂静止时下沉或被推动。</translation>
+    </message>
+    <message>
+        <source>Check payload, centre of gravity and mounting.</source>
+        <translation>检查有效负载、重心和安装。</translation>
+    </message>
+    <message>
+        <source>Wrong payload or mounting</source>
+        <translation>有效负载或安装错误</translation>
+    </message>
+    <message>
+        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <translation>力与有效负载不符，或自由驱动开始时有东西推动机械臂。</translation>
+    </message>
+    <message>
+        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <translation>更正有效负载和安装，松开机械臂，然后重试。</translation>
+    </message>
+    <message>
+        <source>Collision noticed by a joint</source>
+        <translation>关节检测到碰撞</translation>
+    </message>
+    <message>
+        <source>A joint needed more torque than the motion explains.</source>
+        <translation>某个关节需要的力矩超出动作所能解释的范围。</translation>
+    </message>
+    <message>
+        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <translation>移除障碍物；若没有障碍物，检查有效负载。</translation>
+    </message>
+    <message>
+        <source>Collision noticed by the tool force</source>
+        <translation>工具力检测到碰撞</translation>
+    </message>
+    <message>
+        <source>The force at the tool exceeded what is allowed.</source>
+        <translation>工具处的力超过允许值。</translation>
+    </message>
+    <message>
+        <source>Position deviation</source>
+        <translation>位置偏差</translation>
+    </message>
+    <message>
+        <source>A joint left its commanded position.</source>
+        <translation>某个关节离开了指令位置。</translation>
+    </message>
+    <message>
+        <source>Look for an obstacle and check payload and mounting.</source>
+        <translation>检查障碍物，并检查有效负载和安装。</translation>
+    </message>
+    <message>
+        <source>Too many protective stops</source>
+        <translation>保护性停止过多</translation>
+    </message>
+    <message>
+        <source>One joint had more than fifty protective stops in eight hours.</source>
+        <translation>一个关节在八小时内发生了五十次以上的保护性停止。</translation>
+    </message>
+    <message>
+        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <translation>继续之前先找出停止的原因，然后重启控制器。</translation>
+    </message>
+    <message>
+        <source>Sudden change of target position</source>
+        <translation>目标位置突变</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in position.</source>
+        <translation>某个程序要求位置跳变。</translation>
+    </message>
+    <message>
+        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <translation>让程序从机械臂所在处开始，并保持较小的伺服步长。</translation>
+    </message>
+    <message>
+        <source>Sudden change of target speed</source>
+        <translation>目标速度突变</translation>
+    </message>
+    <message>
+        <source>A program asked for a jump in speed.</source>
+        <translation>某个程序要求速度跳变。</translation>
+    </message>
+    <message>
+        <source>Lower the acceleration, or smooth the path.</source>
+        <translation>降低加速度，或使路径平滑。</translation>
+    </message>
+    <message>
+        <source>Protective stop by a program</source>
+        <translation>程序引发的保护性停止</translation>
+    </message>
+    <message>
+        <source>The running program itself asked for the stop.</source>
+        <translation>正在运行的程序自己要求停止。</translation>
+    </message>
+    <message>
+        <source>See the program&apos;s own messages before it.</source>
+        <translation>查看程序此前的消息。</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>机器人处于本地控制</translation>
+    </message>
+    <message>
+        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <translation>已发送脚本，但机器人只听从示教器。</translation>
+    </message>
+    <message>
+        <source>Switch to Remote control on the teach pendant.</source>
+        <translation>在示教器上切换到远程控制。</translation>
+    </message>
+    <message>
+        <source>Controller message C%1</source>
+        <translation>控制器消息 C%1</translation>
+    </message>
+    <message>
+        <source>The controller reported this number.</source>
+        <translation>控制器报告了此编号。</translation>
+    </message>
+    <message>
+        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <translation>在制造商的错误代码目录中查找 C%1。</translation>
+    </message>
+</context>
+<context>
+    <name>Derivation</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>计算信号</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <translation>没有信号“%1”。信号列表显示名称。</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>其中没有信号。</translation>
+    </message>
+    <message>
+        <source>There are too many signals in it.</source>
+        <translation>其中信号太多。</translation>
+    </message>
+    <message>
+        <source>It must give one number.</source>
+        <translation>结果必须是一个数。</translation>
+    </message>
+    <message>
+        <source>The text is too long.</source>
+        <translation>文本太长。</translation>
+    </message>
+    <message>
+        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>写成名称、等号和表达式：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+    </message>
+    <message>
+        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <translation>多了一个等号；比较用两个：==</translation>
+    </message>
+    <message>
+        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <translation>时间段在 0.001 至 60 秒之间。</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceTrainer</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%2 中的 %1</translation>
+    </message>
+    <message>
+        <source>Axes of the device</source>
+        <translation>设备的轴</translation>
+    </message>
+</context>
+<context>
+    <name>Doctor</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 以及另外 %2</translation>
+    </message>
+    <message>
+        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
+        <translation>此软件太旧。请将机器人更新到 %1.%2 或更新版本。</translation>
+    </message>
+    <message>
+        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <translation>缺少一些数值和用于控制的寄存器。请将机器人更新到 %1.%2 或更新版本。</translation>
+    </message>
+    <message>
+        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <translation>查看机械臂，消除原因，然后恢复：页眉中的“恢复…”，或在示教器上操作。</translation>
+    </message>
+    <message>
+        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <translation>上电并松开制动器：页眉中的按钮会引导您。</translation>
+    </message>
+    <message>
+        <source>the RTDE port takes connections but does not answer</source>
+        <translation>RTDE 端口接受连接但不应答</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 does not speak RTDE</source>
+        <translation>端口 %1 上应答的不是 RTDE</translation>
+    </message>
+    <message>
+        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <translation>RTDE 客户端过多，或控制器卡住：关闭其他程序，然后重启控制器。</translation>
+    </message>
+    <message>
+        <source>Check the address: this is another device, or another program took the port.</source>
+        <translation>检查地址：这是另一台设备，或端口被其他程序占用。</translation>
+    </message>
+    <message>
+        <source>protocol version %1</source>
+        <translation>协议版本 %1</translation>
+    </message>
+    <message>
+        <source>another program holds %1</source>
+        <translation>另一个程序占用 %1</translation>
+    </message>
+    <message>
+        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <translation>结束控制此机器人的另一个程序（另一个窗口、ROS、ur_rtde）。</translation>
+    </message>
+    <message>
+        <source>this software has no registers 24 to 47</source>
+        <translation>此软件没有寄存器 24 至 47</translation>
+    </message>
+    <message>
+        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
+        <translation>将机器人软件更新到 3.9 或 5.3。</translation>
+    </message>
+    <message>
+        <source>24 to 47 are free</source>
+        <translation>24 至 47 空闲</translation>
+    </message>
+    <message>
+        <source>a fieldbus adapter or another program holds %1</source>
+        <translation>现场总线适配器或另一个程序占用 %1</translation>
+    </message>
+    <message>
+        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <translation>点动无需处理。要使用这些寄存器，请在机器人的安装设置中关闭 EtherNet/IP、PROFINET 或 MODBUS。</translation>
+    </message>
+    <message>
+        <source>0 to 23 are free</source>
+        <translation>0 至 23 空闲</translation>
+    </message>
+    <message>
+        <source>the robot takes the subscription but sends no data</source>
+        <translation>机器人接受订阅但不发送数据</translation>
+    </message>
+    <message>
+        <source>Close other RTDE programs, then restart the robot&apos;s controller.</source>
+        <translation>关闭其他 RTDE 程序，然后重启机器人的控制器。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 packages a second</source>
+        <translation>每秒 %1 / %2 个数据包</translation>
+    </message>
+    <message>
+        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <translation>缺少数据包：使用网线而不是无线；关闭给机器人或本 PC 造成负载的其他程序。</translation>
+    </message>
+    <message>
+        <source>priority %1</source>
+        <translation>优先级 %1</translation>
+    </message>
+    <message>
+        <source>the system grants this user no real-time priority</source>
+        <translation>系统未授予此用户实时优先级</translation>
+    </message>
+    <message>
+        <source>permitted, and asked for by loops with priority</source>
+        <translation>已允许，由有优先级的循环请求</translation>
+    </message>
+    <message>
+        <source>processors may sleep deeply, loops begin later</source>
+        <translation>处理器可能深度休眠，循环会延后开始</translation>
+    </message>
+    <message>
+        <source>TCP %1 mm from the flange, payload %2 kg</source>
+        <translation>TCP 距法兰 %1 mm，有效负载 %2 kg</translation>
+    </message>
+    <message>
+        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
+        <translation>如果装有工具，请在机器人的安装设置中设定 TCP 和有效负载：错误的有效负载会引起保护性停止，并使机械臂在自由驱动时下沉。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <translation>&quot;%1&quot; 不是地址，也没有已知的同名主机</translation>
+    </message>
+    <message>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <translation>输入示教器“关于”中显示的四个数字，或向网络管理员询问名称。</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 不应答</translation>
+    </message>
+    <message>
+        <source>There is no way to %1</source>
+        <translation>没有到 %1 的路由</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <translation>检查机器人是否已开机、网线是否插好、中间是否有防火墙。</translation>
+    </message>
+    <message>
+        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <translation>给本 PC 设置机器人网络中的地址（前三个数字相同），并检查网线。</translation>
+    </message>
+    <message>
+        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <translation>%1 应答，但没有机器人的任何服务</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <translation>检查这是否为机器人自己的地址。刚开机的机器人还需要一分钟。</translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation>%1 应答</translation>
+    </message>
+    <message>
+        <source>dashboard, port %1</source>
+        <translation>仪表板，端口 %1</translation>
+    </message>
+    <message>
+        <source>port %1</source>
+        <translation>端口 %1</translation>
+    </message>
+    <message>
+        <source>port %1 is closed</source>
+        <translation>端口 %1 已关闭</translation>
+    </message>
+    <message>
+        <source>port %1 does not answer</source>
+        <translation>端口 %1 不应答</translation>
+    </message>
+    <message>
+        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <translation>在机器人上打开此接口：设置、安全、服务。</translation>
+    </message>
+    <message>
+        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <translation>防火墙吞掉了此端口：允许到机器人的 TCP 端口 %1。</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <translation>在示教器右上角把机器人切换到远程控制。否则 Tiller 只能监视。</translation>
+    </message>
+    <message>
+        <source>the dashboard takes connections but does not answer</source>
+        <translation>仪表板接受连接但不应答</translation>
+    </message>
+    <message>
+        <source>what answers on port %1 is not a dashboard</source>
+        <translation>端口 %1 上应答的不是仪表板</translation>
+    </message>
+    <message>
+        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <translation>重启机器人的控制器；若仍如此，查看其日志。</translation>
+    </message>
+    <message>
+        <source>Check the address, and that no other program uses this port.</source>
+        <translation>检查地址，并确认没有其他程序使用此端口。</translation>
+    </message>
+    <message>
+        <source>this series has no Local/Remote switch</source>
+        <translation>此系列没有本地/远程开关</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>远程</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>本地</translation>
+    </message>
+    <message>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <translation>仪表板（端口 %1）和 Robot API（端口 %2）都不存在</translation>
+    </message>
+    <message>
+        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <translation>在机器人上打开 Dashboard Server：设置、安全、服务。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <translation>Robot API %1，端口 %2；弹窗在平板上关闭</translation>
+    </message>
+    <message>
+        <source>the primary interface does not describe the arm</source>
+        <translation>主接口没有描述机械臂</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <translation>检查这是否为机器人自己的地址，并重启其控制器。</translation>
+    </message>
+    <message>
+        <source>robot type %1 is newer than this program</source>
+        <translation>机器人型号 %1 比本程序更新</translation>
+    </message>
+    <message>
+        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <translation>可以监视。极限和预览使用机器人报告的尺寸；开始时请慢速点动。</translation>
+    </message>
+    <message>
+        <source>Address resolves</source>
+        <translation>地址解析</translation>
+    </message>
+    <message>
+        <source>Host answers</source>
+        <translation>主机应答</translation>
+    </message>
+    <message>
+        <source>RTDE port</source>
+        <translation>RTDE 端口</translation>
+    </message>
+    <message>
+        <source>Primary port</source>
+        <translation>主端口</translation>
+    </message>
+    <message>
+        <source>Secondary port</source>
+        <translation>副端口</translation>
+    </message>
+    <message>
+        <source>Real-time port</source>
+        <translation>实时端口</translation>
+    </message>
+    <message>
+        <source>Dashboard or Robot API</source>
+        <translation>仪表板或 Robot API</translation>
+    </message>
+    <message>
+        <source>RTDE is understood</source>
+        <translation>能理解 RTDE</translation>
+    </message>
+    <message>
+        <source>Controller software</source>
+        <translation>控制器软件</translation>
+    </message>
+    <message>
+        <source>Robot model</source>
+        <translation>机器人型号</translation>
+    </message>
+    <message>
+        <source>Remote control</source>
+        <translation>远程控制</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>安全</translation>
+    </message>
+    <message>
+        <source>Power and brakes</source>
+        <translation>电源与制动器</translation>
+    </message>
+    <message>
+        <source>Registers for control free</source>
+        <translation>控制寄存器空闲</translation>
+    </message>
+    <message>
+        <source>No fieldbus holds registers</source>
+        <translation>没有现场总线占用寄存器</translation>
+    </message>
+    <message>
+        <source>Data rate</source>
+        <translation>数据速率</translation>
+    </message>
+    <message>
+        <source>Real-time privilege of this PC</source>
+        <translation>本 PC 的实时权限</translation>
+    </message>
+    <message>
+        <source>Fast wake-ups of this PC</source>
+        <translation>本 PC 的快速唤醒</translation>
+    </message>
+    <message>
+        <source>TCP and payload</source>
+        <translation>TCP 与有效负载</translation>
+    </message>
+</context>
+<context>
+    <name>Freedrive</name>
+    <message>
+        <source>All axes</source>
+        <translation>所有轴</translation>
+    </message>
+    <message>
+        <source>Position only</source>
+        <translation>仅位置</translation>
+    </message>
+    <message>
+        <source>Orientation only</source>
+        <translation>仅方向</translation>
+    </message>
+    <message>
+        <source>Plane X Y</source>
+        <translation>平面 X Y</translation>
+    </message>
+    <message>
+        <source>Line Z</source>
+        <translation>直线 Z</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest before freedrive.</source>
+        <translation>自由驱动前请让机械臂静止。</translation>
+    </message>
+    <message>
+        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <translation>有效负载为 %2 kg 时机械臂感受到 %1：它会自行移动。松开工具，或更正有效负载和 TCP。</translation>
+    </message>
+</context>
+<context>
+    <name>Gamepad</name>
+    <message>
+        <source>left shoulder</source>
+        <translation>左肩键</translation>
+    </message>
+    <message>
+        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <translation>左摇杆 X 和 Y，右摇杆 Z 和旋转。右肩键：摇杆旋转。</translation>
+    </message>
+</context>
+<context>
+    <name>HoldWitness</name>
+    <message>
+        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>此屏幕没有第二见证者（%1）：按键是否仍被按住只能从窗口事件得知。</translation>
+    </message>
+    <message>
+        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <translation>每 10 ms 询问一次显示服务器按钮或按键是否仍被按下。</translation>
+    </message>
+    <message>
+        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <translation>无法再次询问显示服务器：按键是否仍被按住只能从窗口事件得知。</translation>
+    </message>
+</context>
+<context>
+    <name>InterfaceSize</name>
+    <message>
+        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <translation>此屏幕像素很小。设置中的“整体大小”可放大文字、按键和曲线图。</translation>
+    </message>
+</context>
+<context>
+    <name>JogActions</name>
+    <message>
+        <source>Jog speed %1</source>
+        <translation>点动速度 %1</translation>
+    </message>
+    <message>
+        <source>Jog step %1, %2°</source>
+        <translation>点动步长 %1，%2°</translation>
+    </message>
+    <message>
+        <source>Arm or disarm the keyboard</source>
+        <translation>启用或停用键盘</translation>
+    </message>
+    <message>
+        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <translation>启用后方向键移动机械臂，窗口四周出现边框。半分钟后自动结束。</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse…</source>
+        <translation>手柄与 SpaceMouse…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>各设备当前的数值，以及将移动的方向。</translation>
+    </message>
+    <message>
+        <source>Zero here</source>
+        <translation>此处归零</translation>
+    </message>
+    <message>
+        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <translation>从当前位置起计 TCP 的行程；再次：恢复为自按下以来。</translation>
+    </message>
+    <message>
+        <source>Stops the arm; the next press has this speed.</source>
+        <translation>停止机械臂；下次按下使用此速度。</translation>
+    </message>
+    <message>
+        <source>Moves by this much, only while the key is held.</source>
+        <translation>仅在按住按键时移动这么多。</translation>
+    </message>
+    <message>
+        <source>Moves by this much at each press.</source>
+        <translation>每次按下移动这么多。</translation>
+    </message>
+    <message>
+        <source>Jog until contact, %1 N</source>
+        <translation>点动直到接触，%1 N</translation>
+    </message>
+    <message>
+        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <translation>按住时缓慢移动，工具遇到此力时结束。</translation>
+    </message>
+    <message>
+        <source>Jog speed, other…</source>
+        <translation>其他点动速度…</translation>
+    </message>
+    <message>
+        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <translation>询问 TCP 的速度；旋转和关节按比例。</translation>
+    </message>
+    <message>
+        <source>Jog step, other…</source>
+        <translation>其他点动步长…</translation>
+    </message>
+    <message>
+        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <translation>询问步长的长度；旋转角度不变。</translation>
+    </message>
+    <message>
+        <source>Jog turn, other…</source>
+        <translation>其他旋转步长…</translation>
+    </message>
+    <message>
+        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <translation>询问转动工具或关节的角度；长度不变。</translation>
+    </message>
+    <message>
+        <source>Jog until contact, other force…</source>
+        <translation>点动直到接触，其他力…</translation>
+    </message>
+    <message>
+        <source>Asks for the force in N at which the motion ends.</source>
+        <translation>询问结束动作的力（N）。</translation>
+    </message>
+    <message>
+        <source>Freedrive: %1</source>
+        <translation>自由驱动：%1</translation>
+    </message>
+    <message>
+        <source>What the hand can move while Freedrive is held.</source>
+        <translation>按住自由驱动时手可以移动的方向。</translation>
+    </message>
+</context>
+<context>
+    <name>JogColumn</name>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+</context>
+<context>
+    <name>JointNames</name>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>肩部</translation>
+    </message>
+    <message>
+        <source>Elbow</source>
+        <translation>肘部</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>手腕 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>手腕 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>手腕 3</translation>
+    </message>
+</context>
+<context>
+    <name>LimiterAdvice</name>
+    <message>
+        <source>Elbow almost straight</source>
+        <translation>肘部几乎伸直</translation>
+    </message>
+    <message>
+        <source>Elbow almost straight: %1 of the speed</source>
+        <translation>肘部几乎伸直：速度的 %1</translation>
+    </message>
+    <message>
+        <source>bend the elbow</source>
+        <translation>弯曲肘部</translation>
+    </message>
+    <message>
+        <source>jog %1 or bend the elbow</source>
+        <translation>点动 %1 或弯曲肘部</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis</source>
+        <translation>手腕位于基座轴上方</translation>
+    </message>
+    <message>
+        <source>Wrist above the base axis: %1 of the speed</source>
+        <translation>手腕位于基座轴上方：速度的 %1</translation>
+    </message>
+    <message>
+        <source>move outwards</source>
+        <translation>向外移动</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn the base</source>
+        <translation>点动 %1 或转动基座</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°</source>
+        <translation>手腕 2 接近 0° 或 180°</translation>
+    </message>
+    <message>
+        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <translation>手腕 2 接近 0° 或 180°：速度的 %1</translation>
+    </message>
+    <message>
+        <source>turn wrist 2</source>
+        <translation>转动手腕 2</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn wrist 2</source>
+        <translation>点动 %1 或转动手腕 2</translation>
+    </message>
+    <message>
+        <source>%1 %2° from its limit</source>
+        <translation>%1 距极限 %2°</translation>
+    </message>
+    <message>
+        <source>turn %1 %2</source>
+        <translation>转动 %1 %2</translation>
+    </message>
+    <message>
+        <source>jog %1 or turn %2 %3</source>
+        <translation>点动 %1 或转动 %2 %3</translation>
+    </message>
+    <message>
+        <source>TCP at its speed cap: %1</source>
+        <translation>TCP 达到速度上限：%1</translation>
+    </message>
+    <message>
+        <source>the cap is in the settings</source>
+        <translation>上限在设置中</translation>
+    </message>
+    <message>
+        <source>Elbow at its speed cap: %1</source>
+        <translation>肘部达到速度上限：%1</translation>
+    </message>
+    <message>
+        <source>move less sideways</source>
+        <translation>减少侧向移动</translation>
+    </message>
+    <message>
+        <source>Turning at its cap: %1</source>
+        <translation>旋转达到上限：%1</translation>
+    </message>
+    <message>
+        <source>%1 at its top speed: %2</source>
+        <translation>%1 达到最高速度：%2</translation>
+    </message>
+    <message>
+        <source>choose a slower class</source>
+        <translation>选择较慢的速度</translation>
+    </message>
+</context>
+<context>
+    <name>LocalSimulator</name>
+    <message>
+        <source>Simulated UR5e</source>
+        <translation>模拟 UR5e</translation>
+    </message>
+</context>
+<context>
+    <name>ModeLook</name>
+    <message>
+        <source>FREEDRIVE</source>
+        <translation>自由驱动</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand that moves it.</source>
+        <translation>机械臂跟随移动它的手。</translation>
+    </message>
+    <message>
+        <source>MOVING</source>
+        <translation>运动中</translation>
+    </message>
+    <message>
+        <source>The robot confirms that the arm moves.</source>
+        <translation>机器人确认机械臂在移动。</translation>
+    </message>
+    <message>
+        <source>Remote</source>
+        <translation>远程</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>本地</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>正在获取控制…</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>自由驱动</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>已控制</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>被拒绝</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>未控制</translation>
+    </message>
+    <message>
+        <source>monitoring</source>
+        <translation>监视中</translation>
+    </message>
+    <message>
+        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <translation>数据包迟到或没有到：点动可能自行停止，曲线图会有空缺。使用网线而不是无线，并关闭其他程序。</translation>
+    </message>
+    <message>
+        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <translation>指令耗时超过 20 ms：机械臂明显滞后于按键。请慢速点动。</translation>
+    </message>
+    <message>
+        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <translation>良好：机械臂立即跟随按键，连接断开会在四分之一秒内停止。</translation>
+    </message>
+    <message>
+        <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
+        <translation>最近 10 s：%1 个数据包，%2 迟到，%3 丢失</translation>
+    </message>
+    <message>
+        <source>Since connecting: %1 packets, %2 late, %3 lost</source>
+        <translation>连接以来：%1 个数据包，%2 迟到，%3 丢失</translation>
+    </message>
+    <message>
+        <source>Late is a packet that comes more than half a period after its time.</source>
+        <translation>迟到指数据包比其时刻晚半个周期以上。</translation>
+    </message>
+    <message>
+        <source>No robot connected</source>
+        <translation>未连接机器人</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>正在连接…</translation>
+    </message>
+    <message>
+        <source>Late: %1 s</source>
+        <translation>迟到：%1 s</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source> · %1 late</source>
+        <translation> · %1 迟到</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · %1 丢失</translation>
+    </message>
+    <message>
+        <source>LINK · JOG STOPS</source>
+        <translation>链路 · 点动会停</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>链路</translation>
+    </message>
+    <message>
+        <source>LINK · JOG MAY STOP</source>
+        <translation>链路 · 点动可能停</translation>
+    </message>
+    <message>
+        <source>LINK · ARM LAGS</source>
+        <translation>链路 · 机械臂滞后</translation>
+    </message>
+    <message>
+        <source>LINK · GOOD</source>
+        <translation>链路 · 良好</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>连接…</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>上电</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>松开制动器</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>恢复…</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>获取控制</translation>
+    </message>
+    <message>
+        <source>Choose the simulator or the address of a robot</source>
+        <translation>选择模拟器或机器人的地址</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>给机械臂上电。制动器保持抱紧。</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>机械臂可能下沉几毫米。请保持距离。</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <translation>显示是什么停止了机械臂、最后五秒和返回的方法。不会有任何移动。</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>在机器人上启动控制程序，其他程序会停止。</translation>
+    </message>
+</context>
+<context>
+    <name>ModeWords</name>
+    <message>
+        <source>No controller</source>
+        <translation>无控制器</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s controller is not running. Restart the control box.</source>
+        <translation>机器人的控制器没有运行。请重启控制箱。</translation>
+    </message>
+    <message>
+        <source>Arm off line</source>
+        <translation>机械臂离线</translation>
+    </message>
+    <message>
+        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <translation>控制器与机械臂没有连接。请查看示教器。</translation>
+    </message>
+    <message>
+        <source>Confirm safety</source>
+        <translation>确认安全</translation>
+    </message>
+    <message>
+        <source>Confirm the safety configuration on the teach pendant.</source>
+        <translation>在示教器上确认安全配置。</translation>
+    </message>
+    <message>
+        <source>Booting</source>
+        <translation>启动中</translation>
+    </message>
+    <message>
+        <source>The arm is starting. Wait a few seconds.</source>
+        <translation>机械臂正在启动。请等待几秒。</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>断电</translation>
+    </message>
+    <message>
+        <source>The arm is off. Power it on.</source>
+        <translation>机械臂已断电。请上电。</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>上电</translation>
+    </message>
+    <message>
+        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <translation>机械臂已上电，正在准备。请稍候。</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>空闲</translation>
+    </message>
+    <message>
+        <source>The brakes are on. Release them.</source>
+        <translation>制动器已抱紧。请松开。</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>反向驱动</translation>
+    </message>
+    <message>
+        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <translation>机械臂正被手推过制动器。松开自由驱动按钮。</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Brakes are released. The arm stands still.</source>
+        <translation>制动器已松开。机械臂静止。</translation>
+    </message>
+    <message>
+        <source>Updating firmware</source>
+        <translation>更新固件</translation>
+    </message>
+    <message>
+        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
+        <translation>正在更新关节固件。完成前请勿断电。</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>No safety function is active.</source>
+        <translation>没有安全功能在起作用。</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>缩减</translation>
+    </message>
+    <message>
+        <source>The robot keeps to its reduced limits.</source>
+        <translation>机器人遵守缩减的极限。</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>保护性停止</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <translation>控制器停止了机械臂。找出原因，然后解锁（5 s 后）。</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <translation>机械臂超出安全极限。用示教器把它移回极限之内。</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>防护停止</translation>
+    </message>
+    <message>
+        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <translation>防护装置打开。请关闭；若配置了复位，请按下。</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>系统紧急停止</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>单元的紧急停止被按下。松开它，然后上电并松开制动器。</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>紧急停止</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
+        <translation>机器人的紧急停止被按下。拔出按钮，然后上电并松开制动器。</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>安全违规</translation>
+    </message>
+    <message>
+        <source>A safety limit was exceeded and power was cut. Check the cause, then restart the safety system.</source>
+        <translation>超出安全极限，电源已切断。检查原因，然后重启安全系统。</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>安全故障</translation>
+    </message>
+    <message>
+        <source>The safety system found a fault. Check the robot&apos;s log, then restart the safety system.</source>
+        <translation>安全系统发现故障。检查机器人的日志，然后重启安全系统。</translation>
+    </message>
+    <message>
+        <source>Validate joints</source>
+        <translation>验证关节</translation>
+    </message>
+    <message>
+        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <translation>更换了关节。请在示教器上验证关节。</translation>
+    </message>
+    <message>
+        <source>Undefined</source>
+        <translation>未定义</translation>
+    </message>
+    <message>
+        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <translation>控制器没有报告其安全模式。请查看示教器。</translation>
+    </message>
+    <message>
+        <source>Automatic safeguard stop</source>
+        <translation>自动防护停止</translation>
+    </message>
+    <message>
+        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <translation>自动模式的防护装置打开。请关闭，或切换到手动模式。</translation>
+    </message>
+    <message>
+        <source>Enabling device stop</source>
+        <translation>使能装置停止</translation>
+    </message>
+    <message>
+        <source>The enabling device is not held. Hold it in its middle position.</source>
+        <translation>未按住使能装置。请保持在中间位置。</translation>
+    </message>
+    <message>
+        <source>Pendant enabling stop</source>
+        <translation>示教器使能停止</translation>
+    </message>
+    <message>
+        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <translation>未按住示教器的使能键。请保持在中间位置。</translation>
+    </message>
+    <message>
+        <source>IMMI emergency stop</source>
+        <translation>IMMI 紧急停止</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
+        <translation>注塑机的紧急停止被按下。松开它，然后上电并松开制动器。</translation>
+    </message>
+    <message>
+        <source>IMMI safeguard stop</source>
+        <translation>IMMI 防护停止</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s safeguard is open. Close it.</source>
+        <translation>注塑机的防护装置打开。请关闭。</translation>
+    </message>
+    <message>
+        <source>PROFIsafe waiting</source>
+        <translation>PROFIsafe 等待中</translation>
+    </message>
+    <message>
+        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <translation>机器人在等待 PROFIsafe 控制器。检查现场总线及其参数。</translation>
+    </message>
+    <message>
+        <source>PROFIsafe automatic stop</source>
+        <translation>PROFIsafe 自动停止</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
+        <translation>PROFIsafe 控制器使自动模式的防护保持打开。请在那里关闭。</translation>
+    </message>
+    <message>
+        <source>PROFIsafe safeguard stop</source>
+        <translation>PROFIsafe 防护停止</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
+        <translation>PROFIsafe 控制器使防护保持打开。请在那里关闭。</translation>
+    </message>
+    <message>
+        <source>PROFIsafe emergency stop</source>
+        <translation>PROFIsafe 紧急停止</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <translation>PROFIsafe 控制器要求紧急停止。在那里松开，然后上电并松开制动器。</translation>
+    </message>
+    <message>
+        <source>Safety API stop</source>
+        <translation>Safety API 停止</translation>
+    </message>
+    <message>
+        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
+        <translation>某个程序通过安全接口停止了机械臂。请在该程序中结束停止。</translation>
+    </message>
+    <message>
+        <source>I/O plane stop</source>
+        <translation>I/O 平面停止</translation>
+    </message>
+    <message>
+        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <translation>工具越过了由输入打开的安全平面。用示教器移出，或关闭该输入。</translation>
+    </message>
+    <message>
+        <source>Program stopping</source>
+        <translation>程序停止中</translation>
+    </message>
+    <message>
+        <source>The program on the robot is ending.</source>
+        <translation>机器人上的程序正在结束。</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>无程序</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>机器人上没有程序运行。</translation>
+    </message>
+    <message>
+        <source>Program plays</source>
+        <translation>程序运行</translation>
+    </message>
+    <message>
+        <source>A program runs on the robot and may move the arm.</source>
+        <translation>机器人上有程序运行，可能移动机械臂。</translation>
+    </message>
+    <message>
+        <source>Program pausing</source>
+        <translation>程序暂停中</translation>
+    </message>
+    <message>
+        <source>The program is coming to a halt.</source>
+        <translation>程序正在停下。</translation>
+    </message>
+    <message>
+        <source>Program paused</source>
+        <translation>程序已暂停</translation>
+    </message>
+    <message>
+        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <translation>播放会继续被中断的动作；停止程序则放弃它。</translation>
+    </message>
+    <message>
+        <source>Program resuming</source>
+        <translation>程序恢复中</translation>
+    </message>
+    <message>
+        <source>The program is going on: the arm may move.</source>
+        <translation>程序继续：机械臂可能移动。</translation>
+    </message>
+    <message>
+        <source>Unknown robot mode %1. See the teach pendant.</source>
+        <translation>未知机器人模式 %1。请查看示教器。</translation>
+    </message>
+    <message>
+        <source>Unknown safety mode %1. See the teach pendant.</source>
+        <translation>未知安全模式 %1。请查看示教器。</translation>
+    </message>
+    <message>
+        <source>Unknown program state %1. See the teach pendant.</source>
+        <translation>未知程序状态 %1。请查看示教器。</translation>
+    </message>
+</context>
+<context>
+    <name>OutputGripper</name>
+    <message>
+        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <translation>机器人没有确认输出。可能由另一个程序或安装设置占用。</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>夹爪：关闭</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>夹爪：打开</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>等待中…</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>told to open</source>
+        <translation>已指令打开</translation>
+    </message>
+    <message>
+        <source>told to close</source>
+        <translation>已指令关闭</translation>
+    </message>
+    <message>
+        <source>both outputs off</source>
+        <translation>两个输出都关</translation>
+    </message>
+    <message>
+        <source>both outputs on</source>
+        <translation>两个输出都开</translation>
+    </message>
+    <message>
+        <source>Choose two different outputs: one closes, the other opens.</source>
+        <translation>选择两个不同的输出：一个关闭，另一个打开。</translation>
+    </message>
+</context>
+<context>
+    <name>PanelActions</name>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <translation>把机器人的每个数据包写入 CSV 文件，直到停止。</translation>
+    </message>
+    <message>
+        <source>A recording runs already.</source>
+        <translation>已在录制。</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>请先连接机器人。</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>停止录制</translation>
+    </message>
+    <message>
+        <source>Ends the recording; its file is complete.</source>
+        <translation>结束录制；文件完整。</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded.</source>
+        <translation>没有录制。</translation>
+    </message>
+    <message>
+        <source>Pause or resume the plots</source>
+        <translation>暂停或继续曲线图</translation>
+    </message>
+    <message>
+        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <translation>冻结曲线图；数据和录制继续。再次：回到最新样本。</translation>
+    </message>
+    <message>
+        <source>Export the plots…</source>
+        <translation>导出曲线图…</translation>
+    </message>
+    <message>
+        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <translation>将显示的范围保存为图片、矢量图、页面或数值。</translation>
+    </message>
+    <message>
+        <source>Plots show %1</source>
+        <translation>曲线图显示 %1</translation>
+    </message>
+    <message>
+        <source>How much time the plots show.</source>
+        <translation>曲线图显示多长时间。</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>搜索输入和输出</translation>
+    </message>
+    <message>
+        <source>Finds a terminal or a register by its number or name.</source>
+        <translation>按编号或名称查找端子或寄存器。</translation>
+    </message>
+    <message>
+        <source>Rename the chosen input or output</source>
+        <translation>重命名所选输入或输出</translation>
+    </message>
+    <message>
+        <source>The row of the tab I/O that has the focus.</source>
+        <translation>具有焦点的 I/O 选项卡行。</translation>
+    </message>
+    <message>
+        <source>Switch the chosen output</source>
+        <translation>切换所选输出</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <translation>具有焦点的 I/O 选项卡输出：打开，或再关闭。</translation>
+    </message>
+    <message>
+        <source>Pulse the chosen output</source>
+        <translation>所选输出脉冲</translation>
+    </message>
+    <message>
+        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <translation>具有焦点的 I/O 选项卡输出：打开半秒，然后关闭。</translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation>搜索日志</translation>
+    </message>
+    <message>
+        <source>Shows only the lines with these words.</source>
+        <translation>只显示含有这些词的行。</translation>
+    </message>
+    <message>
+        <source>Log: show all</source>
+        <translation>日志：全部显示</translation>
+    </message>
+    <message>
+        <source>Log: show warnings and worse</source>
+        <translation>日志：显示警告及更严重</translation>
+    </message>
+    <message>
+        <source>Log: show errors</source>
+        <translation>日志：显示错误</translation>
+    </message>
+    <message>
+        <source>Chooses which lines of the log are shown.</source>
+        <translation>选择显示日志的哪些行。</translation>
+    </message>
+    <message>
+        <source>Copy the log</source>
+        <translation>复制日志</translation>
+    </message>
+    <message>
+        <source>Copies the selected lines, or all that are shown.</source>
+        <translation>复制所选行，或所有显示的行。</translation>
+    </message>
+    <message>
+        <source>Export the log…</source>
+        <translation>导出日志…</translation>
+    </message>
+    <message>
+        <source>Writes the lines that are shown to a file.</source>
+        <translation>把显示的行写入文件。</translation>
+    </message>
+    <message>
+        <source>Search signals for the plots</source>
+        <translation>搜索曲线图的信号</translation>
+    </message>
+    <message>
+        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <translation>打开机器人所报告一切的列表：用拖动、双击或回车加到曲线图。</translation>
+    </message>
+    <message>
+        <source>New page of plots</source>
+        <translation>新建曲线图页</translation>
+    </message>
+    <message>
+        <source>An empty page behind the others; all pages show the same time.</source>
+        <translation>在其他页之后的空白页；所有页显示相同时间。</translation>
+    </message>
+    <message>
+        <source>Show all of the plots&apos; history</source>
+        <translation>显示曲线图的全部历史</translation>
+    </message>
+    <message>
+        <source>All that is in memory, each plot at its best scale.</source>
+        <translation>内存中的全部，每个图用最佳刻度。</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>Take the lane %1 away</source>
+        <translation>去除通道 %1</translation>
+    </message>
+    <message>
+        <source>Note here…</source>
+        <translation>在此记录…</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>显示 %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>隐藏 %1</translation>
+    </message>
+    <message>
+        <source>Let the cursors read %1</source>
+        <translation>让游标读取 %1</translation>
+    </message>
+    <message>
+        <source>Move %1 to a plot of its own</source>
+        <translation>把 %1 移到单独的图</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>去除 %1</translation>
+    </message>
+    <message>
+        <source>Alarm when %1</source>
+        <translation>当 %1 时报警</translation>
+    </message>
+    <message>
+        <source>No alarm when %1</source>
+        <translation>当 %1 时不报警</translation>
+    </message>
+    <message>
+        <source>Rate of change of %1</source>
+        <translation>%1 的变化率</translation>
+    </message>
+    <message>
+        <source>Moving mean of %1 over half a second</source>
+        <translation>%1 的半秒滑动平均</translation>
+    </message>
+    <message>
+        <source>Mean %1</source>
+        <translation>平均 %1</translation>
+    </message>
+    <message>
+        <source>Norm of the curves of this plot</source>
+        <translation>此图各曲线的模</translation>
+    </message>
+    <message>
+        <source>New plot below</source>
+        <translation>在下方新建图</translation>
+    </message>
+    <message>
+        <source>New plot beside</source>
+        <translation>在旁边新建图</translation>
+    </message>
+    <message>
+        <source>Take this plot away</source>
+        <translation>去除此图</translation>
+    </message>
+    <message>
+        <source>Let the curves decide about the scale</source>
+        <translation>由曲线决定刻度</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+</context>
+<context>
+    <name>Practice</name>
+    <message>
+        <source>Waiting for the stop.</source>
+        <translation>等待停止。</translation>
+    </message>
+    <message>
+        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <translation>机械臂处于保护性停止。按页眉中的“恢复”。</translation>
+    </message>
+    <message>
+        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <translation>已解锁。机械臂尚未运行：按恢复页面操作。</translation>
+    </message>
+    <message>
+        <source>Unlocked. Take control again.</source>
+        <translation>已解锁。请再次获取控制。</translation>
+    </message>
+    <message>
+        <source>The arm runs and is under your control again.</source>
+        <translation>机械臂在运行，并再次受您控制。</translation>
+    </message>
+    <message>
+        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <translation>还没有新坐标系。“三点”在坐标系选项卡中。</translation>
+    </message>
+    <message>
+        <source>“%1” lies as it was asked for.</source>
+        <translation>“%1”的位置符合要求。</translation>
+    </message>
+    <message>
+        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <translation>“%1”：其 Z 与基座的 Z 偏差 %2°。第三点位于 +Y 一侧。</translation>
+    </message>
+    <message>
+        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <translation>“%1”：其 X 与基座的 Y 偏差 %2°。</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <translation>“%1”不是用机械臂取得的：TCP 没有到过其原点。</translation>
+    </message>
+    <message>
+        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <translation>路点已不存在。“开始”会放置一个新的。</translation>
+    </message>
+    <message>
+        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <translation>“%1”在原处。机械臂沿 X 距其 %2。</translation>
+    </message>
+    <message>
+        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <translation>“%1”移动了 %2，距应在的位置 %3。</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the tool was turned.</source>
+        <translation>“%1”已到位，但工具被转动了。</translation>
+    </message>
+    <message>
+        <source>“%1” is at the part again.</source>
+        <translation>“%1”又在工件处了。</translation>
+    </message>
+    <message>
+        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <translation>“%1”已到位，但机械臂不在那里。请把机械臂移到工件处再修正示教。</translation>
+    </message>
+    <message>
+        <source>Slowed down to %1. Go on.</source>
+        <translation>已减速到 %1。继续。</translation>
+    </message>
+    <message>
+        <source>No limit yet. The line below the pad will name it.</source>
+        <translation>还没有极限。操作盘下方的行会指出它。</translation>
+    </message>
+    <message>
+        <source>That is the limit. Now back: %1 of %2.</source>
+        <translation>这就是极限。现在返回：%1 / %2。</translation>
+    </message>
+    <message>
+        <source>Found it, and out of it again.</source>
+        <translation>找到了，也已退出。</translation>
+    </message>
+    <message>
+        <source>Recording: %1 s of %2 s.</source>
+        <translation>录制中：%1 s / %2 s。</translation>
+    </message>
+    <message>
+        <source>That recording is too short. Record again.</source>
+        <translation>该录制太短。请重新录制。</translation>
+    </message>
+    <message>
+        <source>No recording yet. Record is above the plots.</source>
+        <translation>还没有录制。“录制”在曲线图上方。</translation>
+    </message>
+    <message>
+        <source>Recorded. Enter the force that the plot shows.</source>
+        <translation>已录制。输入曲线图显示的力。</translation>
+    </message>
+    <message>
+        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <translation>%1 不是录制的值。请看曲线 Fz。</translation>
+    </message>
+    <message>
+        <source>Right: it was %1.</source>
+        <translation>正确：是 %1。</translation>
+    </message>
+    <message>
+        <source>Recover from a protective stop</source>
+        <translation>从保护性停止中恢复</translation>
+    </message>
+    <message>
+        <source>Teach a frame</source>
+        <translation>示教坐标系</translation>
+    </message>
+    <message>
+        <source>Touch up a waypoint</source>
+        <translation>修正示教路点</translation>
+    </message>
+    <message>
+        <source>Find the reach limit</source>
+        <translation>找到可达极限</translation>
+    </message>
+    <message>
+        <source>Record and measure</source>
+        <translation>录制并测量</translation>
+    </message>
+    <message>
+        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <translation>“开始”会让模拟机械臂碰撞并进入保护性停止。查看停止的原因，等待五秒，解锁并再次获取控制。</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <translation>在坐标系选项卡中用三点示教坐标系。其 X 沿基座的 Y+，Z 向上：先取原点，再取沿 Y+ 的点，再取沿 X− 的点。</translation>
+    </message>
+    <message>
+        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>“开始”在机械臂所在处放置路点“工件”。此后工件沿基座的 X+ 移动了 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
+    </message>
+    <message>
+        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <translation>从基座向外点动，直到某个极限使机械臂减到一半速度。操作盘下方的行会指出极限和出路。然后点动返回 %1。</translation>
+    </message>
+    <message>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <translation>“开始”会让一只手从上方压工具。至少录制三秒后停止。在曲线图中读出力 Fz 的大小并输入。</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>工件</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>No robot connected. Choose one at the top left.</source>
+        <translation>未连接机器人。请在左上角选择。</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>正在连接…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself.</source>
+        <translation>没有来自机器人的数据。正在自动重连。</translation>
+    </message>
+    <message>
+        <source>Robot data is late. Waiting for it to come back.</source>
+        <translation>机器人数据迟到。等待其恢复。</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>正在获取控制…</translation>
+    </message>
+    <message>
+        <source>Not in control. Press “Take control” in the header.</source>
+        <translation>未控制。请按页眉中的“获取控制”。</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingChoice</name>
+    <message>
+        <source>A file needs a name that does not begin with a point.</source>
+        <translation>文件需要一个不以点开头的名称。</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain “%1”.</source>
+        <translation>文件名不能包含“%1”。</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>此名称太长。</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryGuide</name>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>安全已恢复正常</translation>
+    </message>
+    <message>
+        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <translation>机械臂可以移动。停止前准备的动作不会移动它：每个动作都需要重新按下。</translation>
+    </message>
+    <message>
+        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <translation>机械臂已就绪。获取控制以移动它，或在示教器上继续。</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>正在获取控制…</translation>
+    </message>
+    <message>
+        <source>No data from the robot</source>
+        <translation>没有来自机器人的数据</translation>
+    </message>
+    <message>
+        <source>Waiting for the connection</source>
+        <translation>等待连接</translation>
+    </message>
+    <message>
+        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <translation>我查看了机械臂：没有人触碰它，没有东西被夹住。</translation>
+    </message>
+    <message>
+        <source>What stopped it is known and removed.</source>
+        <translation>停止的原因已知并已消除。</translation>
+    </message>
+    <message>
+        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <translation>有效负载和 TCP 与所装工具一致。</translation>
+    </message>
+    <message>
+        <source>Possible in %1 s</source>
+        <translation>%1 s 后可用</translation>
+    </message>
+    <message>
+        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <translation>我查看了机械臂和机器人的日志：原因已知。</translation>
+    </message>
+    <message>
+        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <translation>原因已消除，机械臂可达范围内没有人。</translation>
+    </message>
+    <message>
+        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <translation>这里无需按任何键：原因消失后即结束。</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>解锁</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>重启安全</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>上电</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>松开制动器</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>获取控制</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>RobotActions</name>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>请先连接机器人。</translation>
+    </message>
+    <message>
+        <source>Give control back first.</source>
+        <translation>请先交还控制。</translation>
+    </message>
+    <message>
+        <source>No program runs on the robot.</source>
+        <translation>机器人上没有程序运行。</translation>
+    </message>
+    <message>
+        <source>A program runs already.</source>
+        <translation>已有程序在运行。</translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation>连接…</translation>
+    </message>
+    <message>
+        <source>Choose the simulator, a robot or a project.</source>
+        <translation>选择模拟器、机器人或项目。</translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation>模拟机器人</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot and connects to it.</source>
+        <translation>启动模拟机器人并连接它。</translation>
+    </message>
+    <message>
+        <source>Check the connection…</source>
+        <translation>检查连接…</translation>
+    </message>
+    <message>
+        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <translation>检查本 PC 与机器人之间的一切，并给出各自的解决办法。</translation>
+    </message>
+    <message>
+        <source>Choose a robot first.</source>
+        <translation>请先选择机器人。</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>Ends the connection; a motion of ours stops first.</source>
+        <translation>结束连接；我们的动作会先停止。</translation>
+    </message>
+    <message>
+        <source>No robot is connected.</source>
+        <translation>没有连接机器人。</translation>
+    </message>
+    <message>
+        <source>Powers the arm. Brakes stay engaged.</source>
+        <translation>给机械臂上电。制动器保持抱紧。</translation>
+    </message>
+    <message>
+        <source>The arm has power, or is getting it.</source>
+        <translation>机械臂已上电或正在上电。</translation>
+    </message>
+    <message>
+        <source>The arm may sag by a few millimetres. Keep clear.</source>
+        <translation>机械臂可能下沉几毫米。请保持距离。</translation>
+    </message>
+    <message>
+        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <translation>抱紧制动器并切断机械臂电源；程序停止。</translation>
+    </message>
+    <message>
+        <source>The arm is off.</source>
+        <translation>机械臂已断电。</translation>
+    </message>
+    <message>
+        <source>Recover…</source>
+        <translation>恢复…</translation>
+    </message>
+    <message>
+        <source>Shows what stopped the arm, and the way back.</source>
+        <translation>显示是什么停止了机械臂，以及返回的方法。</translation>
+    </message>
+    <message>
+        <source>No stop of the safety system.</source>
+        <translation>没有安全系统的停止。</translation>
+    </message>
+    <message>
+        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <translation>违规或故障后，找到原因之后。机械臂保持断电。</translation>
+    </message>
+    <message>
+        <source>Only after a violation or a fault.</source>
+        <translation>仅在违规或故障之后。</translation>
+    </message>
+    <message>
+        <source>Closes the popups on the teach pendant.</source>
+        <translation>关闭示教器上的弹窗。</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>获取控制</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot, which stops any other program.</source>
+        <translation>在机器人上启动控制程序，其他程序会停止。</translation>
+    </message>
+    <message>
+        <source>In control already.</source>
+        <translation>已在控制中。</translation>
+    </message>
+    <message>
+        <source>Give control back</source>
+        <translation>交还控制</translation>
+    </message>
+    <message>
+        <source>Ends the control program on the robot.</source>
+        <translation>结束机器人上的控制程序。</translation>
+    </message>
+    <message>
+        <source>Not in control.</source>
+        <translation>未控制。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <translation>对一切运动的软件停止。不是紧急停止。</translation>
+    </message>
+    <message>
+        <source>Load program…</source>
+        <translation>加载程序…</translation>
+    </message>
+    <message>
+        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <translation>按名称加载机器人自己的程序。</translation>
+    </message>
+    <message>
+        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <translation>启动已加载的程序，或继续已暂停的程序：机械臂可能立即移动。</translation>
+    </message>
+    <message>
+        <source>Pauses the program that runs.</source>
+        <translation>暂停正在运行的程序。</translation>
+    </message>
+    <message>
+        <source>Stops the robot&apos;s own program.</source>
+        <translation>停止机器人自己的程序。</translation>
+    </message>
+</context>
+<context>
+    <name>RobotOutputs</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Output %1: %2</source>
+        <translation>输出 %1：%2</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <translation>%1：开</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1：关</translation>
+    </message>
+    <message>
+        <source>Analog output %1: %2 %3</source>
+        <translation>模拟输出 %1：%2 %3</translation>
+    </message>
+    <message>
+        <source>Input register %1: %2</source>
+        <translation>输入寄存器 %1：%2</translation>
+    </message>
+    <message>
+        <source>Speed slider: %1 %</source>
+        <translation>速度滑块：%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>RobotServices</name>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>%1 失败。%2</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>上电</translation>
+    </message>
+    <message>
+        <source>Release brakes</source>
+        <translation>松开制动器</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>断电</translation>
+    </message>
+    <message>
+        <source>Restart safety</source>
+        <translation>重启安全</translation>
+    </message>
+    <message>
+        <source>Close popups</source>
+        <translation>关闭弹窗</translation>
+    </message>
+    <message>
+        <source>Play program</source>
+        <translation>播放程序</translation>
+    </message>
+    <message>
+        <source>Pause program</source>
+        <translation>暂停程序</translation>
+    </message>
+    <message>
+        <source>Stop program</source>
+        <translation>停止程序</translation>
+    </message>
+    <message>
+        <source>Protective stop unlocked by the operator</source>
+        <translation>操作员已解锁保护性停止</translation>
+    </message>
+    <message>
+        <source>Load program %1</source>
+        <translation>加载程序 %1</translation>
+    </message>
+    <message>
+        <source>The program on the robot was stopped</source>
+        <translation>机器人上的程序已停止</translation>
+    </message>
+    <message>
+        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <translation>机器人上的程序没有停止：请在示教器上停止。%1</translation>
+    </message>
+    <message>
+        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <translation>机器人已切换到本地控制：动作已停止，控制已交还。请在示教器上切换到远程控制，然后再次获取控制。</translation>
+    </message>
+</context>
+<context>
+    <name>RobotTooling</name>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <translation>TCP 和有效负载在机械臂静止时设定。请让其静止。</translation>
+    </message>
+    <message>
+        <source>TCP set on the robot: %1</source>
+        <translation>已在机器人上设定 TCP：%1</translation>
+    </message>
+    <message>
+        <source>Payload set on the robot: %1</source>
+        <translation>已在机器人上设定有效负载：%1</translation>
+    </message>
+</context>
+<context>
+    <name>SampleProjects</name>
+    <message>
+        <source>Pick and place</source>
+        <translation>取放</translation>
+    </message>
+    <message>
+        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <translation>从供料器取工件，放入托盘六个位置之一。位置在托盘坐标系中给出，随其移动。</translation>
+    </message>
+    <message>
+        <source>Gluing along a path</source>
+        <translation>沿路径涂胶</translation>
+    </message>
+    <message>
+        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <translation>沿圆角盖的周边，缓慢走直线。交融使喷嘴在拐角处保持运动。</translation>
+    </message>
+    <message>
+        <source>Measuring round</source>
+        <translation>测量巡回</translation>
+    </message>
+    <message>
+        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <translation>测头从上方和四个侧面接触工件，每次从接近点开始，工具倾斜。</translation>
+    </message>
+</context>
+<context>
+    <name>SceneActions</name>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>从第一侧面透视观察</translation>
+    </message>
+    <message>
+        <source>From between front and side, a little above, with everything in the picture.</source>
+        <translation>介于正面与侧面之间，略高，包含全部。</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>从正面看</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Z up.</source>
+        <translation>基座的 X 向右，Z 向上。</translation>
+    </message>
+    <message>
+        <source>Look from the side</source>
+        <translation>从侧面看</translation>
+    </message>
+    <message>
+        <source>Y of the base to the right, Z up.</source>
+        <translation>基座的 Y 向右，Z 向上。</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>从上方看</translation>
+    </message>
+    <message>
+        <source>X of the base to the right, Y up.</source>
+        <translation>基座的 X 向右，Y 向上。</translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation>将全部纳入视图</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <translation>保持当前方向，把机械臂、目标和路点纳入画面。</translation>
+    </message>
+</context>
+<context>
+    <name>SessionRecording</name>
+    <message>
+        <source>Nothing is recorded: connect to a robot first.</source>
+        <translation>没有录制：请先连接机器人。</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>正在录制到 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n rows to %1</source>
+        <translation>
+            <numerusform>已录制 %n 行到 %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SettingsFile</name>
+    <message>
+        <source>write %1</source>
+        <translation>写入 %1</translation>
+    </message>
+    <message>
+        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <translation>&quot;%1&quot; 的值不可能是设置的值。</translation>
+    </message>
+    <message>
+        <source>The file is too large for settings.</source>
+        <translation>作为设置，文件太大。</translation>
+    </message>
+    <message>
+        <source>The file is damaged at byte %1: %2.</source>
+        <translation>文件在字节 %1 处损坏：%2。</translation>
+    </message>
+    <message>
+        <source>The file holds no settings of Tiller.</source>
+        <translation>文件中没有 Tiller 的设置。</translation>
+    </message>
+    <message>
+        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
+        <translation>文件由更新的 Tiller 写入。请更新 Tiller 后再导入。</translation>
+    </message>
+    <message>
+        <source>The file does not say which version it has.</source>
+        <translation>文件没有说明其版本。</translation>
+    </message>
+    <message>
+        <source>The file has no list of values, or one that is too long.</source>
+        <translation>文件没有数值列表，或列表太长。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a setting.</source>
+        <translation>&quot;%1&quot; 不是设置的名称。</translation>
+    </message>
+    <message>
+        <source>read %1</source>
+        <translation>读取 %1</translation>
+    </message>
+</context>
+<context>
+    <name>SignalInfo</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>输入和输出</translation>
+    </message>
+    <message>
+        <source>Modes and states</source>
+        <translation>模式与状态</translation>
+    </message>
+    <message>
+        <source>Power and temperature</source>
+        <translation>电力与温度</translation>
+    </message>
+    <message>
+        <source>Speed and program</source>
+        <translation>速度与程序</translation>
+    </message>
+    <message>
+        <source>Payload and tool</source>
+        <translation>有效负载与工具</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>TCP 处的力</translation>
+    </message>
+    <message>
+        <source>Torque at the TCP</source>
+        <translation>TCP 处的力矩</translation>
+    </message>
+    <message>
+        <source>Position of the TCP</source>
+        <translation>TCP 位置</translation>
+    </message>
+    <message>
+        <source>Rotation vector of the TCP</source>
+        <translation>TCP 旋转矢量</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>TCP 速度</translation>
+    </message>
+    <message>
+        <source>Rotation speed of the TCP</source>
+        <translation>TCP 旋转速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the TCP</source>
+        <translation>TCP 加速度</translation>
+    </message>
+    <message>
+        <source>Target position of the TCP</source>
+        <translation>TCP 目标位置</translation>
+    </message>
+    <message>
+        <source>Target rotation vector of the TCP</source>
+        <translation>TCP 目标旋转矢量</translation>
+    </message>
+    <message>
+        <source>Target speed of the TCP</source>
+        <translation>TCP 目标速度</translation>
+    </message>
+    <message>
+        <source>Target rotation speed of the TCP</source>
+        <translation>TCP 目标旋转速度</translation>
+    </message>
+    <message>
+        <source>Raw force of the sensor</source>
+        <translation>传感器原始力</translation>
+    </message>
+    <message>
+        <source>Raw torque of the sensor</source>
+        <translation>传感器原始力矩</translation>
+    </message>
+    <message>
+        <source>Force at the TCP, norm</source>
+        <translation>TCP 处的力，模</translation>
+    </message>
+    <message>
+        <source>Accelerometer in the flange</source>
+        <translation>法兰加速度计</translation>
+    </message>
+    <message>
+        <source>Position of the elbow</source>
+        <translation>肘部位置</translation>
+    </message>
+    <message>
+        <source>Speed of the elbow</source>
+        <translation>肘部速度</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>动量</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>关节位置</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>关节速度</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>关节电流</translation>
+    </message>
+    <message>
+        <source>Joint temperatures</source>
+        <translation>关节温度</translation>
+    </message>
+    <message>
+        <source>Joint voltages</source>
+        <translation>关节电压</translation>
+    </message>
+    <message>
+        <source>Target joint positions</source>
+        <translation>目标关节位置</translation>
+    </message>
+    <message>
+        <source>Target joint speeds</source>
+        <translation>目标关节速度</translation>
+    </message>
+    <message>
+        <source>Target joint accelerations</source>
+        <translation>目标关节加速度</translation>
+    </message>
+    <message>
+        <source>Target joint currents</source>
+        <translation>目标关节电流</translation>
+    </message>
+    <message>
+        <source>Target joint torques</source>
+        <translation>目标关节力矩</translation>
+    </message>
+    <message>
+        <source>Joint control currents</source>
+        <translation>关节控制电流</translation>
+    </message>
+    <message>
+        <source>Allowed deviation of the currents</source>
+        <translation>电流允许偏差</translation>
+    </message>
+    <message>
+        <source>Position deviation over its limit</source>
+        <translation>位置偏差与极限之比</translation>
+    </message>
+    <message>
+        <source>Collision measure over its limit</source>
+        <translation>碰撞量与极限之比</translation>
+    </message>
+    <message>
+        <source>Joint modes</source>
+        <translation>关节模式</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>数字输入</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>数字输出</translation>
+    </message>
+    <message>
+        <source>Analog input 0</source>
+        <translation>模拟输入 0</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>模拟输入 1</translation>
+    </message>
+    <message>
+        <source>Analog output 0</source>
+        <translation>模拟输出 0</translation>
+    </message>
+    <message>
+        <source>Analog output 1</source>
+        <translation>模拟输出 1</translation>
+    </message>
+    <message>
+        <source>Tool analog input 0</source>
+        <translation>工具模拟输入 0</translation>
+    </message>
+    <message>
+        <source>Tool analog input 1</source>
+        <translation>工具模拟输入 1</translation>
+    </message>
+    <message>
+        <source>Robot mode</source>
+        <translation>机器人模式</translation>
+    </message>
+    <message>
+        <source>Safety mode</source>
+        <translation>安全模式</translation>
+    </message>
+    <message>
+        <source>Safety status</source>
+        <translation>安全状态</translation>
+    </message>
+    <message>
+        <source>Program state</source>
+        <translation>程序状态</translation>
+    </message>
+    <message>
+        <source>Robot status</source>
+        <translation>机器人状态</translation>
+    </message>
+    <message>
+        <source>Safety bits</source>
+        <translation>安全位</translation>
+    </message>
+    <message>
+        <source>Tool mode</source>
+        <translation>工具模式</translation>
+    </message>
+    <message>
+        <source>Main voltage</source>
+        <translation>主电压</translation>
+    </message>
+    <message>
+        <source>Arm voltage</source>
+        <translation>机械臂电压</translation>
+    </message>
+    <message>
+        <source>Arm current</source>
+        <translation>机械臂电流</translation>
+    </message>
+    <message>
+        <source>Current of the I/O</source>
+        <translation>I/O 电流</translation>
+    </message>
+    <message>
+        <source>Tool temperature</source>
+        <translation>工具温度</translation>
+    </message>
+    <message>
+        <source>Tool voltage</source>
+        <translation>工具电压</translation>
+    </message>
+    <message>
+        <source>Tool current</source>
+        <translation>工具电流</translation>
+    </message>
+    <message>
+        <source>Speed scaling</source>
+        <translation>速度缩放</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>速度滑块</translation>
+    </message>
+    <message>
+        <source>Time of a control step</source>
+        <translation>控制步时间</translation>
+    </message>
+    <message>
+        <source>Script line</source>
+        <translation>脚本行</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>控制器时间</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>有效负载</translation>
+    </message>
+    <message>
+        <source>Payload centre of gravity</source>
+        <translation>有效负载重心</translation>
+    </message>
+    <message>
+        <source>TCP offset</source>
+        <translation>TCP 偏移</translation>
+    </message>
+    <message>
+        <source>TCP rotation</source>
+        <translation>TCP 旋转</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>上电</translation>
+    </message>
+    <message>
+        <source>Program running</source>
+        <translation>程序运行中</translation>
+    </message>
+    <message>
+        <source>Freedrive button</source>
+        <translation>自由驱动按钮</translation>
+    </message>
+    <message>
+        <source>Power button</source>
+        <translation>电源按钮</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>缩减</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>保护性停止</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>防护停止</translation>
+    </message>
+    <message>
+        <source>System emergency stop</source>
+        <translation>系统紧急停止</translation>
+    </message>
+    <message>
+        <source>Robot emergency stop</source>
+        <translation>机器人紧急停止</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>紧急停止</translation>
+    </message>
+    <message>
+        <source>Violation</source>
+        <translation>违规</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Stopped by safety</source>
+        <translation>被安全停止</translation>
+    </message>
+    <message>
+        <source>Enabling device</source>
+        <translation>使能装置</translation>
+    </message>
+    <message>
+        <source>Bit %1</source>
+        <translation>位 %1</translation>
+    </message>
+    <message>
+        <source>Output registers, numbers</source>
+        <translation>输出寄存器，数值</translation>
+    </message>
+    <message>
+        <source>Input registers, numbers</source>
+        <translation>输入寄存器，数值</translation>
+    </message>
+    <message>
+        <source>Output registers, integers</source>
+        <translation>输出寄存器，整数</translation>
+    </message>
+    <message>
+        <source>Input registers, integers</source>
+        <translation>输入寄存器，整数</translation>
+    </message>
+    <message>
+        <source>Output registers, bits</source>
+        <translation>输出寄存器，位</translation>
+    </message>
+    <message>
+        <source>Input registers, bits</source>
+        <translation>输入寄存器，位</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMouse</name>
+    <message>
+        <source>left key</source>
+        <translation>左键</translation>
+    </message>
+    <message>
+        <source>The cap moves and turns as the tool shall.</source>
+        <translation>帽盖按工具应有的方式移动和转动。</translation>
+    </message>
+</context>
+<context>
+    <name>StartProject</name>
+    <message>
+        <source>The project worked in last is not there any more: %1</source>
+        <translation>上次使用的项目已不存在：%1</translation>
+    </message>
+</context>
+<context>
+    <name>StateLane</name>
+    <message>
+        <source>Protective stop</source>
+        <translation>保护性停止</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Safeguard stop</source>
+        <translation>防护停止</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>紧急停止</translation>
+    </message>
+    <message>
+        <source>Enabling device released</source>
+        <translation>使能装置松开</translation>
+    </message>
+    <message>
+        <source>Safety violation</source>
+        <translation>安全违规</translation>
+    </message>
+    <message>
+        <source>Safety fault</source>
+        <translation>安全故障</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>断电</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>启动中</translation>
+    </message>
+    <message>
+        <source>Brakes on</source>
+        <translation>制动器抱紧</translation>
+    </message>
+    <message>
+        <source>Backdrive</source>
+        <translation>反向驱动</translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>未运行</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>自由驱动</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>点动 %1</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>运动中</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>空闲</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <translation>检查地址：如 192.168.0.10 的四个数字，或网络已知的名称。</translation>
+    </message>
+    <message>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <translation>检查机器人已开机、网线已插好、本 PC 在同一网络中。</translation>
+    </message>
+    <message>
+        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <translation>在机器人上打开接口：设置、安全、服务。刚启动的机器人可能还需要一分钟。</translation>
+    </message>
+    <message>
+        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <translation>机器人结束了连接：可能正在重启，或在本地与远程之间切换。</translation>
+    </message>
+    <message>
+        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <translation>机器人不应答。检查网线，以及地址是否为机器人自己的。</translation>
+    </message>
+    <message>
+        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <translation>数据不再到达。检查网线；连接会自行恢复，动作不会。</translation>
+    </message>
+    <message>
+        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <translation>那里应答的不符合 RTDE。检查地址和端口。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software is too old for this.</source>
+        <translation>机器人的软件对此来说太旧。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s software does not have this value.</source>
+        <translation>机器人的软件没有此数值。</translation>
+    </message>
+    <message>
+        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <translation>另一个程序或机器人上的现场总线占用这些寄存器：关闭该程序，或在安装设置中关闭现场总线。</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first.</source>
+        <translation>请先连接机器人。</translation>
+    </message>
+    <message>
+        <source>Take control first.</source>
+        <translation>请先获取控制。</translation>
+    </message>
+    <message>
+        <source>Bring the robot to Running and its safety to Normal first.</source>
+        <translation>请先使机器人进入“运行”，安全为“正常”。</translation>
+    </message>
+    <message>
+        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <translation>在示教器右上角把机器人切换到远程控制。</translation>
+    </message>
+    <message>
+        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <translation>选择机械臂范围内的目标和上限内的速度。</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <translation>机械臂无法到达此位姿：把点移近或转动工具。</translation>
+    </message>
+    <message>
+        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <translation>机器人无法运行发送的程序。其自身的说明见日志。</translation>
+    </message>
+    <message>
+        <source>Check that the file exists and may be read.</source>
+        <translation>检查文件是否存在且可读。</translation>
+    </message>
+    <message>
+        <source>Choose a folder you may write to.</source>
+        <translation>选择一个可以写入的文件夹。</translation>
+    </message>
+    <message>
+        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <translation>文件保持原样。打开备份，或修复指出的位置。</translation>
+    </message>
+    <message>
+        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
+        <translation>磁盘已满：已录制的内容保留。请腾出空间后重新录制。</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Address not found</source>
+        <translation>找不到地址</translation>
+    </message>
+    <message>
+        <source>Robot not reachable</source>
+        <translation>无法到达机器人</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>连接被拒绝</translation>
+    </message>
+    <message>
+        <source>Connection ended by the robot</source>
+        <translation>机器人结束了连接</translation>
+    </message>
+    <message>
+        <source>No answer in time</source>
+        <translation>未及时应答</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation>链路中断</translation>
+    </message>
+    <message>
+        <source>Not understood</source>
+        <translation>无法理解</translation>
+    </message>
+    <message>
+        <source>Not supported by this robot</source>
+        <translation>此机器人不支持</translation>
+    </message>
+    <message>
+        <source>Value not available</source>
+        <translation>数值不可用</translation>
+    </message>
+    <message>
+        <source>Registers in use</source>
+        <translation>寄存器被占用</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>Not in control</source>
+        <translation>未控制</translation>
+    </message>
+    <message>
+        <source>Not possible in this state</source>
+        <translation>此状态下不可能</translation>
+    </message>
+    <message>
+        <source>Robot is in Local control</source>
+        <translation>机器人处于本地控制</translation>
+    </message>
+    <message>
+        <source>Outside the limits</source>
+        <translation>超出极限</translation>
+    </message>
+    <message>
+        <source>Not a valid value</source>
+        <translation>不是有效数值</translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation>不可达</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Refused by the robot</source>
+        <translation>被机器人拒绝</translation>
+    </message>
+    <message>
+        <source>Program error on the robot</source>
+        <translation>机器人上的程序错误</translation>
+    </message>
+    <message>
+        <source>File cannot be read</source>
+        <translation>文件无法读取</translation>
+    </message>
+    <message>
+        <source>File cannot be written</source>
+        <translation>文件无法写入</translation>
+    </message>
+    <message>
+        <source>File is damaged</source>
+        <translation>文件已损坏</translation>
+    </message>
+    <message>
+        <source>Disk full</source>
+        <translation>磁盘已满</translation>
+    </message>
+    <message>
+        <source>Internal error</source>
+        <translation>内部错误</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>已结束</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>已松开</translation>
+    </message>
+    <message>
+        <source>pointer left the key</source>
+        <translation>指针离开按键</translation>
+    </message>
+    <message>
+        <source>focus lost</source>
+        <translation>失去焦点</translation>
+    </message>
+    <message>
+        <source>window no longer active</source>
+        <translation>窗口不再活动</translation>
+    </message>
+    <message>
+        <source>window closed</source>
+        <translation>窗口已关闭</translation>
+    </message>
+    <message>
+        <source>a dialog or menu opened</source>
+        <translation>打开了对话框或菜单</translation>
+    </message>
+    <message>
+        <source>selection changed</source>
+        <translation>选择已更改</translation>
+    </message>
+    <message>
+        <source>second button</source>
+        <translation>第二个按钮</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Space</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>input device lost</source>
+        <translation>输入设备丢失</translation>
+    </message>
+    <message>
+        <source>robot data too old</source>
+        <translation>机器人数据太旧</translation>
+    </message>
+    <message>
+        <source>robot or safety mode changed</source>
+        <translation>机器人或安全模式改变</translation>
+    </message>
+    <message>
+        <source>not refreshed in time</source>
+        <translation>未及时刷新</translation>
+    </message>
+    <message>
+        <source>PC going to sleep</source>
+        <translation>PC 将休眠</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>链路中断</translation>
+    </message>
+    <message>
+        <source>limit reached</source>
+        <translation>到达极限</translation>
+    </message>
+    <message>
+        <source>control lost</source>
+        <translation>失去控制</translation>
+    </message>
+    <message>
+        <source>target reached</source>
+        <translation>到达目标</translation>
+    </message>
+    <message>
+        <source>stopped by a program</source>
+        <translation>被程序停止</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>target cannot be reached</source>
+        <translation>目标无法到达</translation>
+    </message>
+    <message>
+        <source>target too far away for one step</source>
+        <translation>目标对一步来说太远</translation>
+    </message>
+    <message>
+        <source>no sign that it was still held</source>
+        <translation>没有仍被按住的迹象</translation>
+    </message>
+    <message>
+        <source>held for the longest time; press again</source>
+        <translation>已按住最长时间；请重新按下</translation>
+    </message>
+    <message>
+        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <translation>10.11 之前的 PolyScope X 不通过网络接受此类指令：请使用平板。</translation>
+    </message>
+    <message>
+        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <translation>PolyScope X 没有通过网络关闭弹窗的指令：请使用平板。</translation>
+    </message>
+    <message>
+        <source>Only watching. Take control to move the arm.</source>
+        <translation>仅监视。获取控制以移动机械臂。</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>正在获取控制…</translation>
+    </message>
+    <message>
+        <source>Control was given back. Take control to move the arm.</source>
+        <translation>控制已交还。获取控制以移动机械臂。</translation>
+    </message>
+    <message>
+        <source>The control program was stopped on the robot. Take control again.</source>
+        <translation>控制程序在机器人上被停止。请再次获取控制。</translation>
+    </message>
+    <message>
+        <source>The control program does not answer. Take control again.</source>
+        <translation>控制程序不应答。请再次获取控制。</translation>
+    </message>
+    <message>
+        <source>The link was lost. Take control again.</source>
+        <translation>链路已中断。请再次获取控制。</translation>
+    </message>
+    <message>
+        <source>A script of your own is running. Control comes back when it ends.</source>
+        <translation>您自己的脚本在运行。结束后控制会恢复。</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointClipboard</name>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation>“%1”不是数字</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3</source>
+        <translation>%1 超出 %2 至 %3</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: %3</source>
+        <translation>第 %1 行，%2：%3</translation>
+    </message>
+    <message>
+        <source>“%1” is neither J nor L</source>
+        <translation>“%1”既不是 J 也不是 L</translation>
+    </message>
+    <message>
+        <source>“%1” is neither joints nor pose</source>
+        <translation>“%1”既不是 joints 也不是 pose</translation>
+    </message>
+    <message>
+        <source>there is no frame “%1” in this project</source>
+        <translation>此项目中没有坐标系“%1”</translation>
+    </message>
+    <message>
+        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <translation>这不是路点表。从列表复制一个以查看其列，或粘贴一个位姿的六个数字。</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour of a waypoint</source>
+        <translation>“%1”不是路点的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>WaypointExchange</name>
+    <message>
+        <source>Line %1: a quotation mark is not closed</source>
+        <translation>第 %1 行：引号未关闭</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::AnalogRow</name>
+    <message>
+        <source>4–20 mA</source>
+        <translation>4–20 mA</translation>
+    </message>
+    <message>
+        <source>0–10 V</source>
+        <translation>0–10 V</translation>
+    </message>
+    <message>
+        <source>%1 domain</source>
+        <translation>%1 范围</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 数值</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>设定</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>设定 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2
+Right click or F2 to rename and scale.</source>
+        <translation>%1：%2
+右键或 F2 可重命名和缩放。</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Scale…</source>
+        <translation>缩放…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>%1 的名称</translation>
+    </message>
+    <message>
+        <source>Scale of %1</source>
+        <translation>%1 的比例</translation>
+    </message>
+    <message>
+        <source>bar; empty: not scaled</source>
+        <translation>bar；空：不缩放</translation>
+    </message>
+    <message>
+        <source>At 4 mA or 0 V</source>
+        <translation>4 mA 或 0 V 时</translation>
+    </message>
+    <message>
+        <source>At 20 mA or 10 V</source>
+        <translation>20 mA 或 10 V 时</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ArmKey</name>
+    <message>
+        <source>Keyboard armed</source>
+        <translation>键盘已启用</translation>
+    </message>
+    <message>
+        <source>Arm keyboard</source>
+        <translation>启用键盘</translation>
+    </message>
+    <message>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z，加 Alt 旋转，1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待半分钟：键盘停用。</translation>
+    </message>
+    <message>
+        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <translation>之后按住方向键时移动机械臂；窗口四周出现边框。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::DeviceTrainer</name>
+    <message>
+        <source>Moves the arm (until the program ends)</source>
+        <translation>移动机械臂（直到程序结束）</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>仅偏转最大的轴</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>手柄与 SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Which way the arm would go</source>
+        <translation>机械臂将移动的方向</translation>
+    </message>
+    <message>
+        <source>Dead-man</source>
+        <translation>使能键</translation>
+    </message>
+    <message>
+        <source>Would move</source>
+        <translation>将移动</translation>
+    </message>
+    <message>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <translation>键盘（启用时，Ctrl+J）：方向键 X 和 Y，PgUp 和 PgDn Z，加 Alt 旋转，1 至 6 加 + 和 − 关节，Home 原位，End 对齐，Backspace 返回，F 自由驱动。Ctrl 更慢，Shift 更快。Space 和 Esc 停止。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>没有手柄和 SpaceMouse。插上即自动出现。</translation>
+    </message>
+    <message>
+        <source>● held (%1)</source>
+        <translation>● 已按住（%1）</translation>
+    </message>
+    <message>
+        <source>○ not held: hold the %1</source>
+        <translation>○ 未按住：请按住%1</translation>
+    </message>
+    <message>
+        <source>nothing: neutral</source>
+        <translation>无：中立</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FigureBox</name>
+    <message>
+        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <translation>未采用“%1”：%2 至 %3。没有任何更改。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstSteps</name>
+    <message>
+        <source>Power on (header)</source>
+        <translation>上电（页眉）</translation>
+    </message>
+    <message>
+        <source>Release brakes (header)</source>
+        <translation>松开制动器（页眉）</translation>
+    </message>
+    <message>
+        <source>Take control, hold a pad key</source>
+        <translation>获取控制，按住操作盘按键</translation>
+    </message>
+    <message>
+        <source>Teach here (T)</source>
+        <translation>在此示教 (T)</translation>
+    </message>
+    <message>
+        <source>Jog away, hold Go to (G)</source>
+        <translation>点动离开，按住“前往” (G)</translation>
+    </message>
+    <message>
+        <source>Record (above the plots)</source>
+        <translation>录制（曲线图上方）</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FirstStepsCard</name>
+    <message>
+        <source>First steps</source>
+        <translation>第一步</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>练习任务</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <translation>该列表不会自行再出现。命令“第一步”可将其恢复。</translation>
+    </message>
+    <message>
+        <source>First steps · %1 of %2</source>
+        <translation>第一步 · %1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameDetails</name>
+    <message>
+        <source>Selected frame</source>
+        <translation>所选坐标系</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>原点</translation>
+    </message>
+    <message>
+        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <translation>在基座中。回车应用；只有坐标系移动。</translation>
+    </message>
+    <message>
+        <source>no waypoint uses it</source>
+        <translation>没有路点使用它</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it</source>
+        <translation>
+            <numerusform>%n 个路点随其移动</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the TCP</source>
+        <translation>距 TCP %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameEditing</name>
+    <message>
+        <source>No waypoint moved with it.</source>
+        <translation>没有路点随其移动。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints moved with it.</source>
+        <translation>
+            <numerusform>%n 个路点随其移动了。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach there.</source>
+        <translation>
+            <numerusform>其中 %n 个在那里不可达。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>示教“%1”</translation>
+    </message>
+    <message>
+        <source>It moves by %1 (%2, base frame).</source>
+        <translation>它移动 %1（%2，基座坐标系）。</translation>
+    </message>
+    <message>
+        <source>No waypoint is given in it.</source>
+        <translation>没有路点在其中给出。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints move with it.</source>
+        <translation>
+            <numerusform>%n 个路点随其移动。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>修正示教“%1”？</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正示教</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>修正示教“%1”</translation>
+    </message>
+    <message>
+        <source>“%1” is touched up</source>
+        <translation>“%1”已修正示教</translation>
+    </message>
+    <message>
+        <source>Set the place of “%1”</source>
+        <translation>设定“%1”的位置</translation>
+    </message>
+    <message>
+        <source>“%1” is set in figures. %2</source>
+        <translation>“%1”已用数值设定。%2</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>复制“%1”</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>删除“%1”？</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <translation>
+            <numerusform>%n 个路点在其中给出。它们保持原位，改在基座中给出。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>删除坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameModel</name>
+    <message>
+        <source>A frame needs a name.</source>
+        <translation>坐标系需要名称。</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <translation>“%1”是每台机器人都有的坐标系。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another frame. Choose another name.</source>
+        <translation>“%1”已是另一个坐标系的名称。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>原点 %1</translation>
+    </message>
+    <message>
+        <source>Origin in Base, X Y Z, %1</source>
+        <translation>基座中的原点，X Y Z，%1</translation>
+    </message>
+    <message>
+        <source>Rotation rad</source>
+        <translation>旋转 rad</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Rotation vector in Base, radians</source>
+        <translation>基座中的旋转矢量，弧度</translation>
+    </message>
+    <message>
+        <source>Roll, pitch and yaw in Base</source>
+        <translation>基座中的横滚、俯仰、偏航</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Waypoints that move with it</source>
+        <translation>随其移动的路点</translation>
+    </message>
+    <message>
+        <source>TCP %1</source>
+        <translation>TCP %1</translation>
+    </message>
+    <message>
+        <source>Distance of the TCP, %1</source>
+        <translation>与 TCP 的距离，%1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTable</name>
+    <message>
+        <source>Frames</source>
+        <translation>坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FrameTeacher</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Frame from three points</source>
+        <translation>三点坐标系</translation>
+    </message>
+    <message>
+        <source>Cancel the frame</source>
+        <translation>取消坐标系</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>原点</translation>
+    </message>
+    <message>
+        <source>On +X</source>
+        <translation>在 +X 上</translation>
+    </message>
+    <message>
+        <source>Towards +Y</source>
+        <translation>朝 +Y</translation>
+    </message>
+    <message>
+        <source>Take the origin here</source>
+        <translation>在此取原点</translation>
+    </message>
+    <message>
+        <source>Take the point on +X here</source>
+        <translation>在此取 +X 上的点</translation>
+    </message>
+    <message>
+        <source>Take the point towards +Y here</source>
+        <translation>在此取朝 +Y 的点</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>取点</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>建立坐标系</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the point again.</source>
+        <translation>机器人没有发送有效位置。请重新取点。</translation>
+    </message>
+    <message>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <translation>+X 上的点距原点仅 %1。请重新取，至少 %2：越远，轴越准。</translation>
+    </message>
+    <message>
+        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <translation>第三点距原点仅 %1。请重新取，至少 %2。</translation>
+    </message>
+    <message>
+        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <translation>三点在一条线上：第三点距 X 轴仅 %1。请重新取，向 +Y 侧至少 %2。</translation>
+    </message>
+    <message>
+        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <translation>就绪：+X 上的点距 %1，第三点距 X 轴 %2。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <translation>把尖端点动到坐标系的起点并取点 (P)。</translation>
+    </message>
+    <message>
+        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <translation>现在到 +X 上的一点：距原点 %1，最少 %2。</translation>
+    </message>
+    <message>
+        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <translation>现在到 +Y 一侧：距 X 轴 %1，最少 %2。</translation>
+    </message>
+    <message>
+        <source>Take  P</source>
+        <translation>取点  P</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>重取</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::FramesTab</name>
+    <message>
+        <source>Frames</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>From TCP</source>
+        <translation>从 TCP</translation>
+    </message>
+    <message>
+        <source>Teach a frame from the TCP</source>
+        <translation>从 TCP 示教坐标系</translation>
+    </message>
+    <message>
+        <source>3 points</source>
+        <translation>三点</translation>
+    </message>
+    <message>
+        <source>Teach a frame from three points</source>
+        <translation>用三点示教坐标系</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正示教</translation>
+    </message>
+    <message>
+        <source>Touch up the frame</source>
+        <translation>修正示教坐标系</translation>
+    </message>
+    <message>
+        <source>More about frames</source>
+        <translation>坐标系的更多操作</translation>
+    </message>
+    <message>
+        <source>No frames yet.
+Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+        <translation>还没有坐标系。
+把尖端点动到托盘或桌子的一角。按“从 TCP”，或按“三点”取原点、+X 和 +Y。</translation>
+    </message>
+    <message>
+        <source>new frame</source>
+        <translation>新坐标系</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>机器人的数据太旧。请等待新数据。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>未连接机器人。请连接，或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <translation>在 TCP 处、以工具轴建立坐标系 (Shift+T)</translation>
+    </message>
+    <message>
+        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>原点、+X 上的点、朝 +Y 的点 (Ctrl+Shift+T)</translation>
+    </message>
+    <message>
+        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <translation>所选坐标系移到 TCP 处 (Shift+U)</translation>
+    </message>
+    <message>
+        <source>Select a frame to touch up.</source>
+        <translation>选择要修正示教的坐标系。</translation>
+    </message>
+    <message>
+        <source>Teach frame from the TCP</source>
+        <translation>从 TCP 示教坐标系</translation>
+    </message>
+    <message>
+        <source>Teach frame from three points</source>
+        <translation>用三点示教坐标系</translation>
+    </message>
+    <message>
+        <source>Take the next point of the frame</source>
+        <translation>取坐标系的下一点</translation>
+    </message>
+    <message>
+        <source>Make the frame of the points taken</source>
+        <translation>用所取的点建立坐标系</translation>
+    </message>
+    <message>
+        <source>Cancel frame teaching</source>
+        <translation>取消坐标系示教</translation>
+    </message>
+    <message>
+        <source>Touch up frame from the TCP</source>
+        <translation>从 TCP 修正示教坐标系</translation>
+    </message>
+    <message>
+        <source>Touch up frame from three points</source>
+        <translation>用三点修正示教坐标系</translation>
+    </message>
+    <message>
+        <source>Jog in this frame</source>
+        <translation>在此坐标系中点动</translation>
+    </message>
+    <message>
+        <source>Rename frame</source>
+        <translation>重命名坐标系</translation>
+    </message>
+    <message>
+        <source>Set frame in figures</source>
+        <translation>用数值设定坐标系</translation>
+    </message>
+    <message>
+        <source>Duplicate frame</source>
+        <translation>复制坐标系</translation>
+    </message>
+    <message>
+        <source>Delete frame</source>
+        <translation>删除坐标系</translation>
+    </message>
+    <message>
+        <source>Touch up “%1” from three points</source>
+        <translation>用三点修正示教“%1”</translation>
+    </message>
+    <message>
+        <source>New frame from three points</source>
+        <translation>三点新坐标系</translation>
+    </message>
+    <message>
+        <source>Touch up…</source>
+        <translation>修正示教…</translation>
+    </message>
+    <message>
+        <source>Make frame</source>
+        <translation>建立坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThrough</name>
+    <message>
+        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <translation>没有可依次前往的路点。请示教或选择。</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before this one.</source>
+        <translation>此前没有路点。</translation>
+    </message>
+    <message>
+        <source>A waypoint of the way is not in this project any more.</source>
+        <translation>路线中的某个路点已不在此项目中。</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>“%1”：%2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoThroughBar</name>
+    <message>
+        <source>Loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>Go through the waypoints</source>
+        <translation>依次前往各路点</translation>
+    </message>
+    <message>
+        <source>Go through (hold)</source>
+        <translation>依次前往（按住）</translation>
+    </message>
+    <message>
+        <source>Go through, hold</source>
+        <translation>依次前往，按住</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>按住时从一个路点到下一个路点，不快于点动速度。松开即暂停；下次按下继续前往下一路点。</translation>
+    </message>
+    <message>
+        <source>‹ Step</source>
+        <translation>‹ 步</translation>
+    </message>
+    <message>
+        <source>One waypoint back, hold</source>
+        <translation>退一个路点，按住</translation>
+    </message>
+    <message>
+        <source>Goes back to the waypoint before while the key is held</source>
+        <translation>按住时返回上一个路点</translation>
+    </message>
+    <message>
+        <source>Step ›</source>
+        <translation>步 ›</translation>
+    </message>
+    <message>
+        <source>One waypoint on, hold</source>
+        <translation>进一个路点，按住</translation>
+    </message>
+    <message>
+        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <translation>按住时前往下一个路点，并停在那里</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through</source>
+        <translation>依次前往哪些路点</translation>
+    </message>
+    <message>
+        <source>Which waypoints</source>
+        <translation>哪些路点</translation>
+    </message>
+    <message>
+        <source>Which waypoints to go through, in the order of the list</source>
+        <translation>依次前往哪些路点，按列表顺序</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>从此处</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>所选</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <translation>按住期间，最后一个路点之后又是第一个</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>The coming one: %1 of %2, %3</source>
+        <translation>下一个：%1 / %2，%3</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>Done. The next press begins at the first.</source>
+        <translation>完成。下次按下从第一个开始。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GoToButton</name>
+    <message>
+        <source>Go to (hold)  G</source>
+        <translation>前往（按住）  G</translation>
+    </message>
+    <message>
+        <source>Go to, hold</source>
+        <translation>前往，按住</translation>
+    </message>
+    <message>
+        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
+        <translation>按住时把机械臂移到所选路点 (G)，不快于点动速度</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::GripperPanel</name>
+    <message>
+        <source>State of the gripper</source>
+        <translation>夹爪状态</translation>
+    </message>
+    <message>
+        <source>How far the gripper is open</source>
+        <translation>夹爪开度</translation>
+    </message>
+    <message>
+        <source>What the gripper holds</source>
+        <translation>夹爪所持</translation>
+    </message>
+    <message>
+        <source>Activate</source>
+        <translation>激活</translation>
+    </message>
+    <message>
+        <source>Activate the gripper</source>
+        <translation>激活夹爪</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>打开夹爪</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>关闭夹爪</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Move the fingers to this opening</source>
+        <translation>把手指移到此开度</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Gripper: open</source>
+        <translation>夹爪：打开</translation>
+    </message>
+    <message>
+        <source>Gripper: close</source>
+        <translation>夹爪：关闭</translation>
+    </message>
+    <message>
+        <source>Gripper: to %1</source>
+        <translation>夹爪：到 %1</translation>
+    </message>
+    <message>
+        <source>Which gripper</source>
+        <translation>哪种夹爪</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Robotiq %1</source>
+        <translation>Robotiq %1</translation>
+    </message>
+    <message>
+        <source>One output: on closes</source>
+        <translation>一个输出：开则关闭</translation>
+    </message>
+    <message>
+        <source>Two outputs: open, close</source>
+        <translation>两个输出：打开、关闭</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>关闭的输出</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>打开的输出</translation>
+    </message>
+    <message>
+        <source>Opening wanted</source>
+        <translation>期望开度</translation>
+    </message>
+    <message>
+        <source>Speed of the fingers</source>
+        <translation>手指速度</translation>
+    </message>
+    <message>
+        <source>Force of the fingers</source>
+        <translation>手指力</translation>
+    </message>
+    <message>
+        <source>What to do about the gripper</source>
+        <translation>夹爪的处理办法</translation>
+    </message>
+    <message>
+        <source>Closes</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Opens</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>夹持</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <translation>手指应打开多少，0 至 %1。“移动”将其送到那里。</translation>
+    </message>
+    <message>
+        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <translation>下一个动作的速度。0 % 约 %1，100 % 约 %2。</translation>
+    </message>
+    <message>
+        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <translation>下一次夹持的力。0 % 约 %1，100 % 约 %2。</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Gripper of this robot: %1</source>
+        <translation>此机器人的夹爪：%1</translation>
+    </message>
+    <message>
+        <source>%1 (speed %2, force %3)</source>
+        <translation>%1（速度 %2，力 %3）</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first: each robot remembers its gripper.</source>
+        <translation>请先连接机器人：每台机器人记住自己的夹爪。</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>没有来自机器人的数据。</translation>
+    </message>
+    <message>
+        <source>One moment…</source>
+        <translation>请稍候…</translation>
+    </message>
+    <message>
+        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <translation>选择手腕上装的是什么。与此机器人一起记住。</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>being activated…</source>
+        <translation>正在激活…</translation>
+    </message>
+    <message>
+        <source>not active</source>
+        <translation>未激活</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>等待中…</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>已激活</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>移动中</translation>
+    </message>
+    <message>
+        <source>active, standing</source>
+        <translation>已激活，静止</translation>
+    </message>
+    <message>
+        <source>unknown while it moves</source>
+        <translation>移动时未知</translation>
+    </message>
+    <message>
+        <source>an object, from outside</source>
+        <translation>物体，从外侧</translation>
+    </message>
+    <message>
+        <source>an object, from inside</source>
+        <translation>物体，从内侧</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>With this port offset no gripper can be reached.</source>
+        <translation>以此端口偏移无法到达夹爪。</translation>
+    </message>
+    <message>
+        <source>Being activated: the fingers open and close once.</source>
+        <translation>正在激活：手指开合一次。</translation>
+    </message>
+    <message>
+        <source>Activate the gripper first.</source>
+        <translation>请先激活夹爪。</translation>
+    </message>
+    <message>
+        <source>The gripper is active.</source>
+        <translation>夹爪已激活。</translation>
+    </message>
+    <message>
+        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <translation>机械臂停止时夹爪保持原样：继续夹持。</translation>
+    </message>
+    <message>
+        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <translation>手指开合一次；所夹物体会掉落。手指请勿放入夹爪。</translation>
+    </message>
+    <message>
+        <source>Opens the gripper; what it holds is let go.</source>
+        <translation>打开夹爪；所夹物体会松开。</translation>
+    </message>
+    <message>
+        <source>Closes the gripper. Keep fingers out of it.</source>
+        <translation>关闭夹爪。手指请勿放入。</translation>
+    </message>
+    <message>
+        <source>Sends the fingers to this opening.</source>
+        <translation>把手指送到此开度。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HeaderBar</name>
+    <message>
+        <source>ROBOT</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>ROBOT MODE</source>
+        <translation>机器人模式</translation>
+    </message>
+    <message>
+        <source>SAFETY</source>
+        <translation>安全</translation>
+    </message>
+    <message>
+        <source>CONTROL</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>链路</translation>
+    </message>
+    <message>
+        <source>LAST STOP</source>
+        <translation>上次停止</translation>
+    </message>
+    <message>
+        <source>State of the robot</source>
+        <translation>机器人状态</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>LAST STOP · no witness</source>
+        <translation>上次停止 · 无见证</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>未见到</translation>
+    </message>
+    <message>
+        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <translation>机械臂移动时数据中断：如何停止未知。</translation>
+    </message>
+    <message>
+        <source>%1 ms · %2</source>
+        <translation>%1 ms · %2</translation>
+    </message>
+    <message>
+        <source>From the stop to standstill, measured. Cause: %1</source>
+        <translation>从停止到静止，实测。原因：%1</translation>
+    </message>
+    <message>
+        <source>No stop measured yet</source>
+        <translation>尚未测量停止</translation>
+    </message>
+    <message>
+        <source>▲ Speed cap raised to %1</source>
+        <translation>▲ 速度上限提高到 %1</translation>
+    </message>
+    <message>
+        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <translation>机械臂可能快于 %1。请在设置中降低上限；随程序结束而失效。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldButton</name>
+    <message>
+        <source>hold</source>
+        <translation>按住</translation>
+    </message>
+    <message>
+        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <translation>请按住此键：仅在按住时移动机械臂。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldRules</name>
+    <message>
+        <source>The window was not the active one. Press again.</source>
+        <translation>窗口刚才不是活动窗口。请重新按下。</translation>
+    </message>
+    <message>
+        <source>Click into the window first.</source>
+        <translation>请先点击窗口内部。</translation>
+    </message>
+    <message>
+        <source>A dialog or a menu is open. Close it first.</source>
+        <translation>打开了对话框或菜单。请先关闭。</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>另一个键被按住。</translation>
+    </message>
+    <message>
+        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <translation>显示服务器不应答：无法得知何时松开按键。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IncidentWatch</name>
+    <message>
+        <source>protective stop</source>
+        <translation>保护性停止</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>紧急停止</translation>
+    </message>
+    <message>
+        <source>safety violation</source>
+        <translation>安全违规</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>The incident (%1) could not be recorded.</source>
+        <translation>事件（%1）无法录制。</translation>
+    </message>
+    <message>
+        <source>Incident recorded: %1</source>
+        <translation>事件已录制：%1</translation>
+    </message>
+    <message>
+        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <translation>此前 %1 s 起的全部在 %2 中。双击此行即可打开。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoChannel</name>
+    <message>
+        <source>no data</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>pending…</source>
+        <translation>等待中…</translation>
+    </message>
+    <message>
+        <source>%1, old data</source>
+        <translation>%1，旧数据</translation>
+    </message>
+    <message>
+        <source>
+Cannot be switched while no data come from the robot.</source>
+        <translation>
+没有来自机器人的数据时无法切换。</translation>
+    </message>
+    <message>
+        <source>
+Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+        <translation>
+点击切换：%1。P：脉冲。右键：脉冲、重命名。</translation>
+    </message>
+    <message>
+        <source>%1 (held by another)</source>
+        <translation>%1（被他者占用）</translation>
+    </message>
+    <message>
+        <source>Pulse</source>
+        <translation>脉冲</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>%1 的名称</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoPages</name>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Part of I/O</source>
+        <translation>I/O 的部分</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::IoTab</name>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>输入和输出</translation>
+    </message>
+    <message>
+        <source>Search inputs and outputs</source>
+        <translation>搜索输入和输出</translation>
+    </message>
+    <message>
+        <source>Search by terminal or name</source>
+        <translation>按端子或名称搜索</translation>
+    </message>
+    <message>
+        <source>Digital outputs</source>
+        <translation>数字输出</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>数字输入</translation>
+    </message>
+    <message>
+        <source>Configurable outputs</source>
+        <translation>可配置输出</translation>
+    </message>
+    <message>
+        <source>Configurable inputs</source>
+        <translation>可配置输入</translation>
+    </message>
+    <message>
+        <source>Tool outputs</source>
+        <translation>工具输出</translation>
+    </message>
+    <message>
+        <source>Tool inputs</source>
+        <translation>工具输入</translation>
+    </message>
+    <message>
+        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <translation>请先用 Tab 键移到 I/O 选项卡的一行。</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm %1</source>
+        <translation>机器人没有确认 %1</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may own it.</source>
+        <translation>可能由另一个程序或安装设置占用。</translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation>模拟量</translation>
+    </message>
+    <message>
+        <source>Registers of the robot&apos;s programs</source>
+        <translation>机器人程序的寄存器</translation>
+    </message>
+    <message>
+        <source>No data from the robot.</source>
+        <translation>没有来自机器人的数据。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogColumn</name>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation>按住移动</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Shown below the pad</source>
+        <translation>显示在操作盘下方</translation>
+    </message>
+    <message>
+        <source>The arm has not moved yet.</source>
+        <translation>机械臂尚未移动。</translation>
+    </message>
+    <message>
+        <source>let go and press again</source>
+        <translation>松开后重新按下</translation>
+    </message>
+    <message>
+        <source>Freedrive</source>
+        <translation>自由驱动</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>原位</translation>
+    </message>
+    <message>
+        <source>Moves every joint to the home position while held</source>
+        <translation>按住时把每个关节移到原位</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>对齐</translation>
+    </message>
+    <message>
+        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <translation>按住时把工具转到所选坐标系最近的轴</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Goes back the way the arm came while held</source>
+        <translation>按住时沿来路返回</translation>
+    </message>
+    <message>
+        <source>home</source>
+        <translation>已在原位</translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation>已对齐</translation>
+    </message>
+    <message>
+        <source>Ends in %1 s</source>
+        <translation>%1 s 后结束</translation>
+    </message>
+    <message>
+        <source>Another key is held.</source>
+        <translation>另一个键被按住。</translation>
+    </message>
+    <message>
+        <source>Last stop: not seen, data ended while the arm moved</source>
+        <translation>上次停止：未见到，机械臂移动时数据中断</translation>
+    </message>
+    <message>
+        <source>Last stop: %1, standstill after %2 ms, %3</source>
+        <translation>上次停止：%1，%2 ms 后静止，%3</translation>
+    </message>
+    <message>
+        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <translation>按住时机械臂跟随手：%1。右键：其他轴</translation>
+    </message>
+    <message>
+        <source>Freedrive, %1</source>
+        <translation>自由驱动，%1</translation>
+    </message>
+    <message>
+        <source>Freedrive…</source>
+        <translation>自由驱动…</translation>
+    </message>
+    <message>
+        <source>Check the payload first (until the next connection)</source>
+        <translation>先检查有效负载（直到下次连接）</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogKey</name>
+    <message>
+        <source>%1 left this way</source>
+        <translation>此方向剩余 %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogPad</name>
+    <message>
+        <source>Jog keys</source>
+        <translation>点动键</translation>
+    </message>
+    <message>
+        <source>Jog %1</source>
+        <translation>点动 %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JogSelectors</name>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>按住</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>Moves while the key is held</source>
+        <translation>按住时移动</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Turns while the key is held</source>
+        <translation>按住时旋转</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <translation>画面的轴：X 向右，Y 远离您，Z 向上</translation>
+    </message>
+    <message>
+        <source>Needs the 3D view</source>
+        <translation>需要 3D 视图</translation>
+    </message>
+    <message>
+        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <translation>还没有示教坐标系。请在坐标系选项卡中示教。</translation>
+    </message>
+    <message>
+        <source>One step a press: %1</source>
+        <translation>每按一次一步：%1</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1</source>
+        <translation>每按一次转动工具或关节：%1</translation>
+    </message>
+    <message>
+        <source>≤ %1</source>
+        <translation>≤ %1</translation>
+    </message>
+    <message>
+        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <translation>按住时缓慢移动，直到工具以 %1 N 接触物体。再点击可选其他步长</translation>
+    </message>
+    <message>
+        <source>One step a press: %1. Click again for other steps</source>
+        <translation>每按一次一步：%1。再点击可选其他步长</translation>
+    </message>
+    <message>
+        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <translation>每按一次转动工具或关节：%1。再点击可选其他角度</translation>
+    </message>
+    <message>
+        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <translation>%1 · 旋转 %2 · 关节 %3 · Ctrl × 0.1，Shift × 3</translation>
+    </message>
+    <message>
+        <source>Other turn…</source>
+        <translation>其他角度…</translation>
+    </message>
+    <message>
+        <source>Other step…</source>
+        <translation>其他步长…</translation>
+    </message>
+    <message>
+        <source>Until contact, %1 N</source>
+        <translation>直到接触，%1 N</translation>
+    </message>
+    <message>
+        <source>Until contact, other force…</source>
+        <translation>直到接触，其他力…</translation>
+    </message>
+    <message>
+        <source>Other speed…</source>
+        <translation>其他速度…</translation>
+    </message>
+    <message>
+        <source>Step in %1</source>
+        <translation>步长（%1）</translation>
+    </message>
+    <message>
+        <source>Turn in degrees</source>
+        <translation>角度（度）</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP in %1</source>
+        <translation>TCP 速度（%1）</translation>
+    </message>
+    <message>
+        <source>Force that ends the motion, in N</source>
+        <translation>结束动作的力（N）</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRow</name>
+    <message>
+        <source>%1 minus</source>
+        <translation>%1 减</translation>
+    </message>
+    <message>
+        <source>%1 plus</source>
+        <translation>%1 加</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::JointRows</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::KeyboardJog</name>
+    <message>
+        <source>Keyboard jogging is armed</source>
+        <translation>键盘点动已启用</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimiterLine</name>
+    <message>
+        <source>Limiter</source>
+        <translation>限制</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogModel</name>
+    <message>
+        <source>Info</source>
+        <translation>信息</translation>
+    </message>
+    <message>
+        <source>▲ Warning</source>
+        <translation>▲ 警告</translation>
+    </message>
+    <message>
+        <source>⬣ Error</source>
+        <translation>⬣ 错误</translation>
+    </message>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>(×%1 until %2) %3</source>
+        <translation>（×%1，至 %2）%3</translation>
+    </message>
+    <message>
+        <source>%1 · from %2</source>
+        <translation>%1 · 来自%2</translation>
+    </message>
+    <message>
+        <source>%1 times from %2 to %3 · from %4</source>
+        <translation>%2 至 %3 共 %1 次 · 来自%4</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>严重程度</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>事件</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LogTab</name>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>Show from severity</source>
+        <translation>显示的严重程度</translation>
+    </message>
+    <message>
+        <source>Filter the log by words</source>
+        <translation>按词过滤日志</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>过滤</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <translation>复制所选行，或所有显示的行 (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Write the lines that are shown to a file</source>
+        <translation>把显示的行写入文件</translation>
+    </message>
+    <message>
+        <source>The selected line in full</source>
+        <translation>所选行的全文</translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation>写入 %1</translation>
+    </message>
+    <message>
+        <source>Export the log</source>
+        <translation>导出日志</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>文本 (*.txt)</translation>
+    </message>
+    <message>
+        <source>Log written to %1</source>
+        <translation>日志已写入 %1</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>打开录制</translation>
+    </message>
+    <message>
+        <source>Open the recording of the selected line: incidents have one</source>
+        <translation>打开所选行的录制：事件带有录制</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MoveWords</name>
+    <message>
+        <source>%1 touches %2 of the arm already here</source>
+        <translation>%1 在此处已触碰机械臂的%2</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <translation>%1 在行程 %3 后碰到机械臂的%2</translation>
+    </message>
+    <message>
+        <source>%1 touches the floor already here</source>
+        <translation>%1 在此处已触碰地面</translation>
+    </message>
+    <message>
+        <source>%1 meets the floor after %2 of the way</source>
+        <translation>%1 在行程 %2 后碰到地面</translation>
+    </message>
+    <message>
+        <source>%1 touches “%2” already here</source>
+        <translation>%1 在此处已触碰“%2”</translation>
+    </message>
+    <message>
+        <source>%1 meets “%2” after %3 of the way</source>
+        <translation>%1 在行程 %3 后碰到“%2”</translation>
+    </message>
+    <message>
+        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <translation>直线在行程 %1 后进入手腕奇异点</translation>
+    </message>
+    <message>
+        <source>Slow near the wrist singularity at %1 of the way</source>
+        <translation>在行程 %1 处接近手腕奇异点而减速</translation>
+    </message>
+    <message>
+        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <translation>直线在行程 %1 后使肘部伸直</translation>
+    </message>
+    <message>
+        <source>Slow near the stretched elbow at %1 of the way</source>
+        <translation>在行程 %1 处接近肘部伸直而减速</translation>
+    </message>
+    <message>
+        <source>The line runs into the axis of the base after %1 of the way</source>
+        <translation>直线在行程 %1 后进入基座轴</translation>
+    </message>
+    <message>
+        <source>Slow near the axis of the base at %1 of the way</source>
+        <translation>在行程 %1 处接近基座轴而减速</translation>
+    </message>
+    <message>
+        <source>A joint would have to turn at once after %1 of the way</source>
+        <translation>在行程 %1 后某关节须突然转动</translation>
+    </message>
+    <message>
+        <source>%1 leaves its range after %2 of the way</source>
+        <translation>%1 在行程 %2 后超出其范围</translation>
+    </message>
+    <message>
+        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <translation>直线在行程 %1 后超出机械臂可达范围</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>肩部</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>上臂</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>前臂</translation>
+    </message>
+    <message>
+        <source>Wrist 1</source>
+        <translation>手腕 1</translation>
+    </message>
+    <message>
+        <source>Wrist 2</source>
+        <translation>手腕 2</translation>
+    </message>
+    <message>
+        <source>Wrist 3</source>
+        <translation>手腕 3</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NothingFound</name>
+    <message>
+        <source>Nothing found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>以这些过滤条件未找到。</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>未找到“%1”。
+清空搜索以查看全部。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation>通知</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>接受</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartModel</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PartPage</name>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathControls</name>
+    <message>
+        <source>Tolerance of recorded paths</source>
+        <translation>录制路径的公差</translation>
+    </message>
+    <message>
+        <source>Record path</source>
+        <translation>录制路径</translation>
+    </message>
+    <message>
+        <source>Export path as CSV…</source>
+        <translation>将路径导出为 CSV…</translation>
+    </message>
+    <message>
+        <source>Import demonstration (CSV)…</source>
+        <translation>导入演示 (CSV)…</translation>
+    </message>
+    <message>
+        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <translation>路径录制自行结束：数据中断，或已满十分钟。</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is kept.</source>
+        <translation>此前录制的内容会保留。</translation>
+    </message>
+    <message>
+        <source>○ Record path</source>
+        <translation>○ 录制路径</translation>
+    </message>
+    <message>
+        <source>End the recording of the path</source>
+        <translation>结束路径录制</translation>
+    </message>
+    <message>
+        <source>The path is being thinned.</source>
+        <translation>正在精简路径。</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>没有来自机器人的数据：没有可录制的内容。</translation>
+    </message>
+    <message>
+        <source>Ends the recording and keeps the path as waypoints</source>
+        <translation>结束录制并把路径保留为路点</translation>
+    </message>
+    <message>
+        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <translation>录制机械臂经自由驱动或点动所走的路，直到再次按下，并保留为路点。它不移动任何东西。</translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>选择路径的路点，至少两个。</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>导出路径</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>The path was not written.</source>
+        <translation>路径未写入。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written as a path to %1</source>
+        <translation>
+            <numerusform>%n 个路点已作为路径写入 %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import a demonstration</source>
+        <translation>导入演示</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PathRecorder</name>
+    <message>
+        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <translation>%1 没有列“%2”。需要 timestamp 和 actual_q_0 至 actual_q_5。</translation>
+    </message>
+    <message>
+        <source>No data come from the robot: there is nothing to record.</source>
+        <translation>没有来自机器人的数据：没有可录制的内容。</translation>
+    </message>
+    <message>
+        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <translation>未读取：正在录制路径。请先结束。</translation>
+    </message>
+    <message>
+        <source>The demonstration could not be read.</source>
+        <translation>演示无法读取。</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>路径 %1</translation>
+    </message>
+    <message>
+        <source>The arm did not move: no path was kept.</source>
+        <translation>机械臂没有移动：未保留路径。</translation>
+    </message>
+    <message>
+        <source>Record “%1”</source>
+        <translation>录制“%1”</translation>
+    </message>
+    <message>
+        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <translation>“%1”：%2 s，%3 个路点。每个录制的位置都在其 %4 和 %5 之内。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packets did not arrive.</source>
+        <translation>
+            <numerusform>%n 个数据包未到达。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the waypoints of the path, at least two.</source>
+        <translation>选择路径的路点，至少两个。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <translation>“%1”不可达。请修正示教或略去。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternDialog</name>
+    <message>
+        <source>pattern</source>
+        <translation>阵列</translation>
+    </message>
+    <message>
+        <source>Pattern from three corners</source>
+        <translation>三角点阵列</translation>
+    </message>
+    <message>
+        <source>Pattern “%1”</source>
+        <translation>阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>First place</source>
+        <translation>第一个位置</translation>
+    </message>
+    <message>
+        <source>End of the first row</source>
+        <translation>第一行末尾</translation>
+    </message>
+    <message>
+        <source>Beginning of the last row</source>
+        <translation>最后一行开头</translation>
+    </message>
+    <message>
+        <source>choose a waypoint</source>
+        <translation>选择路点</translation>
+    </message>
+    <message>
+        <source>as it was taught</source>
+        <translation>按示教</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>每行位置数</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>层数</translation>
+    </message>
+    <message>
+        <source>Height of a layer</source>
+        <translation>层高</translation>
+    </message>
+    <message>
+        <source>From one layer to the next, against the direction of the tool.</source>
+        <translation>从一层到下一层，与工具方向相反。</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>顺序</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>逐行</translation>
+    </message>
+    <message>
+        <source>Meander</source>
+        <translation>蛇形</translation>
+    </message>
+    <message>
+        <source>Make pattern</source>
+        <translation>建立阵列</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>A pattern needs a name.</source>
+        <translation>阵列需要名称。</translation>
+    </message>
+    <message>
+        <source>There is a pattern of that name. Choose another one.</source>
+        <translation>已有此名称的阵列。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <translation>选择每个角的路点。没有时请先示教三个角。</translation>
+    </message>
+    <message>
+        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <translation>两个角是同一位置。请为其中一个选择另一路点。</translation>
+    </message>
+    <message>
+        <source>The height of a layer is no figure it can be.</source>
+        <translation>层高不是可能的数值。</translation>
+    </message>
+    <message>
+        <source>Layers need a height.</source>
+        <translation>层需要高度。</translation>
+    </message>
+    <message>
+        <source>%1 places are more than the %2 a pattern can have.</source>
+        <translation>%1 个位置超过阵列可有的 %2 个。</translation>
+    </message>
+    <message>
+        <source>Every place is left out.</source>
+        <translation>所有位置都被略去。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints.</source>
+        <translation>
+            <numerusform>%n 个路点。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 All can be reached.</source>
+        <translation>%1 全部可达。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are out of reach; they are marked.</source>
+        <translation>
+            <numerusform>其中 %n 个不可达，已标记。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PatternGrid</name>
+    <message>
+        <source>Places of the pattern</source>
+        <translation>阵列的位置</translation>
+    </message>
+    <message>
+        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <translation>点击位置可略去或恢复。第一个角在左下。</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>第 %1 行，第 %2 列</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadEstimator</name>
+    <message>
+        <source>Next pose (hold)</source>
+        <translation>下一位姿（按住）</translation>
+    </message>
+    <message>
+        <source>Keep payload</source>
+        <translation>保留有效负载</translation>
+    </message>
+    <message>
+        <source>Find the payload</source>
+        <translation>求有效负载</translation>
+    </message>
+    <message>
+        <source>Find the payload by weighing it in several poses</source>
+        <translation>在多个位姿称重以求有效负载</translation>
+    </message>
+    <message>
+        <source>Next pose, hold</source>
+        <translation>下一位姿，按住</translation>
+    </message>
+    <message>
+        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <translation>按住时把手腕转到下一位姿，不快于点动速度。请确认工具有转动空间。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Cancel finding the payload</source>
+        <translation>取消求有效负载</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <translation>机械臂移动了。请让其静止，不要触碰任何东西，再重新取位姿。</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <translation>机器人不发送力。请改用数值输入质量和重心。</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>正在称重… 请勿触碰工具。</translation>
+    </message>
+    <message>
+        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <translation>%1 kg，重心距法兰 %2。各位姿在 %3 和 %4 之内一致。</translation>
+    </message>
+    <message>
+        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <translation>%1 这不够好：位姿 %2 最不吻合。请移除并另取一个。</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <translation>各位姿之间工具转动太少。请转到另一侧再取一个。</translation>
+    </message>
+    <message>
+        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <translation>%1 kg：太轻，传感器无法得出重心。请用数值输入。</translation>
+    </message>
+    <message>
+        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <translation>让机械臂静止，不触碰任何东西，取位姿。然后用点动或“下一位姿”转动手腕，再取三个。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>把手腕转到另一侧并取位姿。还需：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>取位姿 %1</translation>
+    </message>
+    <message>
+        <source>Remove the worst</source>
+        <translation>移除最差的</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>移除最后一个</translation>
+    </message>
+    <message>
+        <source>Pose %1  %2</source>
+        <translation>位姿 %1  %2</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ 最不吻合</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PayloadPage</name>
+    <message>
+        <source>Mass kg</source>
+        <translation>质量 kg</translation>
+    </message>
+    <message>
+        <source>CX %1</source>
+        <translation>CX %1</translation>
+    </message>
+    <message>
+        <source>CY %1</source>
+        <translation>CY %1</translation>
+    </message>
+    <message>
+        <source>CZ %1</source>
+        <translation>CZ %1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>A payload needs a name.</source>
+        <translation>有效负载需要名称。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another payload. Choose another name.</source>
+        <translation>“%1”已是另一个有效负载的名称。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>Nothing mounted</source>
+        <translation>未安装任何东西</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-85, empty</source>
+        <translation>Robotiq 2F-85，空</translation>
+    </message>
+    <message>
+        <source>Robotiq 2F-140, empty</source>
+        <translation>Robotiq 2F-140，空</translation>
+    </message>
+    <message>
+        <source>Payloads</source>
+        <translation>有效负载</translation>
+    </message>
+    <message>
+        <source>No payload yet.
+Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <translation>还没有有效负载。
+按“取自机器人”保留其现有的，或按“称重…”用机械臂求得。</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>CX</source>
+        <translation>CX</translation>
+    </message>
+    <message>
+        <source>CY</source>
+        <translation>CY</translation>
+    </message>
+    <message>
+        <source>CZ</source>
+        <translation>CZ</translation>
+    </message>
+    <message>
+        <source>Mass of the payload</source>
+        <translation>有效负载的质量</translation>
+    </message>
+    <message>
+        <source>Centre of gravity X</source>
+        <translation>重心 X</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Y</source>
+        <translation>重心 Y</translation>
+    </message>
+    <message>
+        <source>Centre of gravity Z</source>
+        <translation>重心 Z</translation>
+    </message>
+    <message>
+        <source>Return applies it to the project; the robot keeps its own.</source>
+        <translation>回车应用到项目；机器人保持其自己的值。</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>设到机器人</translation>
+    </message>
+    <message>
+        <source>Use this payload and set it on the robot</source>
+        <translation>使用此有效负载并设到机器人</translation>
+    </message>
+    <message>
+        <source>Weigh…</source>
+        <translation>称重…</translation>
+    </message>
+    <message>
+        <source>Find the payload with the arm</source>
+        <translation>用机械臂求有效负载</translation>
+    </message>
+    <message>
+        <source>Is it true?</source>
+        <translation>正确吗？</translation>
+    </message>
+    <message>
+        <source>Check whether the payload is true</source>
+        <translation>检查有效负载是否正确</translation>
+    </message>
+    <message>
+        <source>Keep the payload the robot has</source>
+        <translation>保留机器人现有的有效负载</translation>
+    </message>
+    <message>
+        <source>New payload in figures</source>
+        <translation>用数值新建有效负载</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>有效负载</translation>
+    </message>
+    <message>
+        <source>Add preset: %1</source>
+        <translation>添加预设：%1</translation>
+    </message>
+    <message>
+        <source>Rename payload</source>
+        <translation>重命名有效负载</translation>
+    </message>
+    <message>
+        <source>Duplicate payload</source>
+        <translation>复制有效负载</translation>
+    </message>
+    <message>
+        <source>Delete payload</source>
+        <translation>删除有效负载</translation>
+    </message>
+    <message>
+        <source>Add the payload “%1”</source>
+        <translation>添加有效负载“%1”</translation>
+    </message>
+    <message>
+        <source>Change the payload “%1”</source>
+        <translation>更改有效负载“%1”</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>未连接机器人。请连接，或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>Select a payload to set.</source>
+        <translation>选择要设定的有效负载。</translation>
+    </message>
+    <message>
+        <source>Use the payload “%1”</source>
+        <translation>使用有效负载“%1”</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>Delete the payload “%1”</source>
+        <translation>删除有效负载“%1”</translation>
+    </message>
+    <message>
+        <source>Weighing… let nothing touch the tool.</source>
+        <translation>正在称重… 请勿触碰工具。</translation>
+    </message>
+    <message>
+        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <translation>机械臂移动了。请让其静止，不要触碰任何东西，再次检查。</translation>
+    </message>
+    <message>
+        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <translation>机器人不发送力：无法检查其有效负载。</translation>
+    </message>
+    <message>
+        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <translation>以 %1 kg 计，机械臂静止时感受到 %2 和 %3。</translation>
+    </message>
+    <message>
+        <source>The payload is true. %1</source>
+        <translation>有效负载正确。%1</translation>
+    </message>
+    <message>
+        <source>The payload is true</source>
+        <translation>有效负载正确</translation>
+    </message>
+    <message>
+        <source>About %1 kg more hang there than it was told of.</source>
+        <translation>实际比告知的约重 %1 kg。</translation>
+    </message>
+    <message>
+        <source>About %1 kg less hang there than it was told of.</source>
+        <translation>实际比告知的约轻 %1 kg。</translation>
+    </message>
+    <message>
+        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <translation>其重心在别处，或有东西触碰工具。</translation>
+    </message>
+    <message>
+        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <translation>%1 %2 请称重，或选择另一个有效负载。力传感器归零只会掩盖错误，直到工具转动。</translation>
+    </message>
+    <message>
+        <source>The payload is not true. %1 %2</source>
+        <translation>有效负载不正确。%1 %2</translation>
+    </message>
+    <message>
+        <source>The payload is not true</source>
+        <translation>有效负载不正确</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1，与机器人一致</translation>
+    </message>
+    <message>
+        <source>%1; the robot was told %2 kg, centre %3</source>
+        <translation>%1；机器人被告知 %2 kg，重心 %3</translation>
+    </message>
+    <message>
+        <source>The robot has another payload than “%1”</source>
+        <translation>机器人的有效负载与“%1”不同</translation>
+    </message>
+    <message>
+        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <translation>机器人：%1 kg，重心 %2。项目：%3 kg，重心 %4。没有任何更改。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>将“%1”设到机器人</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotDock</name>
+    <message>
+        <source>5 s</source>
+        <translation>5 s</translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation>30 s</translation>
+    </message>
+    <message>
+        <source>2 min</source>
+        <translation>2 min</translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation>10 min</translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation>30 min</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>Cursor read-out</source>
+        <translation>游标读数</translation>
+    </message>
+    <message>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <translation>在曲线图中点击以放置游标 A 和 B；拖动它们，或使用 A、B 键和方向键。点击图例中的名称可隐藏其曲线，按住 Ctrl 则读取该信号。</translation>
+    </message>
+    <message>
+        <source>Time window</source>
+        <translation>时间窗口</translation>
+    </message>
+    <message>
+        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <translation>曲线图显示多长时间。在曲线图上滚轮缩放；在左侧数值上或按住 Ctrl 则缩放数值，在那里双击则重新由曲线决定。</translation>
+    </message>
+    <message>
+        <source>Pause the plots</source>
+        <translation>暂停曲线图</translation>
+    </message>
+    <message>
+        <source>Zero the force shown</source>
+        <translation>将显示的力归零</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>归零</translation>
+    </message>
+    <message>
+        <source>Export the shown range</source>
+        <translation>导出显示的范围</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <translation>将显示内容保存为图片 (PNG) 或数值 (CSV)</translation>
+    </message>
+    <message>
+        <source>Record to a CSV file</source>
+        <translation>录制到 CSV 文件</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <translation>把机器人发送的内容录制到 CSV 文件；旁边的键说明内容和位置</translation>
+    </message>
+    <message>
+        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>力未归零：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s back</source>
+        <translation>已暂停 · 回退 %1 s</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Hold the plots still; data and recording go on</source>
+        <translation>冻结曲线图；数据和录制继续</translation>
+    </message>
+    <message>
+        <source>Back to the newest samples</source>
+        <translation>回到最新样本</translation>
+    </message>
+    <message>
+        <source>Show the force as the robot measures it again. %1</source>
+        <translation>重新按机器人测量值显示力。%1</translation>
+    </message>
+    <message>
+        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <translation>从当前值起计力。仅影响曲线图的显示：机器人、录制和导出的数值保持测量值。</translation>
+    </message>
+    <message>
+        <source>● REC %1</source>
+        <translation>● REC %1</translation>
+    </message>
+    <message>
+        <source>● Record</source>
+        <translation>● 录制</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>停止录制</translation>
+    </message>
+    <message>
+        <source>controller time %1 … %2 s</source>
+        <translation>控制器时间 %1 … %2 s</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <translation>没有导出：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
+    </message>
+    <message>
+        <source>Exported the shown range to %1</source>
+        <translation>显示的范围已导出到 %1</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation>矢量图 (*.svg)</translation>
+    </message>
+    <message>
+        <source>Page (*.pdf)</source>
+        <translation>页面 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation>数值 (*.csv)</translation>
+    </message>
+    <message>
+        <source>What is recorded</source>
+        <translation>录制的内容</translation>
+    </message>
+    <message>
+        <source>Rows, signals, folder and file name of the next recording</source>
+        <translation>下次录制的行、信号、文件夹和文件名</translation>
+    </message>
+    <message>
+        <source>A row for every packet</source>
+        <translation>每个数据包一行</translation>
+    </message>
+    <message numerus="yes">
+        <source>A row for every %n packet(s)</source>
+        <translation>
+            <numerusform>每 %n 个数据包一行</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All signals…</source>
+        <translation>所有信号…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s)…</source>
+        <translation>
+            <numerusform>%n 个信号…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>File name %1…</source>
+        <translation>文件名 %1…</translation>
+    </message>
+    <message>
+        <source>Folder %1…</source>
+        <translation>文件夹 %1…</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>显示文件夹</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>录制文件夹</translation>
+    </message>
+    <message>
+        <source>export to %1</source>
+        <translation>导出到 %1</translation>
+    </message>
+    <message>
+        <source>export: there are no samples in this range</source>
+        <translation>导出：此范围内没有样本</translation>
+    </message>
+    <message>
+        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <translation>图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名</translation>
+    </message>
+    <message>
+        <source>%1, at %2 s of the plots&apos; time</source>
+        <translation>%1，曲线图时间 %2 s</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>记录：%1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>What happened at this moment?</source>
+        <translation>此刻发生了什么？</translation>
+    </message>
+    <message>
+        <source>The plots are in the clipboard as a picture.</source>
+        <translation>曲线图已作为图片复制到剪贴板。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>History %1 · %2</source>
+        <translation>历史 %1 · %2</translation>
+    </message>
+    <message>
+        <source>New page</source>
+        <translation>新建页</translation>
+    </message>
+    <message>
+        <source>Take this page away</source>
+        <translation>去除此页</translation>
+    </message>
+    <message>
+        <source>Standard plots</source>
+        <translation>标准曲线图</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>打开录制…</translation>
+    </message>
+    <message>
+        <source>Close the recordings</source>
+        <translation>关闭录制</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>将曲线图复制为图片</translation>
+    </message>
+    <message>
+        <source>Save this arrangement…</source>
+        <translation>保存此布置…</translation>
+    </message>
+    <message>
+        <source>Open an arrangement…</source>
+        <translation>打开布置…</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>历史内存</translation>
+    </message>
+    <message>
+        <source>save the arrangement to %1</source>
+        <translation>将布置保存到 %1</translation>
+    </message>
+    <message>
+        <source>open the arrangement %1</source>
+        <translation>打开布置 %1</translation>
+    </message>
+    <message>
+        <source>Opened the recording %1</source>
+        <translation>已打开录制 %1</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>打开录制</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
+        <translation>录制 (*.mcap *.csv *.h5 *.hdf5);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the plots</source>
+        <translation>保存曲线图布置</translation>
+    </message>
+    <message>
+        <source>Arrangement of plots (*.json)</source>
+        <translation>曲线图布置 (*.json)</translation>
+    </message>
+    <message>
+        <source>Open an arrangement of plots</source>
+        <translation>打开曲线图布置</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 等</translation>
+    </message>
+    <message>
+        <source>List of signals</source>
+        <translation>信号列表</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <translation>机器人报告的一切：拖到图上，拖到边缘则为单独的图，或双击</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>游标处的值</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <translation>每个信号在游标 A 和 B 处的值，以及其间的最小、最大、平均、RMS、偏差、斜率</translation>
+    </message>
+    <message>
+        <source>Pages and arrangement of the plots</source>
+        <translation>曲线图的页与布置</translation>
+    </message>
+    <message>
+        <source>Layout ▾</source>
+        <translation>布置 ▾</translation>
+    </message>
+    <message>
+        <source>read an arrangement of plots</source>
+        <translation>读取曲线图布置</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotMarks</name>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 高于 %2</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 低于 %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotPages</name>
+    <message>
+        <source>Pages of plots</source>
+        <translation>曲线图页</translation>
+    </message>
+    <message>
+        <source>Name of the page</source>
+        <translation>页的名称</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>第 %1 页</translation>
+    </message>
+    <message>
+        <source>Double click: another name</source>
+        <translation>双击：改名</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotValues</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>游标处的值</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Std</source>
+        <translation>标准差</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>峰峰值</translation>
+    </message>
+    <message>
+        <source>Slope per s</source>
+        <translation>斜率 /s</translation>
+    </message>
+    <message>
+        <source>Δt 0 s</source>
+        <translation>Δt 0 s</translation>
+    </message>
+    <message>
+        <source>Δt %1 s · 1/Δt %2 Hz</source>
+        <translation>Δt %1 s · 1/Δt %2 Hz</translation>
+    </message>
+    <message>
+        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation>在曲线图中点击放置 A，然后 B：其间的内容在此汇总。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PlotView</name>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s · Δ%2 %3</source>
+        <translation>A–B Δt %1 s · Δ%2 %3</translation>
+    </message>
+    <message>
+        <source>%1 (zeroed)</source>
+        <translation>%1（归零）</translation>
+    </message>
+    <message>
+        <source>%1 %2 s · %3 %4</source>
+        <translation>%1 %2 s · %3 %4</translation>
+    </message>
+    <message>
+        <source>Scale held · double click the axis to let it go</source>
+        <translation>刻度固定 · 双击轴可释放</translation>
+    </message>
+    <message>
+        <source>No samples yet: connect to a robot</source>
+        <translation>还没有样本：请连接机器人</translation>
+    </message>
+    <message>
+        <source>Zeroed: %1 %2 taken off</source>
+        <translation>已归零：减去 %1 %2</translation>
+    </message>
+    <message>
+        <source>Plots over time</source>
+        <translation>随时间的曲线图</translation>
+    </message>
+    <message>
+        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <translation>A 和 B 放置游标，方向键移动它们，上下选择读取的信号；H 隐藏其曲线，Ctrl+Delete 去除；加减改变时间窗口，按住 Ctrl 改变数值刻度，Ctrl+0 重新由曲线决定；N 写记录；F 全部显示；End 回到最新样本</translation>
+    </message>
+    <message>
+        <source>A–B Δt %1 s</source>
+        <translation>A–B Δt %1 s</translation>
+    </message>
+    <message>
+        <source>Drop signals here</source>
+        <translation>把信号拖放到此处</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseEditor</name>
+    <message>
+        <source>%1 X</source>
+        <translation>%1 X</translation>
+    </message>
+    <message>
+        <source>%1 Y</source>
+        <translation>%1 Y</translation>
+    </message>
+    <message>
+        <source>%1 Z</source>
+        <translation>%1 Z</translation>
+    </message>
+    <message>
+        <source>Rotation about X (RX)</source>
+        <translation>绕 X 旋转 (RX)</translation>
+    </message>
+    <message>
+        <source>Rotation about Y (RY)</source>
+        <translation>绕 Y 旋转 (RY)</translation>
+    </message>
+    <message>
+        <source>Rotation about Z (RZ)</source>
+        <translation>绕 Z 旋转 (RZ)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PoseView</name>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP 在法兰</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP 距法兰 %1</translation>
+    </message>
+    <message>
+        <source>in %1 · %2</source>
+        <translation>在%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>TCP pose in %1</source>
+        <translation>%1中的 TCP 位姿</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <translation>方向按设置中的选择。Δ₀：自归零的行程。点击：自按下的行程</translation>
+    </message>
+    <message>
+        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <translation>方向按设置中的选择。Δ：自按下的行程。点击：此处归零</translation>
+    </message>
+    <message>
+        <source>TCP in the frame of the flange: %1</source>
+        <translation>法兰坐标系中的 TCP：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PositionsPage</name>
+    <message>
+        <source>Joints °</source>
+        <translation>关节 °</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>原位</translation>
+    </message>
+    <message>
+        <source>A position needs a name.</source>
+        <translation>位置需要名称。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another position. Choose another name.</source>
+        <translation>“%1”已是另一个位置的名称。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>No positions yet.
+Jog the arm to a place and press Set home here, or Add here.</source>
+        <translation>还没有位置。
+把机械臂点动到某处，按“此处设为原位”或“在此添加”。</translation>
+    </message>
+    <message>
+        <source>Safe height</source>
+        <translation>安全高度</translation>
+    </message>
+    <message>
+        <source>%1. Return applies it; nothing moves but the position.</source>
+        <translation>%1。回车应用；只有该位置改变。</translation>
+    </message>
+    <message>
+        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <translation>在基座坐标系中其上方没有任何东西：TCP 可在那里横向移动。</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>此处</translation>
+    </message>
+    <message>
+        <source>The safe height is where the TCP is now</source>
+        <translation>安全高度为 TCP 当前所在处</translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation>此处设为原位</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>在此添加</translation>
+    </message>
+    <message>
+        <source>Keep the position the arm has</source>
+        <translation>保留机械臂现有的位置</translation>
+    </message>
+    <message>
+        <source>Use as home</source>
+        <translation>用作原位</translation>
+    </message>
+    <message>
+        <source>Use the selected position as home</source>
+        <translation>把所选位置用作原位</translation>
+    </message>
+    <message>
+        <source>Touch up the position</source>
+        <translation>修正示教位置</translation>
+    </message>
+    <message>
+        <source>Use the usual home again</source>
+        <translation>恢复使用通常的原位</translation>
+    </message>
+    <message>
+        <source>Use the usual home</source>
+        <translation>使用通常的原位</translation>
+    </message>
+    <message>
+        <source>Rename position</source>
+        <translation>重命名位置</translation>
+    </message>
+    <message>
+        <source>Delete position</source>
+        <translation>删除位置</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>机器人的数据太旧。请等待新数据。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>未连接机器人。请连接，或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>Set “%1” to where the arm stands?</source>
+        <translation>将“%1”设为机械臂所在处？</translation>
+    </message>
+    <message>
+        <source>The key Home goes there from now on.</source>
+        <translation>此后“原位”键会移到那里。</translation>
+    </message>
+    <message>
+        <source>Set home</source>
+        <translation>设定原位</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Add the position “%1”</source>
+        <translation>添加位置“%1”</translation>
+    </message>
+    <message>
+        <source>Select a position to touch up.</source>
+        <translation>选择要修正示教的位置。</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>修正示教“%1”？</translation>
+    </message>
+    <message>
+        <source>Largest joint change: %1 %2.</source>
+        <translation>最大关节变化：%1 %2。</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正示教</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>修正示教“%1”</translation>
+    </message>
+    <message>
+        <source>Use “%1” as home</source>
+        <translation>把“%1”用作原位</translation>
+    </message>
+    <message>
+        <source>Select a position to use as home.</source>
+        <translation>选择用作原位的位置。</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>删除“%1”</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>更改“%1”</translation>
+    </message>
+    <message>
+        <source>Set the safe height</source>
+        <translation>设定安全高度</translation>
+    </message>
+    <message>
+        <source>No safe height</source>
+        <translation>无安全高度</translation>
+    </message>
+    <message>
+        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <translation>“原位”键移到通常的原位：直立，与自身无干涉。</translation>
+    </message>
+    <message>
+        <source>%1: the key Home goes there</source>
+        <translation>%1：“原位”键移到那里</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3 from here</source>
+        <translation>%1 · 距此处 %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::Practice</name>
+    <message>
+        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <translation>请先启动模拟机器人：在机器人菜单中。</translation>
+    </message>
+    <message>
+        <source>Power the arm on and release the brakes first.</source>
+        <translation>请先给机械臂上电并松开制动器。</translation>
+    </message>
+    <message>
+        <source>The arm is in a stop. Recover from it first.</source>
+        <translation>机械臂处于停止状态。请先恢复。</translation>
+    </message>
+    <message>
+        <source>Done. Start does it once more.</source>
+        <translation>完成。“开始”可再做一次。</translation>
+    </message>
+    <message>
+        <source>Press Start.</source>
+        <translation>请按“开始”。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PracticeCard</name>
+    <message>
+        <source>Practice</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Force Fz in newtons</source>
+        <translation>力 Fz（牛顿）</translation>
+    </message>
+    <message>
+        <source>figure, then Return</source>
+        <translation>数值，然后回车</translation>
+    </message>
+    <message>
+        <source>Fz [N]</source>
+        <translation>Fz [N]</translation>
+    </message>
+    <message>
+        <source>The task before</source>
+        <translation>上一个任务</translation>
+    </message>
+    <message>
+        <source>The next task</source>
+        <translation>下一个任务</translation>
+    </message>
+    <message>
+        <source>Practice · %1 of %2</source>
+        <translation>练习 · %1 / %2</translation>
+    </message>
+    <message>
+        <source>Begins the task, or begins it anew</source>
+        <translation>开始任务，或重新开始</translation>
+    </message>
+    <message>
+        <source>Goes on to the next task</source>
+        <translation>进入下一个任务</translation>
+    </message>
+    <message>
+        <source>Possible once the check above says so</source>
+        <translation>上面的检查认可后才可用</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::PreflightPage</name>
+    <message>
+        <source>Good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>注意</translation>
+    </message>
+    <message>
+        <source>Bad</source>
+        <translation>不良</translation>
+    </message>
+    <message>
+        <source>Not looked at</source>
+        <translation>未检查</translation>
+    </message>
+    <message>
+        <source>Before you connect to %1</source>
+        <translation>连接 %1 之前</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <translation>若仍然连接，窗口会显示现有数据。上面的红色项可能妨碍获取控制，或使动作中途结束。</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>再次检查</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Keep everybody out of the arm&apos;s reach.
+Keep the emergency stop at hand: STOP in this window is a software stop.
+Begin slowly: the first speed is %1.
+Watch the arm, not the screen, while a key is held.
+Let go of the key and the arm stops.</source>
+        <translation>不要让任何人进入机械臂的可达范围。
+紧急停止应在手边：此窗口的 STOP 是软件停止。
+慢速开始：首个速度为 %1。
+按住按键时看机械臂，不要看屏幕。
+松开按键，机械臂即停止。</translation>
+    </message>
+    <message>
+        <source>Looking at %1…</source>
+        <translation>正在检查 %1…</translation>
+    </message>
+    <message>
+        <source>Something is in the way</source>
+        <translation>有障碍</translation>
+    </message>
+    <message>
+        <source>Ready, with warnings</source>
+        <translation>就绪，有警告</translation>
+    </message>
+    <message>
+        <source>Everything is ready</source>
+        <translation>一切就绪</translation>
+    </message>
+    <message>
+        <source>Connect anyway</source>
+        <translation>仍然连接</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectDocument</name>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>删除“%1”</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n waypoints</source>
+        <translation>
+            <numerusform>删除 %n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the order</source>
+        <translation>更改顺序</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFiles</name>
+    <message>
+        <source>The damaged project file was kept as %1</source>
+        <translation>损坏的项目文件已保留为 %1</translation>
+    </message>
+    <message>
+        <source>The project could not be saved</source>
+        <translation>项目无法保存</translation>
+    </message>
+    <message>
+        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <translation>%1。请更新 Tiller 后打开。文件保持原样。</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>打开项目</translation>
+    </message>
+    <message>
+        <source>Tiller projects (*.tiller)</source>
+        <translation>Tiller 项目 (*.tiller)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>保存项目</translation>
+    </message>
+    <message>
+        <source>The project could not be opened</source>
+        <translation>项目无法打开</translation>
+    </message>
+    <message>
+        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <translation>已打开“%1”的副本。请保存到文件以保留更改。</translation>
+    </message>
+    <message>
+        <source>“%1” is a copy and has changes that are in no file.</source>
+        <translation>“%1”是副本，其更改不在任何文件中。</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>另存为…</translation>
+    </message>
+    <message>
+        <source>Drop the changes</source>
+        <translation>放弃更改</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation>%1 已损坏</translation>
+    </message>
+    <message>
+        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <translation>%1。可读路点：%2，不可读：%3。损坏的文件会保留。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n waypoints</source>
+        <translation>
+            <numerusform>打开 %n 个路点</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectStore</name>
+    <message>
+        <source>%1 — a copy, not saved to a file</source>
+        <translation>%1 — 副本，未保存到文件</translation>
+    </message>
+    <message>
+        <source>project not saved to a file</source>
+        <translation>项目未保存到文件</translation>
+    </message>
+    <message>
+        <source>disk full</source>
+        <translation>磁盘已满</translation>
+    </message>
+    <message>
+        <source>%1 — not saved: %2</source>
+        <translation>%1 — 未保存：%2</translation>
+    </message>
+    <message>
+        <source>%1 — saving…</source>
+        <translation>%1 — 正在保存…</translation>
+    </message>
+    <message>
+        <source>%1 — saved</source>
+        <translation>%1 — 已保存</translation>
+    </message>
+    <message>
+        <source>no file chosen</source>
+        <translation>未选择文件</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecoveryPage</name>
+    <message>
+        <source>Recovery</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Force at the TCP</source>
+        <translation>TCP 处的力</translation>
+    </message>
+    <message>
+        <source>Joint current</source>
+        <translation>关节电流</translation>
+    </message>
+    <message>
+        <source>Speed of the TCP</source>
+        <translation>TCP 速度</translation>
+    </message>
+    <message>
+        <source>Waiting for data from the robot…</source>
+        <translation>等待机器人的数据…</translation>
+    </message>
+    <message>
+        <source>At X %1, Y %2, Z %3.</source>
+        <translation>位于 X %1，Y %2，Z %3。</translation>
+    </message>
+    <message>
+        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <translation>可疑关节：%1，其电流偏离目标最远。</translation>
+    </message>
+    <message>
+        <source> (%1 s)</source>
+        <translation> (%1 s)</translation>
+    </message>
+    <message>
+        <source>Tick what you have looked at.</source>
+        <translation>请勾选您已查看的项。</translation>
+    </message>
+    <message>
+        <source>Asked; waiting for the robot…</source>
+        <translation>已请求；等待机器人…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RegisterPanel</name>
+    <message>
+        <source>General purpose registers</source>
+        <translation>通用寄存器</translation>
+    </message>
+    <message>
+        <source>Int %1</source>
+        <translation>整数 %1</translation>
+    </message>
+    <message>
+        <source>Number %1</source>
+        <translation>数值 %1</translation>
+    </message>
+    <message>
+        <source>Int</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation>位</translation>
+    </message>
+    <message>
+        <source>Kind of input register</source>
+        <translation>输入寄存器的类型</translation>
+    </message>
+    <message>
+        <source>Number of the input register</source>
+        <translation>输入寄存器的编号</translation>
+    </message>
+    <message>
+        <source>Value for the input register</source>
+        <translation>输入寄存器的值</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotPopup</name>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Popup on the robot</source>
+        <translation>机器人上的弹窗</translation>
+    </message>
+    <message>
+        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <translation>无法从此处关闭：请在示教器上关闭。</translation>
+    </message>
+    <message>
+        <source>No data from the robot: close it on the teach pendant.</source>
+        <translation>没有来自机器人的数据：请在示教器上关闭。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the robot.</source>
+        <translation>
+            <numerusform>机器人上还有 %n 个。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <translation>等待它的程序在关闭后会继续：请远离机械臂。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Close the popup on the robot</source>
+        <translation>关闭机器人上的弹窗</translation>
+    </message>
+    <message>
+        <source>Hide the popup</source>
+        <translation>隐藏弹窗</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotSession</name>
+    <message>
+        <source>Stopped: %1 (%2 ms, %3)</source>
+        <translation>已停止：%1（%2 ms，%3）</translation>
+    </message>
+    <message>
+        <source>Connecting to %1 (%2)</source>
+        <translation>正在连接 %1（%2）</translation>
+    </message>
+    <message>
+        <source>Disconnected from %1</source>
+        <translation>已断开 %1</translation>
+    </message>
+    <message>
+        <source>In control</source>
+        <translation>已控制</translation>
+    </message>
+    <message>
+        <source>Taking control was ended by a stop</source>
+        <translation>获取控制被停止打断</translation>
+    </message>
+    <message>
+        <source>Connected to %1</source>
+        <translation>已连接 %1</translation>
+    </message>
+    <message>
+        <source>Safety is normal again</source>
+        <translation>安全已恢复正常</translation>
+    </message>
+    <message>
+        <source>Program: %1</source>
+        <translation>程序：%1</translation>
+    </message>
+    <message>
+        <source>Program error in line %1, column %2: %3</source>
+        <translation>程序错误，第 %1 行第 %2 列：%3</translation>
+    </message>
+    <message>
+        <source>Popup on the robot: %1 %2</source>
+        <translation>机器人上的弹窗：%1 %2</translation>
+    </message>
+    <message>
+        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <translation>机器人上的程序在等待示教器上的答复：%1</translation>
+    </message>
+    <message>
+        <source>Not connected to a robot.</source>
+        <translation>未连接到机器人。</translation>
+    </message>
+    <message>
+        <source>Waiting for data from %1.</source>
+        <translation>等待 %1 的数据。</translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation>正在连接 %1…</translation>
+    </message>
+    <message>
+        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <translation>没有来自机器人的数据。正在自动重连；动作不会恢复。</translation>
+    </message>
+    <message>
+        <source>Data from the robot are late.</source>
+        <translation>来自机器人的数据迟到。</translation>
+    </message>
+    <message>
+        <source>Taking control…</source>
+        <translation>正在获取控制…</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RobotiqLink</name>
+    <message>
+        <source>Connecting to the gripper…</source>
+        <translation>正在连接夹爪…</translation>
+    </message>
+    <message>
+        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <translation>夹爪没有数值。请给机械臂上电；若仍如此，检查手腕处的夹爪电缆。</translation>
+    </message>
+    <message>
+        <source>The gripper answers again</source>
+        <translation>夹爪再次应答</translation>
+    </message>
+    <message>
+        <source>The gripper is active</source>
+        <translation>夹爪已激活</translation>
+    </message>
+    <message>
+        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <translation>夹爪没有激活。确认手指没有受阻，然后再按“激活”。</translation>
+    </message>
+    <message>
+        <source>The gripper holds an object (%1 open)</source>
+        <translation>夹爪夹持物体（开度 %1）</translation>
+    </message>
+    <message>
+        <source>The gripper lost the object it held</source>
+        <translation>夹爪丢失了所夹物体</translation>
+    </message>
+    <message>
+        <source>Gripper: activate</source>
+        <translation>夹爪：激活</translation>
+    </message>
+    <message>
+        <source>%1 failed. %2</source>
+        <translation>%1 失败。%2</translation>
+    </message>
+    <message>
+        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <translation>%1:%2 处没有夹爪应答。请在机器人上安装 Robotiq 的 URCap，并在其安装设置中选择夹爪。</translation>
+    </message>
+    <message>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <translation>夹爪不应答。检查手腕处的电缆和机器人安装设置中的页面；若仍如此，重启机器人。</translation>
+    </message>
+    <message>
+        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <translation>机器人结束了与夹爪的连接，可能正在重启。会自行恢复；夹爪继续夹持。</translation>
+    </message>
+    <message>
+        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <translation>夹爪没有接受。请激活它；若已激活，查看机器人安装设置中的页面。</translation>
+    </message>
+    <message>
+        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <translation>正在激活夹爪：所要求的随后执行。</translation>
+    </message>
+    <message>
+        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <translation>夹爪在激活前被指令移动。请按“激活”。</translation>
+    </message>
+    <message>
+        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <translation>夹爪过热。待其冷却后按“激活”。</translation>
+    </message>
+    <message>
+        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <translation>夹爪一秒钟没有收到信息。检查手腕处的电缆，然后按“激活”。</translation>
+    </message>
+    <message>
+        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <translation>夹爪电压不足。把工具电压设为 24 V，然后按“激活”。</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <translation>夹爪正在自动释放。等其结束后按“激活”。</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <translation>夹爪的自动释放已结束。请按“激活”。</translation>
+    </message>
+    <message>
+        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <translation>夹爪有内部故障。请按“激活”；若再次出现，请咨询 Robotiq。</translation>
+    </message>
+    <message>
+        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>激活失败。确认手指没有受阻，然后按“激活”。</translation>
+    </message>
+    <message>
+        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <translation>夹爪电流过大。确认手指没有受阻，然后按“激活”。</translation>
+    </message>
+    <message>
+        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <translation>夹爪报告故障 %1。请按“激活”；若再次出现，查看其手册。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneDock</name>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneKeys</name>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Look from the first side, in perspective</source>
+        <translation>从第一侧面透视观察</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Look from the front: X of the base to the right, Z up</source>
+        <translation>从正面看：基座的 X 向右，Z 向上</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>Look from the side: Y of the base to the right, Z up</source>
+        <translation>从侧面看：基座的 Y 向右，Z 向上</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>顶部</translation>
+    </message>
+    <message>
+        <source>Look from above: X of the base to the right, Y up</source>
+        <translation>从上方看：基座的 X 向右，Y 向上</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Arm, target and waypoints into the picture</source>
+        <translation>把机械臂、目标和路点纳入画面</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SceneView</name>
+    <message>
+        <source>View of the arm</source>
+        <translation>机械臂视图</translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <translation>拖动或用方向键从另一侧观察，按住 Shift 或用右键移动画面，滚轮或加减靠近，双击或 Home 回到第一视图。这里的任何操作都不会移动机器人。</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · out of reach</source>
+        <translation>虚影“%1” · 不可达</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <translation>虚影“%1” · 可达 · 最大转动 %2 %3 · %5 时 %4 s</translation>
+    </message>
+    <message>
+        <source>1 name hidden: come nearer</source>
+        <translation>隐藏了 1 个名称：请靠近</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names hidden: come nearer</source>
+        <translation>
+            <numerusform>隐藏了 %n 个名称：请靠近</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ghost “%1” · reachable</source>
+        <translation>虚影“%1” · 可达</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation>虚影“%1” · %2 · 最大转动 %3 %4 · %6 时 %5 s</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalStore</name>
+    <message>
+        <source>compute a signal</source>
+        <translation>计算信号</translation>
+    </message>
+    <message>
+        <source>%1 does not come in the same packets as the others.</source>
+        <translation>%1 与其他信号不在同一数据包中。</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>派生</translation>
+    </message>
+    <message>
+        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <translation>这些信号超过机器人一次发送的数量：请先去除其他信号。</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>There is no row in this recording.</source>
+        <translation>此录制中没有行。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 的 %1</translation>
+    </message>
+    <message>
+        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation>历史内存不足以显示 %1：请在“布置”菜单中增加。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>搜索信号</translation>
+    </message>
+    <message>
+        <source>Signals of the robot</source>
+        <translation>机器人的信号</translation>
+    </message>
+    <message>
+        <source>New: |F| [N] = norm(…)</source>
+        <translation>新建：|F| [N] = norm(…)</translation>
+    </message>
+    <message>
+        <source>Signal computed from others</source>
+        <translation>由其他信号计算的信号</translation>
+    </message>
+    <message>
+        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <translation>名称、可选的方括号单位，以及关于信号的表达式：把信号拖到此处可得其名称。norm(a, b, …)、deriv(a, 0.02)、mean(a, 0.5)、+ − * / ^ 和常用函数。回车建立。</translation>
+    </message>
+    <message>
+        <source>%1: this robot does not send it.</source>
+        <translation>%1：此机器人不发送。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SimulationChip</name>
+    <message>
+        <source>Simulation</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <translation>此机器人是模拟的。移动的只有像素。</translation>
+    </message>
+    <message>
+        <source>SIMULATION</source>
+        <translation>模拟</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::SpeedChip</name>
+    <message>
+        <source>Speed slider</source>
+        <translation>速度滑块</translation>
+    </message>
+    <message>
+        <source>Speed slider of the robot, 2 to 100 %</source>
+        <translation>机器人的速度滑块，2 至 100 %</translation>
+    </message>
+    <message>
+        <source>SPEED</source>
+        <translation>速度</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StatusLine</name>
+    <message>
+        <source>Recording, session and last message</source>
+        <translation>录制、会话和最后消息</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
+    </message>
+    <message>
+        <source>%1 samples · %2 · %3 free</source>
+        <translation>%1 个样本 · %2 · 剩余 %3</translation>
+    </message>
+    <message>
+        <source>Recording ended</source>
+        <translation>录制已结束</translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation>未录制</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Software stop. Not an emergency stop. Power stays on.</source>
+        <translation>软件停止。不是紧急停止。电源保持接通。</translation>
+    </message>
+    <message>
+        <source>Space / Esc
+not an e-stop</source>
+        <translation>Space / Esc
+不是急停</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StopPlot</name>
+    <message>
+        <source>Highest value %1 in the last five seconds</source>
+        <translation>最近五秒最高值 %1</translation>
+    </message>
+    <message>
+        <source>max %1</source>
+        <translation>最大 %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpPage</name>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>A TCP needs a name.</source>
+        <translation>TCP 需要名称。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <translation>“%1”已是另一个 TCP 的名称。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>TCPs</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>No TCP yet.
+Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <translation>还没有 TCP。
+按“取自机器人”保留其现有的，或按“示教…”用机械臂求得。</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <translation>从法兰起。回车应用到项目；机器人保持其自己的值。</translation>
+    </message>
+    <message>
+        <source>Set on robot</source>
+        <translation>设到机器人</translation>
+    </message>
+    <message>
+        <source>Use this TCP and set it on the robot</source>
+        <translation>使用此 TCP 并设到机器人</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>示教…</translation>
+    </message>
+    <message>
+        <source>Teach a TCP with the arm</source>
+        <translation>用机械臂示教 TCP</translation>
+    </message>
+    <message>
+        <source>From robot</source>
+        <translation>取自机器人</translation>
+    </message>
+    <message>
+        <source>Keep the TCP the robot has</source>
+        <translation>保留机器人现有的 TCP</translation>
+    </message>
+    <message>
+        <source>Teach the selected TCP again…</source>
+        <translation>重新示教所选 TCP…</translation>
+    </message>
+    <message>
+        <source>New TCP in figures</source>
+        <translation>用数值新建 TCP</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Rename TCP</source>
+        <translation>重命名 TCP</translation>
+    </message>
+    <message>
+        <source>Duplicate TCP</source>
+        <translation>复制 TCP</translation>
+    </message>
+    <message>
+        <source>Delete TCP</source>
+        <translation>删除 TCP</translation>
+    </message>
+    <message>
+        <source>Change the TCP “%1”</source>
+        <translation>更改 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>Teach the TCP “%1” again</source>
+        <translation>重新示教 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>Add the TCP “%1”</source>
+        <translation>添加 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>未连接机器人。请连接，或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>“%1” is the TCP the robot has.</source>
+        <translation>“%1”是机器人现有的 TCP。</translation>
+    </message>
+    <message>
+        <source>Teach “%1” again</source>
+        <translation>重新示教“%1”</translation>
+    </message>
+    <message>
+        <source>Teach a new TCP</source>
+        <translation>示教新 TCP</translation>
+    </message>
+    <message>
+        <source>Select a TCP to set.</source>
+        <translation>选择要设定的 TCP。</translation>
+    </message>
+    <message>
+        <source>Use the TCP “%1”</source>
+        <translation>使用 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>Delete the TCP “%1”</source>
+        <translation>删除 TCP“%1”</translation>
+    </message>
+    <message>
+        <source>%1, from the flange</source>
+        <translation>%1，从法兰起</translation>
+    </message>
+    <message>
+        <source>%1, as the robot has it</source>
+        <translation>%1，与机器人一致</translation>
+    </message>
+    <message>
+        <source>%1, %2 from the one the robot has</source>
+        <translation>%1，与机器人的相差 %2</translation>
+    </message>
+    <message>
+        <source>The robot has another TCP than “%1”</source>
+        <translation>机器人的 TCP 与“%1”不同</translation>
+    </message>
+    <message>
+        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <translation>机器人：%1。项目：%2。相差 %3。没有任何更改。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>将“%1”设到机器人</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TcpTeacher</name>
+    <message>
+        <source>Take pose</source>
+        <translation>取位姿</translation>
+    </message>
+    <message>
+        <source>Take the worst again</source>
+        <translation>重取最差的</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>取</translation>
+    </message>
+    <message>
+        <source>Keep TCP</source>
+        <translation>保留 TCP</translation>
+    </message>
+    <message>
+        <source>Teach the TCP</source>
+        <translation>示教 TCP</translation>
+    </message>
+    <message>
+        <source>Take a pose of the rotation</source>
+        <translation>取旋转的位姿</translation>
+    </message>
+    <message>
+        <source>Rotation of the tool</source>
+        <translation>工具的旋转</translation>
+    </message>
+    <message>
+        <source>Rotation as it is</source>
+        <translation>旋转保持不变</translation>
+    </message>
+    <message>
+        <source>Rotation from one pose: tool straight down</source>
+        <translation>由一个位姿定旋转：工具竖直向下</translation>
+    </message>
+    <message>
+        <source>Rotation from three poses: along +Z, towards +X</source>
+        <translation>由三个位姿定旋转：沿 +Z，朝 +X</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <translation>尖端位于 %1。各位姿一致到 %2 (rms)；位姿 %3 最不吻合，相差 %4。</translation>
+    </message>
+    <message>
+        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <translation>各位姿之间工具转动太少。请向另一侧倾斜 30° 以上再取一个。</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the poses again.</source>
+        <translation>机器人没有发送有效位置。请重新取位姿。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <translation>把尖端点动到一个固定的尖点并取位姿。共四次：尖端在同一点，工具每次向不同侧倾斜。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <translation>
+            <numerusform>把工具倾向另一侧，使尖端再到同一点，并取位姿。还需：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool keeps the rotation it has now.</source>
+        <translation>工具保持当前的旋转。</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <translation>转动工具直到竖直向下，且其 X 沿基座的 X；然后取。</translation>
+    </message>
+    <message>
+        <source>Rotation taken. Take it again to replace it.</source>
+        <translation>已取旋转。再取一次即可替换。</translation>
+    </message>
+    <message>
+        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <translation>在当前位置取工具。此后不得转动：只点动 X、Y 和 Z。</translation>
+    </message>
+    <message>
+        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <translation>沿工具自身的 +Z 远离法兰移动至少 %1，并取。</translation>
+    </message>
+    <message>
+        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <translation>现在向其 +X 一侧移动至少 %1，并取。</translation>
+    </message>
+    <message>
+        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <translation>已取旋转：沿 +Z %1，侧向 %2；期间法兰转动 %3，位姿 %4 处最大。</translation>
+    </message>
+    <message>
+        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <translation>途中法兰转动 %1，位姿 %2 处最大。请不转动工具重取三个。</translation>
+    </message>
+    <message>
+        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <translation>沿 +Z 的距离仅 %1。请相距至少 %2 重取三个。</translation>
+    </message>
+    <message>
+        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <translation>朝 +X 的距离仅 %1。请相距至少 %2 重取三个。</translation>
+    </message>
+    <message>
+        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <translation>三个位姿在一条线上：第三个仅偏 %1。请重取三个。</translation>
+    </message>
+    <message>
+        <source>The robot sent no valid place. Take the three again.</source>
+        <translation>机器人没有发送有效位置。请重取三个。</translation>
+    </message>
+    <message>
+        <source>Take the last again</source>
+        <translation>重取最后一个</translation>
+    </message>
+    <message>
+        <source>Take pose %1</source>
+        <translation>取位姿 %1</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>位姿 %1</translation>
+    </message>
+    <message>
+        <source>  ◀ fits least</source>
+        <translation>  ◀ 最不吻合</translation>
+    </message>
+    <message>
+        <source>Poses can be taken while the robot sends data.</source>
+        <translation>机器人发送数据时可以取位姿。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TickLine</name>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>未完成</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ToolsTab</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>有效负载</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>TCP, payload or positions</source>
+        <translation>TCP、有效负载或位置</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::TravelWatch</name>
+    <message>
+        <source>%1: %2 left, then %3 is at its limit</source>
+        <translation>%1：剩余 %2，随后 %3 到达极限</translation>
+    </message>
+    <message>
+        <source>%1: %2 left to the plane the base stands on</source>
+        <translation>%1：距基座所在平面剩余 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <translation>%1：剩余 %2，随后是可达极限或奇异点</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ViewCard</name>
+    <message>
+        <source>Fold</source>
+        <translation>折叠</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The view is too small to unfold this</source>
+        <translation>视图太小，无法展开</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>展开</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDetails</name>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <translation>在路点的坐标系中。回车应用；只有路点移动。</translation>
+    </message>
+    <message>
+        <source>Selected waypoint</source>
+        <translation>所选路点</translation>
+    </message>
+    <message>
+        <source>Frame of the waypoint</source>
+        <translation>路点的坐标系</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <translation>给出它并随之移动的坐标系。位置保持不变。—：以关节为准</translation>
+    </message>
+    <message numerus="yes">
+        <source>used in %n steps</source>
+        <translation>
+            <numerusform>用于 %n 个步骤</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 from the live pose</source>
+        <translation>距当前位姿 %1</translation>
+    </message>
+    <message>
+        <source>joints rule</source>
+        <translation>以关节为准</translation>
+    </message>
+    <message>
+        <source>pose rules</source>
+        <translation>以位姿为准</translation>
+    </message>
+    <message>
+        <source>place of “%1”</source>
+        <translation>“%1”的位置</translation>
+    </message>
+    <message>
+        <source>corner of “%1”</source>
+        <translation>“%1”的角</translation>
+    </message>
+    <message>
+        <source>home, “%1”</source>
+        <translation>原位，“%1”</translation>
+    </message>
+    <message>
+        <source>position “%1”</source>
+        <translation>位置“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointDialogs</name>
+    <message>
+        <source>Select waypoints to change.</source>
+        <translation>选择要更改的路点。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the properties of %n waypoints</source>
+        <translation>
+            <numerusform>更改 %n 个路点的属性</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select waypoints to move.</source>
+        <translation>选择要移动的路点。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>移动 %n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the pattern “%1”</source>
+        <translation>更改阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Teach the three corners of the pattern first, and select them.</source>
+        <translation>请先示教阵列的三个角并选择它们。</translation>
+    </message>
+    <message>
+        <source>Make the pattern “%1”</source>
+        <translation>建立阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Dissolve the pattern “%1”</source>
+        <translation>解散阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Select a place of a pattern.</source>
+        <translation>选择阵列的一个位置。</translation>
+    </message>
+    <message>
+        <source>Delete the pattern “%1”</source>
+        <translation>删除阵列“%1”</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to see its history.</source>
+        <translation>选择路点以查看其历史。</translation>
+    </message>
+    <message>
+        <source>The frame it was given in then is not in the project any more.</source>
+        <translation>当时给出它的坐标系已不在项目中。</translation>
+    </message>
+    <message>
+        <source>Take an earlier “%1” back</source>
+        <translation>取回较早的“%1”</translation>
+    </message>
+    <message>
+        <source>Import waypoints</source>
+        <translation>导入路点</translation>
+    </message>
+    <message>
+        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <translation>路点 (*.csv *.txt *.json *.tiller);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Export waypoints</source>
+        <translation>导出路点</translation>
+    </message>
+    <message>
+        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <translation>逗号分隔 (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>没有导入任何内容</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of waypoints.</source>
+        <translation>作为路点列表，%1 太大。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>There are no waypoints in %1.</source>
+        <translation>%1 中没有路点。</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>路点</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n waypoints</source>
+        <translation>
+            <numerusform>导入 %n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no waypoints to export.</source>
+        <translation>没有可导出的路点。</translation>
+    </message>
+    <message>
+        <source>Nothing was exported</source>
+        <translation>没有导出任何内容</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints written to %1</source>
+        <translation>
+            <numerusform>%n 个路点已写入 %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointEditing</name>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>复制“%1”</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n waypoints</source>
+        <translation>
+            <numerusform>复制 %n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was pasted</source>
+        <translation>没有粘贴任何内容</translation>
+    </message>
+    <message>
+        <source>There are no waypoints on the clipboard.</source>
+        <translation>剪贴板上没有路点。</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>路点</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n waypoints</source>
+        <translation>
+            <numerusform>粘贴 %n 个路点</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointHistoryDialog</name>
+    <message>
+        <source>History of “%1”</source>
+        <translation>“%1”的历史</translation>
+    </message>
+    <message>
+        <source>Changes, the newest first</source>
+        <translation>更改，最新在前</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3)</source>
+        <translation>%1  %2  (%3)</translation>
+    </message>
+    <message>
+        <source>Go back to before this</source>
+        <translation>回到此前</translation>
+    </message>
+    <message>
+        <source>Name: “%1”, now “%2”</source>
+        <translation>名称：“%1”，现为“%2”</translation>
+    </message>
+    <message>
+        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <translation>位置：移动了 %1（%2，基座坐标系）</translation>
+    </message>
+    <message>
+        <source>Joints: %1 turned most, by %2</source>
+        <translation>关节：%1 转动最多，%2</translation>
+    </message>
+    <message>
+        <source>the joints rule</source>
+        <translation>以关节为准</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>a frame that is no more</source>
+        <translation>已不存在的坐标系</translation>
+    </message>
+    <message>
+        <source>Frame: %1, now %2</source>
+        <translation>坐标系：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>Move: MoveL, now MoveJ</source>
+        <translation>动作：MoveL，现为 MoveJ</translation>
+    </message>
+    <message>
+        <source>Move: MoveJ, now MoveL</source>
+        <translation>动作：MoveJ，现为 MoveL</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ: %1, now %2</source>
+        <translation>MoveJ 速度：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL: %1, now %2</source>
+        <translation>MoveL 速度：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>Blend: %1, now %2</source>
+        <translation>交融：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>TCP: taught with another one</source>
+        <translation>TCP：以另一个示教</translation>
+    </message>
+    <message>
+        <source>Group: “%1”, now “%2”</source>
+        <translation>组：“%1”，现为“%2”</translation>
+    </message>
+    <message>
+        <source>Colour: %1, now %2</source>
+        <translation>颜色：%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>Note: “%1”, now “%2”</source>
+        <translation>备注：“%1”，现为“%2”</translation>
+    </message>
+    <message>
+        <source>Actions: others than now</source>
+        <translation>动作：与现在不同</translation>
+    </message>
+    <message>
+        <source>It was not changed since it was taught.</source>
+        <translation>示教以来没有更改。</translation>
+    </message>
+    <message>
+        <source>Before this it was as it is now.</source>
+        <translation>此前与现在相同。</translation>
+    </message>
+    <message>
+        <source>Before this it was:</source>
+        <translation>此前为：</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointModel</name>
+    <message>
+        <source>✕ joint</source>
+        <translation>✕ 关节</translation>
+    </message>
+    <message>
+        <source>✕ frame</source>
+        <translation>✕ 坐标系</translation>
+    </message>
+    <message>
+        <source>✕ line</source>
+        <translation>✕ 直线</translation>
+    </message>
+    <message>
+        <source>✕ reach</source>
+        <translation>✕ 可达</translation>
+    </message>
+    <message>
+        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <translation>某个关节会超出范围。请以另一种机械臂姿态修正示教该路点。</translation>
+    </message>
+    <message>
+        <source>Its frame is not in this project. Choose another frame.</source>
+        <translation>其坐标系不在此项目中。请选择另一个坐标系。</translation>
+    </message>
+    <message>
+        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <translation>从此处的直线超出机械臂的可达范围。使用 MoveJ，或从别处开始。</translation>
+    </message>
+    <message>
+        <source>Out of reach. Touch it up nearer to the base.</source>
+        <translation>不可达。请在靠近基座处修正示教。</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>MoveJ: all joints start and stop together</source>
+        <translation>MoveJ：所有关节同时开始和停止</translation>
+    </message>
+    <message>
+        <source>MoveL: the TCP goes along a straight line</source>
+        <translation>MoveL：TCP 沿直线移动</translation>
+    </message>
+    <message>
+        <source>The joints rule: the arm comes back in the same posture</source>
+        <translation>以关节为准：机械臂以相同姿态返回</translation>
+    </message>
+    <message>
+        <source>The pose rules: it moves with its frame</source>
+        <translation>以位姿为准：随其坐标系移动</translation>
+    </message>
+    <message>
+        <source>Can be reached</source>
+        <translation>可达</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Blend %1</source>
+        <translation>交融 %1</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>可达</translation>
+    </message>
+    <message>
+        <source>A waypoint needs a name.</source>
+        <translation>路点需要名称。</translation>
+    </message>
+    <message>
+        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <translation>“%1”已是路点 %2 的名称。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveJ</source>
+        <translation>将“%1”改为 MoveJ</translation>
+    </message>
+    <message>
+        <source>Make “%1” a MoveL</source>
+        <translation>将“%1”改为 MoveL</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <translation>机械臂无法到达那里。“%1”保持原样。</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>更改“%1”的位姿</translation>
+    </message>
+    <message>
+        <source>Use joint positions for “%1”</source>
+        <translation>对“%1”使用关节位置</translation>
+    </message>
+    <message>
+        <source>There is no frame “%1” in this project.</source>
+        <translation>此项目中没有坐标系“%1”。</translation>
+    </message>
+    <message>
+        <source>Give “%1” in %2</source>
+        <translation>在%2中给出“%1”</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>“%1”不是数字。</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation>%1 超出 %2 至 %3。</translation>
+    </message>
+    <message>
+        <source>Set the blend of “%1”</source>
+        <translation>设定“%1”的交融</translation>
+    </message>
+    <message>
+        <source>Set the speed of “%1”</source>
+        <translation>设定“%1”的速度</translation>
+    </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>组：%1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>颜色：%1</translation>
+    </message>
+    <message>
+        <source>Name %1, the coming one</source>
+        <translation>名称 %1，下一个</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointProperties</name>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>粉</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>天蓝</translation>
+    </message>
+    <message>
+        <source>Only what is ticked is changed.</source>
+        <translation>只更改勾选的内容。</translation>
+    </message>
+    <message>
+        <source>Properties of “%1”</source>
+        <translation>“%1”的属性</translation>
+    </message>
+    <message numerus="yes">
+        <source>Properties of %n waypoints</source>
+        <translation>
+            <numerusform>%n 个路点的属性</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Speed of MoveJ</source>
+        <translation>MoveJ 速度</translation>
+    </message>
+    <message>
+        <source>Speed of MoveL</source>
+        <translation>MoveL 速度</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>交融</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>更改</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointSearch</name>
+    <message>
+        <source>Find waypoints</source>
+        <translation>搜索路点</translation>
+    </message>
+    <message>
+        <source>Find waypoints by name, group or note</source>
+        <translation>按名称、组或备注搜索路点</translation>
+    </message>
+    <message>
+        <source>Name, group or note</source>
+        <translation>名称、组或备注</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Show all waypoints</source>
+        <translation>显示所有路点</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>找到 %n 个</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointShift</name>
+    <message numerus="yes">
+        <source>Move %n waypoints</source>
+        <translation>
+            <numerusform>移动 %n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>移动方式</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>镜像</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Tool, each its own</source>
+        <translation>工具，各自的</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>By X, Y, Z</source>
+        <translation>按 X、Y、Z</translation>
+    </message>
+    <message>
+        <source>Offset %1</source>
+        <translation>偏移 %1</translation>
+    </message>
+    <message>
+        <source>About or along</source>
+        <translation>绕或沿</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <translation>机械臂无法到达：%1。不会移动任何东西。</translation>
+    </message>
+    <message>
+        <source>A frame is missing. Choose another one.</source>
+        <translation>缺少坐标系。请选择另一个。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <translation>
+            <numerusform>其中 %n 个将不可达；会保留并标记。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <translation>以过原点并垂直于该轴的平面镜像。工具从镜像一侧接近。</translation>
+    </message>
+    <message>
+        <source>All stay in reach.</source>
+        <translation>全部仍可达。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointTable</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>路点</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::WaypointsTab</name>
+    <message>
+        <source>Waypoints</source>
+        <translation>路点</translation>
+    </message>
+    <message>
+        <source>Teach here  T</source>
+        <translation>在此示教  T</translation>
+    </message>
+    <message>
+        <source>Teach here</source>
+        <translation>在此示教</translation>
+    </message>
+    <message>
+        <source>Touch up  U</source>
+        <translation>修正示教  U</translation>
+    </message>
+    <message>
+        <source>Touch up</source>
+        <translation>修正示教</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>No waypoints yet.
+Jog the arm to a place and press Teach here (T).</source>
+        <translation>还没有路点。
+把机械臂点动到某处，按“在此示教” (T)。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <translation>机器人的数据太旧。请等待新数据。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>未连接机器人。请连接，或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to go to.</source>
+        <translation>选择要前往的路点。</translation>
+    </message>
+    <message>
+        <source>The arm is not under control. Take control first.</source>
+        <translation>机械臂未受控制。请先获取控制。</translation>
+    </message>
+    <message>
+        <source>Add the place where the arm stands, after the selection (T)</source>
+        <translation>在所选之后添加机械臂所在的位置 (T)</translation>
+    </message>
+    <message>
+        <source>Replace the selected place by where the arm stands (U)</source>
+        <translation>用机械臂所在位置替换所选位置 (U)</translation>
+    </message>
+    <message>
+        <source>Select a waypoint to touch up.</source>
+        <translation>选择要修正示教的路点。</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Copy as table</source>
+        <translation>复制为表格</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>waypoint</source>
+        <translation>路点</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>示教“%1”</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
+        <translation>“%1”的坐标系不在此项目中。请先选择另一个坐标系。</translation>
+    </message>
+    <message>
+        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <translation>当前位置相距 %1（%2，基座坐标系）。最大关节变化：%3 %4。</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”?</source>
+        <translation>修正示教“%1”？</translation>
+    </message>
+    <message>
+        <source>Touch up “%1”</source>
+        <translation>修正示教“%1”</translation>
+    </message>
+    <message>
+        <source>Path recorded</source>
+        <translation>路径已录制</translation>
+    </message>
+    <message>
+        <source>Import waypoints…</source>
+        <translation>导入路点…</translation>
+    </message>
+    <message>
+        <source>Export waypoints…</source>
+        <translation>导出路点…</translation>
+    </message>
+    <message>
+        <source>Find waypoints</source>
+        <translation>搜索路点</translation>
+    </message>
+    <message>
+        <source>Group, colour, note, speeds…</source>
+        <translation>组、颜色、备注、速度…</translation>
+    </message>
+    <message>
+        <source>Offset, turn or mirror…</source>
+        <translation>偏移、旋转或镜像…</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>历史…</translation>
+    </message>
+    <message>
+        <source>Pattern…</source>
+        <translation>阵列…</translation>
+    </message>
+    <message>
+        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <translation>把阵列位置变为普通路点</translation>
+    </message>
+    <message>
+        <source>Delete the pattern and its waypoints</source>
+        <translation>删除阵列及其路点</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Search a command</source>
+        <translation>搜索命令</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>输入您想做的事</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>找到的命令</translation>
+    </message>
+    <message>
+        <source>not possible now</source>
+        <translation>现在不可用</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ConnectDialog</name>
+    <message>
+        <source>Enter the robot&apos;s address, as shown on the teach pendant under About.</source>
+        <translation>输入机器人的地址，如示教器“关于”中所示。</translation>
+    </message>
+    <message>
+        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <translation>地址有四个 0 至 255 的数字，如 192.168.0.10。</translation>
+    </message>
+    <message>
+        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <translation>主机名只含字母、数字、点和连字符。</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>忘记</translation>
+    </message>
+    <message>
+        <source>Start the simulated robot</source>
+        <translation>启动模拟机器人</translation>
+    </message>
+    <message>
+        <source>With a sample project…</source>
+        <translation>使用示例项目…</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <translation>移动真实机械臂之前：不要让任何人进入可达范围，紧急停止在手边，检查有效负载和 TCP，慢速开始。此窗口的 STOP 不是紧急停止。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation>打开项目…</translation>
+    </message>
+    <message>
+        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <translation>来自文件的路点，无需机器人：除移动外都可用。</translation>
+    </message>
+    <message>
+        <source>Try the simulator</source>
+        <translation>试用模拟器</translation>
+    </message>
+    <message>
+        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <translation>本程序内的模拟 UR5e。一切可用，不会伤到任何东西。</translation>
+    </message>
+    <message>
+        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <translation>启动模拟机器人，并打开一个已示教的项目。</translation>
+    </message>
+    <message>
+        <source>Connect a robot</source>
+        <translation>连接机器人</translation>
+    </message>
+    <message>
+        <source>Address or host name of the robot</source>
+        <translation>机器人的地址或主机名</translation>
+    </message>
+    <message>
+        <source>Name shown for the robot</source>
+        <translation>显示的机器人名称</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>实验室 UR5e</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Robots connected to before</source>
+        <translation>以前连接过的机器人</translation>
+    </message>
+    <message>
+        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <translation>从列表中移除所选机器人 (Delete)。机器人上不会有变化。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Demonstration</name>
+    <message>
+        <source>make the folder %1: choose one that may be written to</source>
+        <translation>创建文件夹 %1：请选择可写入的文件夹</translation>
+    </message>
+    <message>
+        <source>connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>power on</source>
+        <translation>上电</translation>
+    </message>
+    <message>
+        <source>release the brakes</source>
+        <translation>松开制动器</translation>
+    </message>
+    <message>
+        <source>take control</source>
+        <translation>获取控制</translation>
+    </message>
+    <message>
+        <source>start recording</source>
+        <translation>开始录制</translation>
+    </message>
+    <message>
+        <source>teach the first waypoint</source>
+        <translation>示教第一个路点</translation>
+    </message>
+    <message>
+        <source>jog X+ in Base for 50 mm</source>
+        <translation>在基座中点动 X+ 50 mm</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>teach the second waypoint</source>
+        <translation>示教第二个路点</translation>
+    </message>
+    <message>
+        <source>go to the first waypoint (held)</source>
+        <translation>前往第一个路点（按住）</translation>
+    </message>
+    <message>
+        <source>let go of Go to</source>
+        <translation>松开“前往”</translation>
+    </message>
+    <message>
+        <source>digital output 0 on</source>
+        <translation>数字输出 0 开</translation>
+    </message>
+    <message>
+        <source>digital output 0 off</source>
+        <translation>数字输出 0 关</translation>
+    </message>
+    <message>
+        <source>take the screenshots</source>
+        <translation>截图</translation>
+    </message>
+    <message>
+        <source>write the screenshots to %1</source>
+        <translation>把截图写入 %1</translation>
+    </message>
+    <message>
+        <source>stop recording</source>
+        <translation>停止录制</translation>
+    </message>
+    <message>
+        <source>%1: did not happen within %2 s (%3)</source>
+        <translation>%1：%2 s 内没有发生（%3）</translation>
+    </message>
+    <message>
+        <source>the robot reports no reason</source>
+        <translation>机器人没有报告原因</translation>
+    </message>
+    <message>
+        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <translation>重新按下             %1 次：松开按键之前动作已停止</translation>
+    </message>
+    <message>
+        <source>jogged               </source>
+        <translation>点动               </translation>
+    </message>
+    <message>
+        <source>release to standstill </source>
+        <translation>从松开到静止 </translation>
+    </message>
+    <message>
+        <source>packets              </source>
+        <translation>数据包              </translation>
+    </message>
+    <message>
+        <source> received, </source>
+        <translation> 收到， </translation>
+    </message>
+    <message>
+        <source> late, </source>
+        <translation> 迟到， </translation>
+    </message>
+    <message>
+        <source> lost
+</source>
+        <translation> 丢失
+</translation>
+    </message>
+    <message>
+        <source>recorded             </source>
+        <translation>已录制             </translation>
+    </message>
+    <message>
+        <source> rows, </source>
+        <translation> 行， </translation>
+    </message>
+    <message>
+        <source>files                </source>
+        <translation>文件                </translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot; in the window</source>
+        <translation>窗口中没有按键 &quot;%1&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DeviceSettings</name>
+    <message>
+        <source>Device that moves the arm</source>
+        <translation>移动机械臂的设备</translation>
+    </message>
+    <message>
+        <source>Try it out…</source>
+        <translation>试用…</translation>
+    </message>
+    <message>
+        <source>What each device says now, and which way it will go.</source>
+        <translation>各设备当前的数值，以及将移动的方向。</translation>
+    </message>
+    <message>
+        <source>Moves the arm</source>
+        <translation>移动机械臂</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>手柄</translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation>SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Dead zone of the %1</source>
+        <translation>%1的死区</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>So far a stick may be out without moving anything.</source>
+        <translation>摇杆偏转到此为止不移动任何东西。</translation>
+    </message>
+    <message>
+        <source>Curve of the %1</source>
+        <translation>%1的曲线</translation>
+    </message>
+    <message>
+        <source>exponent </source>
+        <translation>指数 </translation>
+    </message>
+    <message>
+        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <translation>1：均匀。更高：中间柔和，行程末端快。</translation>
+    </message>
+    <message>
+        <source>Only the axis that is out furthest</source>
+        <translation>仅偏转最大的轴</translation>
+    </message>
+    <message>
+        <source>%1: only the axis that is out furthest</source>
+        <translation>%1：仅偏转最大的轴</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>死区</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <translation>没有手柄和 SpaceMouse。插上即自动出现。</translation>
+    </message>
+    <message>
+        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <translation>仅在按住其使能键时。不会记住：启动后没有设备移动机械臂。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::DockStage</name>
+    <message>
+        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <translation>这里没有面板。在右下角选择视角布局，或用“视图”菜单显示面板。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::HelpPage</name>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住操作盘按键时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按键、按下第二个按钮，或另一只手介入；&lt;/li&gt;&lt;li&gt;按住键盘按键时，旁边的修饰键或相矛盾的键被按下；&lt;/li&gt;&lt;li&gt;窗口失去焦点、有东西在其上打开，或选择了其他坐标系、速度、步长或选项卡；&lt;/li&gt;&lt;li&gt;机器人的数据迟到、本程序卡住，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 休眠，或设备被拔出或没有声息；&lt;/li&gt;&lt;li&gt;没有人能证明按键仍被按住：在 X11 上每秒询问显示服务器一百次按钮或按键是否被按下，回答“否”或 100 ms 没有应答即结束动作。无人可问时，页眉和设置会说明；&lt;/li&gt;&lt;li&gt;按住太久：点动 %1 s（设置），自由驱动五分钟，前往某处比所需时间多 5 s。最后 3 s 倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止的动作需要重新按下。&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何地方都会停止，也停止他人的程序。这是软件停止，不是紧急停止：请把紧急停止放在手边。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使一次按下精细十倍，&lt;b&gt;Shift&lt;/b&gt; 快三倍，绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>练习任务</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ImportDialog</name>
+    <message>
+        <source>Colours, sizes and units</source>
+        <translation>颜色、大小和单位</translation>
+    </message>
+    <message>
+        <source>Speed cap and longest hold</source>
+        <translation>速度上限和最长按住时间</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>命令的按键</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>手柄与 SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Robots and their grippers</source>
+        <translation>机器人及其夹爪</translation>
+    </message>
+    <message>
+        <source>Names and scales of inputs and outputs</source>
+        <translation>输入输出的名称和比例</translation>
+    </message>
+    <message>
+        <source>Layout of the window</source>
+        <translation>窗口布局</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>其他一切</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>导入设置</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed.</source>
+        <translation>%1 未导入。没有任何更改。</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1 holds:</source>
+        <translation>勾选的内容将由 %1 的内容替换：</translation>
+    </message>
+    <message>
+        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <translation>勾选的内容将由 %1（Tiller %2 写入）的内容替换：</translation>
+    </message>
+    <message>
+        <source>%1: the same already</source>
+        <translation>%1：已相同</translation>
+    </message>
+    <message>
+        <source>%1: none in the file</source>
+        <translation>%1：文件中没有</translation>
+    </message>
+    <message>
+        <source>%1: %2 here, %3 in the file</source>
+        <translation>%1：此处 %2，文件中 %3</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <translation>被替换的内容保存在单独的文件中，可以再次导入。</translation>
+    </message>
+    <message>
+        <source>There is nothing in the file that is not here already.</source>
+        <translation>文件中没有此处没有的内容。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Lessons</name>
+    <message>
+        <source>First steps</source>
+        <translation>第一步</translation>
+    </message>
+    <message>
+        <source>A checklist in the view: from power on to a recording.</source>
+        <translation>视图中的清单：从上电到录制。</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>练习任务</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>模拟机器人上的五个任务，各有检查。</translation>
+    </message>
+    <message>
+        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <translation>练习仅用于本程序的模拟机器人。这是“%1”。</translation>
+    </message>
+    <message>
+        <source>Practice: put “%1”</source>
+        <translation>练习：放置“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::MainWindow</name>
+    <message>
+        <source>Tiller</source>
+        <translation>Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <translation>键盘点动已启用：方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z，加 Alt 旋转，1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging disarmed</source>
+        <translation>键盘点动已停用</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>路点</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>I/O</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>%1 disconnected. The arm was stopped.</source>
+        <translation>%1 已断开。机械臂已停止。</translation>
+    </message>
+    <message>
+        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <translation>%1 在移动机械臂时没有声息，机械臂已停止。请松开；若仍无声息，请重新插入。</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Open recent project</source>
+        <translation>打开最近的项目</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>打开项目…</translation>
+    </message>
+    <message>
+        <source>Opens waypoints and frames from a file.</source>
+        <translation>从文件打开路点和坐标系。</translation>
+    </message>
+    <message>
+        <source>Open sample project…</source>
+        <translation>打开示例项目…</translation>
+    </message>
+    <message>
+        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <translation>三个项目之一的副本，在模拟机器人上试用。</translation>
+    </message>
+    <message>
+        <source>Save project as…</source>
+        <translation>项目另存为…</translation>
+    </message>
+    <message>
+        <source>Saves to this file now, and every change from now on.</source>
+        <translation>现在保存到此文件，以后的每次更改也保存。</translation>
+    </message>
+    <message>
+        <source>Show waypoints</source>
+        <translation>显示路点</translation>
+    </message>
+    <message>
+        <source>Show frames</source>
+        <translation>显示坐标系</translation>
+    </message>
+    <message>
+        <source>Show I/O</source>
+        <translation>显示 I/O</translation>
+    </message>
+    <message>
+        <source>Show log</source>
+        <translation>显示日志</translation>
+    </message>
+    <message>
+        <source>Brings this tab to the front.</source>
+        <translation>把此选项卡置于前面。</translation>
+    </message>
+    <message>
+        <source>Show gripper</source>
+        <translation>显示夹爪</translation>
+    </message>
+    <message>
+        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <translation>把 I/O 的夹爪页面置于前面。</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>重置布局</translation>
+    </message>
+    <message>
+        <source>All panels back to where the current perspective has them.</source>
+        <translation>所有面板回到当前视角布局的位置。</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Changes the colours at once and remembers it.</source>
+        <translation>立即更改颜色并记住。</translation>
+    </message>
+    <message>
+        <source>Zero the force in the plots, or show it as measured</source>
+        <translation>曲线图中的力归零，或按测量值显示</translation>
+    </message>
+    <message>
+        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <translation>从当前值起计 TCP 力；再次：按机器人测量值。</translation>
+    </message>
+    <message>
+        <source>Commands…</source>
+        <translation>命令…</translation>
+    </message>
+    <message>
+        <source>Finds a command by its name.</source>
+        <translation>按名称查找命令。</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>设置…</translation>
+    </message>
+    <message>
+        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <translation>颜色、大小、单位、速度上限、设备，以及每个命令的按键。</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>导出设置…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <translation>包含所有记住内容的一个文件，用于另一台计算机或作为副本。</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>导入设置…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <translation>采用此类文件的内容；先说明会替换什么。</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>All commands with their keys, and the rules of jogging.</source>
+        <translation>所有命令及其按键，以及点动规则。</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>Stops the arm, ends the connection and closes the window.</source>
+        <translation>停止机械臂，结束连接并关闭窗口。</translation>
+    </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>显示或隐藏 %1</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>浮动 %1</translation>
+    </message>
+    <message>
+        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <translation>使其成为独立窗口，用于第二屏幕，或放回。</translation>
+    </message>
+    <message>
+        <source>Moves this panel to that side of the others.</source>
+        <translation>把此面板移到其他面板的那一侧。</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 到左侧</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 到右侧</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>%1 到顶部</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>%1 到底部</translation>
+    </message>
+    <message>
+        <source>Load program</source>
+        <translation>加载程序</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as the tablet shows it</source>
+        <translation>机器人上程序的名称，如平板所示</translation>
+    </message>
+    <message>
+        <source>Name of the program on the robot, as in pick.urp</source>
+        <translation>机器人上程序的名称，例如 pick.urp</translation>
+    </message>
+    <message>
+        <source>Speed cap %1</source>
+        <translation>速度上限 %1</translation>
+    </message>
+    <message>
+        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <translation>正在录制。请先结束：以免缺失任何内容。</translation>
+    </message>
+    <message>
+        <source>Waypoints, Frames, Tools, I/O, Log</source>
+        <translation>路点、坐标系、工具、I/O、日志</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PanelDock</name>
+    <message>
+        <source>Put back</source>
+        <translation>放回</translation>
+    </message>
+    <message>
+        <source>Back into the main window</source>
+        <translation>放回主窗口</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Closes this panel. The menu View brings it back.</source>
+        <translation>关闭此面板。“视图”菜单可恢复。</translation>
+    </message>
+    <message>
+        <source>Move, float or close %1</source>
+        <translation>移动、浮动或关闭 %1</translation>
+    </message>
+    <message>
+        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <translation>点击：移动、浮动或关闭此面板。拖动：移到别处。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::PerspectiveActions</name>
+    <message>
+        <source>Save perspective</source>
+        <translation>保存视角布局</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, into the current perspective.</source>
+        <translation>把面板现在的位置存入当前视角布局。</translation>
+    </message>
+    <message>
+        <source>This perspective is built in. Save it under a name of your own.</source>
+        <translation>此视角布局是内置的。请以自己的名称保存。</translation>
+    </message>
+    <message>
+        <source>Save perspective as…</source>
+        <translation>视角布局另存为…</translation>
+    </message>
+    <message>
+        <source>The panels as they stand now, under a name of your own.</source>
+        <translation>以自己的名称保存面板现在的位置。</translation>
+    </message>
+    <message>
+        <source>Save perspective as</source>
+        <translation>视角布局另存为</translation>
+    </message>
+    <message>
+        <source>Rename perspective…</source>
+        <translation>重命名视角布局…</translation>
+    </message>
+    <message>
+        <source>Gives the current perspective another name.</source>
+        <translation>给当前视角布局另一个名称。</translation>
+    </message>
+    <message>
+        <source>Rename perspective</source>
+        <translation>重命名视角布局</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and keeps its name.</source>
+        <translation>此视角布局是内置的，名称不变。</translation>
+    </message>
+    <message>
+        <source>Delete perspective…</source>
+        <translation>删除视角布局…</translation>
+    </message>
+    <message>
+        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <translation>忘记当前视角布局。面板保持原样。</translation>
+    </message>
+    <message>
+        <source>This perspective is built in and stays.</source>
+        <translation>此视角布局是内置的，会保留。</translation>
+    </message>
+    <message>
+        <source>Perspective %1</source>
+        <translation>视角布局 %1</translation>
+    </message>
+    <message>
+        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <translation>视角布局 %1。选择面板的位置，或保存现在的位置。</translation>
+    </message>
+    <message>
+        <source>Name of the perspective</source>
+        <translation>视角布局的名称</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Delete perspective</source>
+        <translation>删除视角布局</translation>
+    </message>
+    <message>
+        <source>Delete the perspective “%1”? This cannot be undone.</source>
+        <translation>删除视角布局“%1”？此操作无法撤销。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>保留</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Perspectives</name>
+    <message>
+        <source>Teach</source>
+        <translation>示教</translation>
+    </message>
+    <message>
+        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <translation>显示视图，旁边是路点，下方是曲线图。</translation>
+    </message>
+    <message>
+        <source>Monitor</source>
+        <translation>监视</translation>
+    </message>
+    <message>
+        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <translation>显示输入和输出，旁边是较小的视图，下方是较高的曲线图。</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>Shows the plots alone, as large as the window allows.</source>
+        <translation>只显示曲线图，尽窗口之大。</translation>
+    </message>
+    <message>
+        <source>Shows the panels as you saved them.</source>
+        <translation>按您保存的样子显示面板。</translation>
+    </message>
+    <message>
+        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <translation>无法显示视角布局“%1”：其在设置中的布局已损坏。请排列面板并重新保存。</translation>
+    </message>
+    <message>
+        <source>Type a name.</source>
+        <translation>请输入名称。</translation>
+    </message>
+    <message>
+        <source>The name is too long.</source>
+        <translation>名称太长。</translation>
+    </message>
+    <message>
+        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <translation>视角布局已达可保存的数量。请先删除一个。</translation>
+    </message>
+    <message>
+        <source>There is a perspective of this name. Choose another name.</source>
+        <translation>已有此名称的视角布局。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <translation>面板按视角布局“%1”排列：早期版本的布局不适用于此版本。请重新排列；会被记住。</translation>
+    </message>
+    <message>
+        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <translation>面板按视角布局“%1”排列：设置中的布局已损坏或属于另一版本。请重新排列；会被记住。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::RecordingSettings</name>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>录制文件夹</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the folder for recordings</source>
+        <translation>选择录制文件夹</translation>
+    </message>
+    <message>
+        <source>Pattern of the file name</source>
+        <translation>文件名模式</translation>
+    </message>
+    <message>
+        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <translation>{date}、{time}、{robot} 和 {number} 在录制开始时填入。</translation>
+    </message>
+    <message>
+        <source>One row every so many packets</source>
+        <translation>每多少个数据包一行</translation>
+    </message>
+    <message>
+        <source>Search signals</source>
+        <translation>搜索信号</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Signals in a recording</source>
+        <translation>录制中的信号</translation>
+    </message>
+    <message>
+        <source>All signals</source>
+        <translation>所有信号</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation>文件名</translation>
+    </message>
+    <message>
+        <source>One row every</source>
+        <translation>每几个一行</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Lab UR5e</source>
+        <translation>实验室 UR5e</translation>
+    </message>
+    <message>
+        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <translation>例如 %1。{date}、{time}、{robot} 和 {number} 会填入；已有的文件绝不会被替换。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <translation>
+            <numerusform>每行 %n 个数据包：对每秒发送 500 个数据包的机器人为每秒 %1 行。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SampleDialog</name>
+    <message>
+        <source>Open sample project</source>
+        <translation>打开示例项目</translation>
+    </message>
+    <message>
+        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <translation>每个都是为 UR5e 示教的，可用模拟机器人走一遍。您使用的是副本：保存时会询问您自己的文件。</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Open “%1”</source>
+        <translation>打开“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Look and motion</source>
+        <translation>外观与动作</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Export settings…</source>
+        <translation>导出设置…</translation>
+    </message>
+    <message>
+        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <translation>包含所有记住内容的一个文件，用于另一台计算机或作为副本</translation>
+    </message>
+    <message>
+        <source>Import settings…</source>
+        <translation>导入设置…</translation>
+    </message>
+    <message>
+        <source>Takes over what such a file holds; says first what it replaces</source>
+        <translation>采用此类文件的内容；先说明会替换什么</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Size of keys and rows</source>
+        <translation>按键和行的大小</translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation>紧凑</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>触摸</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>整体大小</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>Rotations</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Roll, pitch, yaw in degrees</source>
+        <translation>横滚、俯仰、偏航（度）</translation>
+    </message>
+    <message>
+        <source>Rotation vector in radians, as scripts write it</source>
+        <translation>旋转矢量（弧度），如脚本所写</translation>
+    </message>
+    <message>
+        <source>Speed cap of this program</source>
+        <translation>本程序的速度上限</translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation>最长按住时间</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <translation>此时间后点动结束，需重新按下按键。自由驱动为五分钟，前往某处为所需时间加 5 s。</translation>
+    </message>
+    <message>
+        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <translation>触摸：手指所需的高度。在低于 %1 px 的窗口中，关节键、选项卡和标题栏保持较小。</translation>
+    </message>
+    <message>
+        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <translation>长度、TCP 速度和方向的显示与输入方式。曲线图和文件保持米、毫米和度。</translation>
+    </message>
+    <message>
+        <source>Speed cap</source>
+        <translation>速度上限</translation>
+    </message>
+    <message>
+        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <translation>文字、按键、行、曲线图和视图，一律相同。</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <translation>从下次启动 Tiller 起生效。屏幕只容得下 %1 %，届时即为此大小。</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller.</source>
+        <translation>从下次启动 Tiller 起生效。</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <translation>▲ 高于 %1。没有其他东西限制来自 PC 的点动：手动模式和示教器的使能装置都不行。页眉会说明，并随程序结束而失效。</translation>
+    </message>
+    <message>
+        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <translation>本程序的任何动作在 TCP 和肘部都不会超过它。立即生效，并停止正在移动的一切。</translation>
+    </message>
+    <message>
+        <source>Keys of the commands</source>
+        <translation>命令的按键</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Restore default shortcuts</source>
+        <translation>恢复默认按键</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
+        <translation>在栏中按下新按键；Backspace 将其去除。Space 和 Esc 始终停止机械臂。</translation>
+    </message>
+    <message>
+        <source>Key for %1</source>
+        <translation>%1 的按键</translation>
+    </message>
+    <message>
+        <source>%1 stops the arm and nothing else.</source>
+        <translation>%1 只用于停止机械臂。</translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <translation>%1 属于 &quot;%2&quot;。请先在那里去除。</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>As the system: %1</source>
+        <translation>跟随系统：%1</translation>
+    </message>
+    <message>
+        <source>Open the window anew</source>
+        <translation>重新打开窗口</translation>
+    </message>
+    <message>
+        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <translation>停止机械臂、交还控制并重新连接；曲线图的显示重新开始。项目会保存。</translation>
+    </message>
+    <message>
+        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <translation>窗口和检查的语言。文件和脚本在所有语言中相同。</translation>
+    </message>
+    <message>
+        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <translation>从下次启动 Tiller 起，或重新打开窗口后生效。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::SettingsTransfer</name>
+    <message>
+        <source>Settings of Tiller (*.json)</source>
+        <translation>Tiller 的设置 (*.json)</translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation>导出设置</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>导入设置</translation>
+    </message>
+    <message>
+        <source>Settings exported to %1</source>
+        <translation>设置已导出到 %1</translation>
+    </message>
+    <message>
+        <source>%1 was not imported. Nothing was changed. %2</source>
+        <translation>%1 未导入。没有任何更改。%2</translation>
+    </message>
+    <message>
+        <source>Settings imported from %1. What was here before is in %2</source>
+        <translation>已从 %1 导入设置。此前的内容在 %2 中</translation>
+    </message>
+</context>
+</TS>

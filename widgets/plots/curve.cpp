@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/curve.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tiller {
+
+namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+constexpr Curve::Column kEmptyColumn = {kNowhere, kNowhere, kNowhere, kNowhere};
+
+}  // namespace
+
+void Curve::sample(const SeriesBuffer& history, int column, const ColumnGrid& grid) {
+    before_.swap(columns_);
+    rasterBefore_ = raster_;
+    widthBefore_ = width_;
+    width_ = grid.width;
+    raster_ = std::llround(grid.start / grid.width);
+    range_ = {};
+    columns_.assign(static_cast<std::size_t>(grid.columns()), kEmptyColumn);
+    if (grid.edges.empty()) {
+        return;
+    }
+    // One sample beyond each edge, so that the line goes on to it.
+    const std::int64_t begin = std::max(grid.edges.front() - 1, history.first());
+    const std::int64_t end = std::min(grid.edges.back() + 1, history.end());
+    if (end - begin <= grid.columns()) {
+        samplePoints(history, column, begin, end);
+    } else {
+        sampleEnvelope(history, column, grid);
+    }
+}
+
+void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const ColumnGrid& grid) {
+    fetchEnvelope(history, column, grid);
+    const std::size_t none = envelope_.size();
+    std::size_t last = none;  // the column before that has values
+    bool gap = false;
+    for (std::size_t i = 0; i < envelope_.size(); ++i) {
+        gap = gap || grid.gapBefore[i] != 0;
+        if (envelope_[i].isEmpty()) {
+            continue;
+        }
+        range_.add(envelope_[i]);
+        const double middle = (envelope_[i].min + envelope_[i].max) / 2;
+        columns_[i] = {middle, middle, envelope_[i].min, envelope_[i].max};
+        if (last != none && !gap) {
+            const double before = (envelope_[last].min + envelope_[last].max) / 2;
+            if (last + 1 == i) {
+                columns_[last].right = columns_[i].left = (before + middle) / 2;
+            } else {
+                addLine(static_cast<double>(last) + 0.5, before, static_cast<double>(i) + 0.5, middle);
+            }
+        }
+        last = i;
+        gap = false;
+    }
+}
+
+void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnGrid& grid) {
+    // Columns lie on a raster of time: while the curve moves, most of them hold the samples they held before.
+    const double shift = (grid.start - cachedStart_) / grid.width;
+    const bool sameRaster = grid.width == cachedWidth_ && std::abs(shift - std::round(shift)) < 1e-3 &&
+                            std::abs(shift) < static_cast<double>(cachedEdges_.size());
+    const auto by = sameRaster ? std::llround(shift) : 0;
+    const auto known = sameRaster ? static_cast<std::int64_t>(envelope_.size()) : 0;
+    fresh_.resize(static_cast<std::size_t>(grid.columns()));
+    for (std::size_t i = 0; i < fresh_.size(); ++i) {
+        const std::int64_t j = static_cast<std::int64_t>(i) + by;
+        const auto old = static_cast<std::size_t>(j);
+        if (j >= 0 && j < known && cachedEdges_[old] == grid.edges[i] &&
+            cachedEdges_[old + 1] == grid.edges[i + 1]) {
+            fresh_[i] = envelope_[old];
+        } else {
+            fresh_[i] = history.minMax(column, grid.edges[i], grid.edges[i + 1]);
+        }
+    }
+    envelope_.swap(fresh_);
+    cachedEdges_ = grid.edges;
+    cachedStart_ = grid.start;
+    cachedWidth_ = grid.width;
+}
+
+void Curve::samplePoints(const SeriesBuffer& history, int column, std::int64_t begin, std::int64_t end) {
+    // Places are counted on the raster of time, whose numbers are whole: a sample's place in its column stays the
+    // same to the last bit while the view moves.
+    const auto origin = static_cast<double>(raster_);
+    bool any = false;
+    bool gap = false;
+    double x0 = 0;
+    double y0 = 0;
+    for (std::int64_t i = begin; i < end; ++i) {
+        gap = gap || history.gapBefore(i);
+        const double y = history.value(column, i);
+        if (std::isnan(y)) {
+            continue;
+        }
+        range_.add(y);
+        const double x = history.time(i) / width_ - origin;
+        if (any && !gap) {
+            addLine(x0, y0, x, y);
+        } else {
+            addLine(x, y, x, y);
+        }
+        any = true;
+        gap = false;
+        x0 = x;
+        y0 = y;
+    }
+}
+
+void Curve::addLine(double x0, double y0, double x1, double y1) {
+    const auto last = static_cast<double>(columns_.size());
+    const double slope = x1 > x0 ? (y1 - y0) / (x1 - x0) : 0;
+    for (double x = std::floor(std::max(x0, 0.0)); x <= x1 && x < last; x += 1) {
+        const auto at = [&](double place) { return y0 + (place - x0) * slope; };
+        const double in = at(std::max(x, x0));
+        const double out = at(std::min(x + 1, x1));
+        Column& column = columns_[static_cast<std::size_t>(x)];
+        if (column.isEmpty()) {
+            column = {in, out, in, in};
+        }
+        column.right = out;
+        column.low = std::min({column.low, in, out});
+        column.high = std::max({column.high, in, out});
+    }
+}
+
+bool Curve::hasChanged(std::size_t column) const {
+    if (width_ != widthBefore_) {
+        return true;
+    }
+    const std::int64_t then = static_cast<std::int64_t>(column) + raster_ - rasterBefore_;
+    return then < 0 || then >= static_cast<std::int64_t>(before_.size()) ||
+           !(columns_[column] == before_[static_cast<std::size_t>(then)]);
+}
+
+void Curve::setPen(const QPen& pen) {
+    pen_ = pen;
+    dashes_.clear();
+    dashLength_ = 0;
+    if (pen_.style() == Qt::CustomDashLine) {
+        const QList<qreal> pattern = pen_.dashPattern();
+        for (const qreal piece : pattern) {
+            dashes_.push_back(piece * pen_.widthF());
+            dashLength_ += dashes_.back();
+        }
+    }
+}
+
+bool Curve::isDrawn(std::size_t column) const {
+    if (dashes_.empty()) {
+        return true;
+    }
+    // Counted from the origin of time, so that the dashes stay on the curve while it moves.
+    double place = std::fmod(static_cast<double>(raster_ + static_cast<std::int64_t>(column)), dashLength_);
+    place = place < 0 ? place + dashLength_ : place;
+    for (std::size_t i = 0; i < dashes_.size(); ++i) {
+        place -= dashes_[i];
+        if (place < 0) {
+            return i % 2 == 0;
+        }
+    }
+    return true;
+}
+
+QPainterPath Curve::path(const QRectF& area, double t0, double t1, double y0, double y1) const {
+    const double perSecond = area.width() / (t1 - t0);
+    const double perUnit = area.height() / (y1 - y0);
+    const double start = static_cast<double>(raster_) * width_;
+    const auto at = [&](double column, double value) {
+        return QPointF(area.left() + (start + column * width_ - t0) * perSecond,
+                       area.bottom() - (value - offset_ - y0) * perUnit);
+    };
+    QPainterPath path;
+    bool drawing = false;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const Column& column = columns_[i];
+        if (column.isEmpty()) {
+            drawing = false;
+            continue;
+        }
+        const auto x = static_cast<double>(i);
+        if (drawing) {
+            path.lineTo(at(x, column.left));
+        } else {
+            path.moveTo(at(x, column.left));
+        }
+        if (column.high > std::max(column.left, column.right)) {
+            path.lineTo(at(x + 0.5, column.high));
+        }
+        if (column.low < std::min(column.left, column.right)) {
+            path.lineTo(at(x + 0.5, column.low));
+        }
+        path.lineTo(at(x + 1, column.right));
+        drawing = true;
+    }
+    return path;
+}
+
+}  // namespace tiller

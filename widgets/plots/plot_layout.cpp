@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_layout.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+#include <cmath>
+
+namespace tiller {
+
+namespace {
+
+constexpr qsizetype kLongestName = 60;
+constexpr qsizetype kLongestKey = 400;
+constexpr double kLeastShare = 0.05;
+constexpr double kMostShare = 20;
+
+QStringList keys(const char* field, int count) {
+    QStringList all;
+    for (int i = 0; i < count; ++i) {
+        all << QStringLiteral("%1_%2").arg(QLatin1String(field)).arg(i);
+    }
+    return all;
+}
+
+QStringList toKeys(const QJsonValue& value, int most) {
+    QStringList all;
+    const QJsonArray array = value.toArray();
+    for (const QJsonValue& one : array) {
+        const QString key = one.toString();
+        if (!key.isEmpty() && key.size() <= kLongestKey && all.size() < most && !all.contains(key)) {
+            all.append(key);
+        }
+    }
+    return all;
+}
+
+double within(const QJsonValue& value, double low, double high, double otherwise) {
+    const double number = value.toDouble(otherwise);
+    return std::isfinite(number) ? std::clamp(number, low, high) : otherwise;
+}
+
+QJsonObject toObject(const PageLayout& page) {
+    QJsonArray panes;
+    for (const PaneLayout& pane : page.panes) {
+        panes.append(QJsonObject{{"signals", QJsonArray::fromStringList(pane.shown)},
+                                 {"hidden", QJsonArray::fromStringList(pane.hidden)},
+                                 {"column", pane.column},
+                                 {"share", pane.share}});
+    }
+    return {{"name", page.name}, {"plots", panes}, {"lanes", QJsonArray::fromStringList(page.lanes)}};
+}
+
+PageLayout toPage(const QJsonObject& object) {
+    PageLayout page;
+    page.name = object["name"].toString().trimmed().left(kLongestName);
+    const QJsonArray panes = object["plots"].toArray();
+    for (const QJsonValue& value : panes) {
+        if (page.panes.size() == PlotLayout::kMostPanes) {
+            break;
+        }
+        const QJsonObject pane = value.toObject();
+        page.panes.append({toKeys(pane["signals"], PlotLayout::kMostSignals),
+                           toKeys(pane["hidden"], PlotLayout::kMostSignals),
+                           static_cast<int>(within(pane["column"], 0, PlotLayout::kMostColumns - 1, 0)),
+                           within(pane["share"], kLeastShare, kMostShare, 1)});
+    }
+    page.lanes = toKeys(object["lanes"], PlotLayout::kMostLanes);
+    return page;
+}
+
+}  // namespace
+
+PageLayout PageLayout::standard() {
+    PageLayout page;
+    page.panes = {{keys("actual_TCP_force", 3), {}, 0, 0.54}, {keys("actual_current", 6), {}, 0, 0.46}};
+    return page;
+}
+
+QByteArray PlotLayout::toJson() const {
+    QJsonArray all;
+    for (const PageLayout& page : pages) {
+        all.append(toObject(page));
+    }
+    QJsonArray limits;
+    for (const Threshold& threshold : thresholds) {
+        limits.append(
+            QJsonObject{{"signal", threshold.key}, {"limit", threshold.limit}, {"above", threshold.above}});
+    }
+    const QJsonObject root{
+        {"version", 1}, {"pages", all}, {"current", current}, {"span", span}, {"thresholds", limits}};
+    return QJsonDocument(root).toJson(QJsonDocument::Compact);
+}
+
+Result<PlotLayout> PlotLayout::fromJson(const QByteArray& json) {
+    QJsonParseError problem;
+    const QJsonDocument document = QJsonDocument::fromJson(json, &problem);
+    const QJsonArray pages = document.object()["pages"].toArray();
+    if (!document.isObject() || pages.isEmpty()) {
+        return Error{ErrorCode::FileCorrupt,
+                     QCoreApplication::translate("tiller::PlotDock", "read an arrangement of plots"),
+                     problem.error == QJsonParseError::NoError ? QString() : problem.errorString()};
+    }
+    PlotLayout layout;
+    layout.pages.clear();
+    for (const QJsonValue& page : pages) {
+        if (layout.pages.size() < kMostPages) {
+            layout.pages.append(toPage(page.toObject()));
+        }
+    }
+    layout.current = static_cast<int>(
+        within(document.object()["current"], 0, static_cast<double>(layout.pages.size() - 1), 0));
+    const QJsonArray limits = document.object()["thresholds"].toArray();
+    for (const QJsonValue& value : limits) {
+        const QJsonObject limit = value.toObject();
+        if (layout.thresholds.size() < PlotMarks::kMostThresholds && limit["limit"].isDouble()) {
+            layout.thresholds.append({limit["signal"].toString().left(kLongestKey), limit["limit"].toDouble(),
+                                      limit["above"].toBool(true)});
+        }
+    }
+    layout.span = within(document.object()["span"], 0.05, 86400, 30);
+    return layout;
+}
+
+}  // namespace tiller

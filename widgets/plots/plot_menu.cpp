@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_menu.h"
+
+#include <QMenu>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/plots/curve_look.h"
+#include "widgets/plots/plot_marks.h"
+#include "widgets/plots/plot_pane.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/signals/signal_store.h"
+
+namespace tiller {
+
+namespace {
+
+template <class Todo>
+QAction* addAction(QMenu& menu, const char* name, const QString& text, Todo todo) {
+    QAction* action = menu.addAction(text);
+    action->setObjectName(QLatin1String(name));
+    QObject::connect(action, &QAction::triggered, &menu, todo);
+    return action;
+}
+
+/// As Derivation reads it.
+QString derivationText(const QString& name, const QString& unit, const QString& expression) {
+    return unit.isEmpty() ? QStringLiteral("%1 = %2").arg(name, expression)
+                          : QStringLiteral("%1 [%2] = %3").arg(name, unit, expression);
+}
+
+int columnsOf(const PlotView& view) {
+    int columns = 0;
+    for (const auto& pane : view.panes()) {
+        columns = std::max(columns, pane->column() + 1);
+    }
+    return columns;
+}
+
+}  // namespace
+
+void PlotMenu::fill(QMenu& menu, const QPointF& place) {
+    PlotView* view = &view_;
+    if (const auto lane = view_.laneAt(place)) {
+        addAction(menu, "plots.menu.removeLane",
+                  tr("Take the lane %1 away").arg(store_.info(*lane).longLabel),
+                  [view, signal = *lane] { view->removeLane(signal); });
+        return;
+    }
+    const PlotPane& pane = view_.paneAt(place);
+    const std::optional<int> named = view_.legendAt(place);
+    const int signal = named ? *named : pane.shows(view_.readoutSignal()) ? view_.readoutSignal() : -1;
+    if (signal >= 0) {
+        addCurve(menu, pane, signal);
+        menu.addSeparator();
+        addThresholds(menu, pane, signal, pane.valueAt(place.y()));
+        menu.addSeparator();
+        addDerived(menu, pane, signal);
+        menu.addSeparator();
+    }
+    addPlot(menu, pane);
+    addAction(menu, "plots.menu.note", tr("Note here…"),
+              [view, time = view_.timeAt(place.x())] { Q_EMIT view->noteWanted(time); });
+}
+
+void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
+    PlotView* view = &view_;
+    const int at = view_.paneIndex(pane);
+    const QString name = curveLabel(store_, pane.shown(), signal);
+    addAction(menu, "plots.menu.hide",
+              pane.isHidden(signal) ? tr("Show %1").arg(name) : tr("Hide %1").arg(name),
+              [view, signal] { view->setHidden(signal, !view->isHidden(signal)); });
+    addAction(menu, "plots.menu.read", tr("Let the cursors read %1").arg(name),
+              [view, signal] { view->setReadoutSignal(signal); });
+    addAction(
+        menu, "plots.menu.move", tr("Move %1 to a plot of its own").arg(name),
+        [view, at, key = store_.info(signal).key] {
+            PageLayout page = view->page();
+            page.panes[at].shown.removeAll(key);
+            page.panes.insert(at + 1, PaneLayout{{key}, {}, page.panes[at].column, page.panes[at].share});
+            view->setPage(page);
+        })
+        ->setEnabled(pane.shown().size() > 1 && view_.panes().size() < PlotLayout::kMostPanes);
+    addAction(menu, "plots.menu.remove", tr("Take %1 away").arg(name),
+              [view, at, signal] { view->removeSignal(at, signal); });
+}
+
+void PlotMenu::addThresholds(QMenu& menu, const PlotPane& pane, int signal, double value) {
+    PlotMarks* marks = &view_.marks();
+    const SignalInfo& info = store_.info(signal);
+    // As many digits as are read, so that the words say what is watched.
+    const double scale = std::pow(10.0, info.digits);
+    const double limit = std::round((value + pane.offset(signal)) * scale) / scale;
+    for (const bool above : {true, false}) {
+        const Threshold threshold{info.key, limit, above};
+        addAction(menu, above ? "plots.menu.alarmAbove" : "plots.menu.alarmBelow",
+                  tr("Alarm when %1").arg(marks->words(threshold)),
+                  [marks, threshold] { marks->add(threshold); });
+    }
+    for (const Threshold& threshold : marks->thresholds()) {
+        if (threshold.key == info.key) {
+            addAction(menu, "plots.menu.noAlarm", tr("No alarm when %1").arg(marks->words(threshold)),
+                      [marks, threshold] { marks->remove(threshold); });
+        }
+    }
+}
+
+void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
+    const auto add = [&, at = view_.paneIndex(pane)](const char* name, const QString& text,
+                                                     const QString& derivation, PlotView::Place place) {
+        addAction(menu, name, text, [view = &view_, store = &store_, at, derivation, place] {
+            if (const Result<int> made = store->derive(derivation)) {
+                view->addSignals({store->info(*made).key}, at, place);
+            }
+        });
+    };
+    const SignalInfo& info = store_.info(signal);
+    if (store_.isRobots(signal)) {
+        const QString perSecond =
+            info.unit.isEmpty() ? QStringLiteral("1/s") : info.unit + QStringLiteral("/s");
+        add("plots.menu.derivative", tr("Rate of change of %1").arg(info.longLabel),
+            derivationText(QStringLiteral("d(%1)/dt").arg(info.longLabel), perSecond,
+                           QStringLiteral("deriv(%1, 0.02)").arg(info.key)),
+            PlotView::Place::Below);
+        add("plots.menu.mean", tr("Moving mean of %1 over half a second").arg(info.longLabel),
+            derivationText(tr("Mean %1").arg(info.longLabel), info.unit,
+                           QStringLiteral("mean(%1, 0.5)").arg(info.key)),
+            PlotView::Place::Into);
+    }
+    QStringList keys;
+    for (const int one : pane.shown()) {
+        if (!pane.isHidden(one) && store_.isRobots(one)) {
+            keys << store_.info(one).key;
+        }
+    }
+    constexpr qsizetype kMost = 6;
+    if (keys.size() > 1 && keys.size() <= kMost) {
+        const QString name = QStringLiteral("|%1|").arg(store_.info(store_.find(keys.first())).longLabel);
+        add("plots.menu.norm", tr("Norm of the curves of this plot"),
+            derivationText(name, pane.unit(),
+                           QStringLiteral("norm(%1)").arg(keys.join(QStringLiteral(", ")))),
+            PlotView::Place::Into);
+    }
+}
+
+void PlotMenu::addPlot(QMenu& menu, const PlotPane& pane) {
+    PlotView* view = &view_;
+    const int at = view_.paneIndex(pane);
+    const int columns = columnsOf(view_);
+    const bool room = view_.panes().size() < PlotLayout::kMostPanes;
+    const auto addPane = [view, at](int column) {
+        PageLayout page = view->page();
+        page.panes.insert(column == page.panes[at].column ? at + 1 : page.panes.size(),
+                          PaneLayout{{}, {}, column, page.panes[at].share});
+        view->setPage(page);
+    };
+    addAction(menu, "plots.menu.below", tr("New plot below"), [addPane, column = pane.column()] {
+        addPane(column);
+    })->setEnabled(room);
+    addAction(menu, "plots.menu.beside", tr("New plot beside"), [addPane, columns] {
+        addPane(columns);
+    })->setEnabled(room && columns < PlotLayout::kMostColumns);
+    addAction(menu, "plots.menu.removePane", tr("Take this plot away"), [view, at] {
+        view->removePane(at);
+    })->setEnabled(view_.panes().size() > 1 || !pane.shown().empty());
+    menu.addSeparator();
+    addAction(menu, "plots.menu.release", tr("Let the curves decide about the scale"), [view, at] {
+        view->releaseValues(*view->panes()[static_cast<std::size_t>(at)]);
+    })->setEnabled(pane.isZoomed());
+    addAction(menu, "plots.menu.fit", tr("Show all"), [view] { view->fit(); });
+}
+
+}  // namespace tiller

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What can be done at a place of the plots: with the curve whose name or plot is there, with the plot, with a lane.
+
+#include <QCoreApplication>
+#include <QPointF>
+#include <QString>
+
+class QMenu;
+
+namespace tiller {
+
+class PlotPane;
+class PlotView;
+class SignalStore;
+
+class PlotMenu {
+    Q_DECLARE_TR_FUNCTIONS(PlotMenu)
+
+public:
+    /// Both must outlive what the menu's actions do.
+    PlotMenu(PlotView& view, SignalStore& store) : view_(view), store_(store) {}
+
+    void fill(QMenu& menu, const QPointF& place);
+
+private:
+    void addCurve(QMenu& menu, const PlotPane& pane, int signal);
+    void addThresholds(QMenu& menu, const PlotPane& pane, int signal, double value);
+    void addDerived(QMenu& menu, const PlotPane& pane, int signal);
+    void addPlot(QMenu& menu, const PlotPane& pane);
+
+    PlotView& view_;
+    SignalStore& store_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_pages.h"
+
+#include <QEvent>
+#include <QInputDialog>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/common/theme.h"
+#include "widgets/plots/plot_marks.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/signals/signal_store.h"
+
+namespace tiller {
+
+PlotPages::PlotPages(SignalStore& store, const StateLane& lane, PlotMarks& marks, QWidget* parent)
+    : QWidget(parent)
+    , store_(store)
+    , lane_(lane)
+    , marks_(marks)
+    , tabs_(new QTabBar)
+    , stack_(new QStackedWidget) {
+    tabs_->setObjectName(QStringLiteral("plots.pages"));
+    tabs_->setAccessibleName(tr("Pages of plots"));
+    tabs_->setDrawBase(false);
+    tabs_->setExpanding(false);
+    tabs_->setTabsClosable(true);
+    tabs_->setFont(textFont(13));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(tabs_);
+    layout->addWidget(stack_, 1);
+    addView();
+    nameTabs();
+    connect(tabs_, &QTabBar::currentChanged, this, &PlotPages::turnedTo);
+    connect(tabs_, &QTabBar::tabCloseRequested, this, &PlotPages::removePage);
+    connect(tabs_, &QTabBar::tabBarDoubleClicked, this, [this](int page) {
+        bool done = false;
+        const QString name = page < 0 ? QString()
+                                      : QInputDialog::getText(this, tr("Name of the page"), tr("Name"),
+                                                              QLineEdit::Normal, nameOf(page), &done);
+        if (done) {
+            rename(page, name);
+        }
+    });
+}
+
+PlotView& PlotPages::view() const {
+    return *views_[static_cast<std::size_t>(shown_)];
+}
+
+int PlotPages::count() const {
+    return static_cast<int>(views_.size());
+}
+
+int PlotPages::current() const {
+    return shown_;
+}
+
+PlotView& PlotPages::addView() {
+    auto* view = new PlotView(store_, lane_, marks_);
+    views_.push_back(view);
+    stack_->addWidget(view);
+    {
+        const QSignalBlocker quiet(tabs_);
+        tabs_->addTab(QString());
+    }
+    connect(view, &PlotView::windowChanged, this, &PlotPages::windowChanged);
+    connect(view, &PlotView::readoutChanged, this, &PlotPages::readoutChanged);
+    connect(view, &PlotView::zeroChanged, this, &PlotPages::zeroChanged);
+    connect(view, &PlotView::tooManySignals, this, &PlotPages::tooManySignals);
+    connect(view, &PlotView::noteWanted, this, &PlotPages::noteWanted);
+    connect(view, &PlotView::pageChanged, this, &PlotPages::arrangementChanged);
+    return *view;
+}
+
+void PlotPages::setCurrent(int page) {
+    tabs_->setCurrentIndex(page);
+}
+
+void PlotPages::turnedTo(int page) {
+    if (page < 0 || page >= count() || page == shown_) {
+        return;
+    }
+    PlotView& before = view();
+    shown_ = page;
+    view().showLike(before, false);
+    stack_->setCurrentIndex(page);
+    view().setFocus(Qt::OtherFocusReason);
+    Q_EMIT zeroChanged();
+    Q_EMIT windowChanged();
+    Q_EMIT arrangementChanged();
+}
+
+void PlotPages::addPage() {
+    PageLayout page;
+    page.panes = {{}};
+    addPage(page);
+}
+
+void PlotPages::dropRecordings() {
+    const auto keep = [this](QStringList& keys) {
+        keys.removeIf([this](const QString& key) {
+            const int signal = store_.find(key);
+            return signal < 0 || store_.isRecorded(signal);
+        });
+    };
+    for (PlotView* view : views_) {
+        PageLayout page = view->page();
+        for (PaneLayout& pane : page.panes) {
+            keep(pane.shown);
+        }
+        keep(page.lanes);
+        view->setPage(page);
+    }
+}
+
+void PlotPages::addPage(const PageLayout& page) {
+    if (count() >= PlotLayout::kMostPages) {
+        return;
+    }
+    addView().setPage(page);
+    nameTabs();
+    setCurrent(count() - 1);
+    Q_EMIT arrangementChanged();
+}
+
+void PlotPages::removePage(int page) {
+    if (page < 0 || page >= count()) {
+        return;
+    }
+    if (count() == 1) {
+        view().setPage(PageLayout::standard());
+        return;
+    }
+    const int next = page == shown_ ? (page == 0 ? 1 : page - 1) : shown_;
+    setCurrent(next);
+    PlotView* gone = views_[static_cast<std::size_t>(page)];
+    views_.erase(views_.begin() + page);
+    shown_ = next > page ? next - 1 : next;
+    {
+        const QSignalBlocker quiet(tabs_);
+        tabs_->removeTab(page);
+        tabs_->setCurrentIndex(shown_);
+    }
+    stack_->removeWidget(gone);
+    gone->deleteLater();
+    stack_->setCurrentIndex(shown_);
+    nameTabs();
+    Q_EMIT arrangementChanged();
+}
+
+void PlotPages::rename(int page, const QString& name) {
+    PageLayout named = views_[static_cast<std::size_t>(page)]->page();
+    named.name = name.trimmed().left(60);
+    views_[static_cast<std::size_t>(page)]->setPage(named);
+    nameTabs();
+}
+
+QString PlotPages::nameOf(int page) const {
+    const QString name = views_[static_cast<std::size_t>(page)]->page().name;
+    return name.isEmpty() ? tr("Page %1").arg(page + 1) : name;
+}
+
+void PlotPages::nameTabs() {
+    for (int page = 0; page < count(); ++page) {
+        tabs_->setTabText(page, nameOf(page));
+        tabs_->setTabToolTip(page, tr("Double click: another name"));
+    }
+    tabs_->setVisible(count() > 1);
+}
+
+PlotLayout PlotPages::arrangement() const {
+    PlotLayout layout;
+    layout.pages.clear();
+    for (const PlotView* view : views_) {
+        layout.pages.append(view->page());
+    }
+    layout.current = shown_;
+    layout.span = view().window().span();
+    layout.thresholds = marks_.thresholds();
+    return layout;
+}
+
+void PlotPages::arrange(const PlotLayout& layout) {
+    const int wanted = std::clamp(static_cast<int>(layout.pages.size()), 1, PlotLayout::kMostPages);
+    while (count() > wanted) {
+        removePage(count() - 1);
+    }
+    while (count() < wanted) {
+        addView();
+    }
+    for (int page = 0; page < wanted; ++page) {
+        views_[static_cast<std::size_t>(page)]->setPage(layout.pages.value(page, PageLayout::standard()));
+    }
+    marks_.setThresholds(layout.thresholds);
+    nameTabs();
+    setCurrent(std::clamp(layout.current, 0, wanted - 1));
+    view().setSpan(layout.span);
+    Q_EMIT arrangementChanged();
+}
+
+void PlotPages::refresh(double seconds) {
+    view().refresh(seconds);
+}
+
+void PlotPages::clearZero() {
+    for (PlotView* view : views_) {
+        view->clearZero();
+    }
+}
+
+void PlotPages::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange) {
+        tabs_->setFont(textFont(13));
+    }
+}
+
+}  // namespace tiller
+
+#include "moc_plot_pages.cpp"

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_values.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QLabel>
+#include <QShortcut>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "widgets/common/format.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/plot_pane.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/plots/range_statistics.h"
+#include "widgets/signals/signal_store.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr int kPatience = 80;  // [ms]
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
+    : QWidget(parent), store_(store), between_(new QLabel), table_(new QTableWidget) {
+    setObjectName(QStringLiteral("plots.values"));
+    between_->setObjectName(QStringLiteral("plots.values.between"));
+    between_->setFont(textFont(13));
+    between_->setContentsMargins(8, 2, 8, 2);
+    table_->setObjectName(QStringLiteral("plots.values.table"));
+    table_->setAccessibleName(tr("Values at the cursors"));
+    table_->setFont(figureFont(12));
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
+    table_->verticalHeader()->hide();
+    table_->horizontalHeader()->setFont(textFont(12));
+    table_->setShowGrid(false);
+    const QStringList titles{tr("Signal"),     tr("A"),    tr("B"),   tr("B − A"), tr("Min"),
+                             tr("Max"),        tr("Mean"), tr("RMS"), tr("Std"),   tr("Peak to peak"),
+                             tr("Slope per s")};
+    table_->setColumnCount(static_cast<int>(titles.size()));
+    table_->setHorizontalHeaderLabels(titles);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 0, 4, 4);
+    layout->setSpacing(2);
+    layout->addWidget(between_);
+    layout->addWidget(table_, 1);
+    // Before the table, which would copy one cell.
+    auto* copying = new QShortcut(QKeySequence::Copy, this);
+    copying->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(copying, &QShortcut::activated, this, &PlotValues::copy);
+    soon_.setSingleShot(true);
+    soon_.setInterval(kPatience);
+    connect(&soon_, &QTimer::timeout, this, &PlotValues::fill);
+}
+
+void PlotValues::follow(const PlotView& view) {
+    view_ = &view;
+    if (isVisible() && !soon_.isActive()) {
+        soon_.start();
+    }
+}
+
+void PlotValues::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    fill();
+}
+
+void PlotValues::fill() {
+    if (view_ == nullptr) {
+        return;
+    }
+    const auto a = view_->cursor(PlotView::Cursor::A);
+    const auto b = view_->cursor(PlotView::Cursor::B);
+    if (a && b) {
+        const double between = *b - *a;
+        between_->setText(
+            between == 0 ? tr("Δt 0 s")
+                         : tr("Δt %1 s · 1/Δt %2 Hz")
+                               .arg(format::number(between, 4), format::number(1 / std::abs(between), 3)));
+    } else {
+        between_->setText(
+            tr("Click into the plots to place A, then B: what lies between them is summed up here."));
+    }
+    std::vector<int> shown;
+    for (const auto& pane : view_->panes()) {
+        for (const int signal : pane->shown()) {
+            if (!pane->isHidden(signal)) {
+                shown.push_back(signal);
+            }
+        }
+    }
+    table_->setRowCount(static_cast<int>(shown.size()));
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const SignalInfo& info = store_.info(shown[i]);
+        const double va = a ? store_.valueAt(shown[i], *a).value_or(kMissing) : kMissing;
+        const double vb = b ? store_.valueAt(shown[i], *b).value_or(kMissing) : kMissing;
+        std::optional<RangeStatistics> all;
+        if (a && b) {
+            all = rangeStatistics(store_, shown[i], *a, *b);
+        }
+        const auto figure = [&](double value, int more = 0) {
+            return std::isnan(value) ? QStringLiteral("–") : format::number(value, info.digits + more);
+        };
+        const auto ofAll = [&](auto member, int more = 0) {
+            return all ? figure(member(*all), more) : QStringLiteral("–");
+        };
+        const QString name =
+            info.unit.isEmpty() ? info.longLabel : QStringLiteral("%1 [%2]").arg(info.longLabel, info.unit);
+        const QStringList cells{name,
+                                figure(va),
+                                figure(vb),
+                                figure(vb - va),
+                                ofAll([](const RangeStatistics& s) { return s.min; }),
+                                ofAll([](const RangeStatistics& s) { return s.max; }),
+                                ofAll([](const RangeStatistics& s) { return s.mean; }, 1),
+                                ofAll([](const RangeStatistics& s) { return s.rms; }, 1),
+                                ofAll([](const RangeStatistics& s) { return s.deviation; }, 2),
+                                ofAll([](const RangeStatistics& s) { return s.peakToPeak(); }),
+                                ofAll([](const RangeStatistics& s) { return s.slope; }, 1)};
+        for (int column = 0; column < cells.size(); ++column) {
+            QTableWidgetItem* item = table_->item(static_cast<int>(i), column);
+            if (item == nullptr) {
+                item = new QTableWidgetItem;
+                item->setTextAlignment(column == 0 ? Qt::AlignLeft | Qt::AlignVCenter
+                                                   : Qt::AlignRight | Qt::AlignVCenter);
+                table_->setItem(static_cast<int>(i), column, item);
+            }
+            item->setText(cells[column]);
+            item->setToolTip(column == 0 ? info.family : QString());
+        }
+    }
+    table_->resizeColumnsToContents();
+    table_->resizeRowsToContents();
+}
+
+QString PlotValues::toText() const {
+    QStringList lines;
+    QStringList line;
+    for (int column = 0; column < table_->columnCount(); ++column) {
+        line << table_->horizontalHeaderItem(column)->text();
+    }
+    lines << line.join(QLatin1Char('\t'));
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        line.clear();
+        for (int column = 0; column < table_->columnCount(); ++column) {
+            line << table_->item(row, column)->text();
+        }
+        lines << line.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+void PlotValues::copy() const {
+    QApplication::clipboard()->setText(toText());
+}
+
+}  // namespace tiller
+
+#include "moc_plot_values.cpp"

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/signals/derivation.h"
+
+#include <muParser.h>
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+
+namespace tiller {
+
+namespace {
+
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct DerivationText {
+    Q_DECLARE_TR_FUNCTIONS(Derivation)
+};
+
+constexpr double kNoResult = std::numeric_limits<double>::quiet_NaN();
+constexpr double kShortestStretch = 0.001;  // [s]
+constexpr double kLongestStretch = 60;
+
+Error wrong(const QString& why) {
+    return {ErrorCode::InvalidArgument, DerivationText::tr("compute a signal"), why};
+}
+
+double normOf(const double* values, int count) {
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+        sum += values[i] * values[i];
+    }
+    return std::sqrt(sum);
+}
+
+QString fromParser(const mu::string_type& text) {
+    return QString::fromStdString(text);
+}
+
+/// An expression over the values of one moment.
+class Expression : public Derivation {
+public:
+    /// Returns  what is wrong; empty: nothing
+    QString read(const QString& expression, const std::function<bool(const QString&)>& exists) {
+        try {
+            parser_.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.");
+            parser_.DefineFun("norm", normOf);
+            parser_.DefineConst("pi", 3.14159265358979323846);
+            parser_.DefineConst("e", 2.71828182845904523536);
+            parser_.SetExpr(expression.toStdString());
+            for (const auto& [name, unused] : parser_.GetUsedVar()) {
+                const QString key = fromParser(name);
+                if (!exists(key)) {
+                    return DerivationText::tr("There is no signal “%1”. The list of signals shows the names.")
+                        .arg(key);
+                }
+                inputs_.append(key);
+            }
+            if (inputs_.isEmpty() || inputs_.size() > kMostInputs) {
+                return inputs_.isEmpty() ? DerivationText::tr("There is no signal in it.")
+                                         : DerivationText::tr("There are too many signals in it.");
+            }
+            values_.resize(static_cast<std::size_t>(inputs_.size()));
+            for (qsizetype i = 0; i < inputs_.size(); ++i) {
+                parser_.DefineVar(inputs_[i].toStdString(), &values_[static_cast<std::size_t>(i)]);
+            }
+            parser_.Eval();
+            if (parser_.GetNumResults() != 1) {
+                return DerivationText::tr("It must give one number.");
+            }
+        } catch (const mu::Parser::exception_type& error) {
+            return fromParser(error.GetMsg());
+        }
+        return {};
+    }
+
+    double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
+                   std::int64_t sample) override {
+        for (std::size_t i = 0; i < values_.size(); ++i) {
+            values_[i] = history.value(columns[i], sample);
+            if (std::isnan(values_[i])) {
+                return kNoResult;
+            }
+        }
+        try {
+            const double result = parser_.Eval();
+            return std::isfinite(result) ? result : kNoResult;
+        } catch (const mu::Parser::exception_type&) {
+            return kNoResult;  // a division by nothing, in versions that say so
+        }
+    }
+
+private:
+    mu::Parser parser_;
+    std::vector<double> values_;
+};
+
+/// Over a stretch of time that ends with the sample.
+class Stretch : public Derivation {
+public:
+    Stretch(const QString& input, double seconds, bool mean) : seconds_(seconds), mean_(mean) {
+        inputs_ = {input};
+    }
+
+    double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
+                   std::int64_t sample) override {
+        const double value = history.value(columns[0], sample);
+        // Begins anew where the samples do not go on from the last one.
+        if (sample != next_ || history.gapBefore(sample) || std::isnan(value)) {
+            points_.clear();
+            sum_ = 0;
+        }
+        next_ = sample + 1;
+        if (std::isnan(value)) {
+            return kNoResult;
+        }
+        points_.push_back({history.time(sample), value});
+        sum_ += value;
+        const double since = points_.back().time - seconds_ * (1 + 1e-9);
+        // The rate of change needs the point at the far end, the mean only those inside.
+        while (points_.size() > 2 && (mean_ ? points_.front().time : points_[1].time) < since) {
+            sum_ -= points_.front().value;
+            points_.pop_front();
+        }
+        if (mean_) {
+            if (sample % kSumAnew == 0) {
+                sum_ = 0;
+                for (const Point& point : points_) {
+                    sum_ += point.value;
+                }
+            }
+            return sum_ / static_cast<double>(points_.size());
+        }
+        const double span = points_.back().time - points_.front().time;
+        return span > 0 ? (points_.back().value - points_.front().value) / span : kNoResult;
+    }
+
+private:
+    static constexpr std::int64_t kSumAnew = 4096;  // rounding does not add up
+
+    struct Point {
+        double time, value;
+    };
+    double seconds_;
+    bool mean_;
+    std::deque<Point> points_;
+    double sum_ = 0;
+    std::int64_t next_ = -1;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<Derivation>> Derivation::make(const QString& text,
+                                                     const std::function<bool(const QString&)>& exists) {
+    static const QRegularExpression kForm(
+        QStringLiteral("^\\s*([^=\\[\\]]{1,40}?)\\s*(?:\\[([^\\[\\]=]{0,12})\\])?\\s*=\\s*([^=].*)$"),
+        QRegularExpression::DotMatchesEverythingOption);
+    static const QRegularExpression kStretch(
+        QStringLiteral("^(deriv|mean)\\(\\s*([A-Za-z_][\\w.]*)\\s*,\\s*([0-9.]+)\\s*\\)$"));
+    if (text.size() > kLongestText) {
+        return wrong(DerivationText::tr("The text is too long."));
+    }
+    const QRegularExpressionMatch form = kForm.match(text);
+    if (!form.hasMatch()) {
+        return wrong(
+            DerivationText::tr("Write it as a name, an equals sign and an expression: "
+                               "|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)"));
+    }
+    const QString expression = form.captured(3).trimmed();
+    // The parser would write into the signal.
+    static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
+    if (expression.contains(kAssigns)) {
+        return wrong(DerivationText::tr("There is one equals sign too many; a comparison has two: =="));
+    }
+    std::shared_ptr<Derivation> made;
+    if (const QRegularExpressionMatch stretch = kStretch.match(expression); stretch.hasMatch()) {
+        bool isNumber = false;
+        const double seconds = stretch.captured(3).toDouble(&isNumber);
+        if (!exists(stretch.captured(2))) {
+            return wrong(DerivationText::tr("There is no signal “%1”. The list of signals shows the names.")
+                             .arg(stretch.captured(2)));
+        }
+        if (!isNumber || seconds < kShortestStretch || seconds > kLongestStretch) {
+            return wrong(DerivationText::tr("The stretch of time is between 0.001 and 60 seconds."));
+        }
+        made = std::make_shared<Stretch>(stretch.captured(2), seconds,
+                                         stretch.captured(1) == QLatin1String("mean"));
+    } else {
+        auto parsed = std::make_shared<Expression>();
+        if (const QString problem = parsed->read(expression, exists); !problem.isEmpty()) {
+            return wrong(problem);
+        }
+        made = parsed;
+    }
+    made->name_ = form.captured(1).trimmed();
+    made->unit_ = form.captured(2).trimmed();
+    made->text_ = made->unit_.isEmpty()
+                      ? QStringLiteral("%1 = %2").arg(made->name_, expression)
+                      : QStringLiteral("%1 [%2] = %3").arg(made->name_, made->unit_, expression);
+    return made;
+}
+
+}  // namespace tiller

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/signals/series_column.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tiller {
+
+namespace {
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+/// NaN is no value: the comparisons leave it out.
+template <class Value>
+struct SeriesColumn::RunningExtent {
+    Value min = std::numeric_limits<Value>::infinity();
+    Value max = -std::numeric_limits<Value>::infinity();
+
+    void add(Value low, Value high) {
+        min = low < min ? low : min;
+        max = high > max ? high : max;
+    }
+    /// In four strands, so that a step need not wait for the one before.
+    static RunningExtent of(const Value* rows, std::size_t count) {
+        std::array<RunningExtent, 4> strands;
+        const std::size_t whole = count - count % strands.size();
+        for (std::size_t i = 0; i < whole; i += strands.size()) {
+            for (std::size_t k = 0; k < strands.size(); ++k) {
+                strands[k].add(rows[i + k], rows[i + k]);
+            }
+        }
+        for (std::size_t i = whole; i < count; ++i) {
+            strands[0].add(rows[i], rows[i]);
+        }
+        for (std::size_t k = 1; k < strands.size(); ++k) {
+            strands[0].add(strands[k].min, strands[k].max);
+        }
+        return strands[0];
+    }
+};
+
+SeriesColumn::SeriesColumn(Precision precision, std::int64_t rowsBefore) : precision_(precision) {
+    add(static_cast<std::size_t>(std::max<std::int64_t>(rowsBefore, 0)),
+        [](std::size_t) { return kNoValue; });
+}
+
+void SeriesColumn::beginBlock() {
+    blocks_.emplace_back();
+    bytes_ += sizeof(Block);
+}
+
+void SeriesColumn::dropBlock() {
+    const Block& oldest = blocks_.front();
+    bytes_ -= sizeof(Block) + (oldest.single ? sizeof(*oldest.single) : 0) +
+              (oldest.exact ? sizeof(*oldest.exact) : 0);
+    blocks_.erase(blocks_.begin());
+    rows_ -= kBlockRows;
+}
+
+template <class Value>
+void SeriesColumn::spread(Block& block, std::size_t rows) {
+    auto& values = valuesOf<Value>(block);
+    values = std::make_unique_for_overwrite<Values<Value>>();
+    bytes_ += sizeof(*values);
+    std::fill_n(values->rows.begin(), rows, static_cast<Value>(block.constant));
+    constexpr std::size_t kFine = std::size_t{1} << kFineBits;
+    for (std::size_t done = kFine; done <= rows; done += kFine) {
+        completeLevels(*values, done);
+    }
+}
+
+template <class Value>
+void SeriesColumn::completeLevels(Values<Value>& values, std::size_t rows) {
+    constexpr std::size_t kFine = std::size_t{1} << kFineBits;
+    constexpr std::size_t kCoarse = std::size_t{1} << kCoarseBits;
+    const auto fine = RunningExtent<Value>::of(&values.rows[rows - kFine], kFine);
+    values.fine[(rows >> kFineBits) - 1] = {fine.min, fine.max};
+    if (rows % kCoarse == 0) {
+        RunningExtent<Value> coarse;
+        for (std::size_t i = (rows - kCoarse) >> kFineBits; i < rows >> kFineBits; ++i) {
+            coarse.add(values.fine[i].min, values.fine[i].max);
+        }
+        values.coarse[(rows >> kCoarseBits) - 1] = {coarse.min, coarse.max};
+    }
+}
+
+void SeriesColumn::completeBlock(Block& block) {
+    block.whole = {};
+    const auto addAll = [&block](const auto& coarse) {
+        for (const auto& entry : coarse) {
+            block.whole.add(MinMax{static_cast<double>(entry.min), static_cast<double>(entry.max)});
+        }
+    };
+    if (block.single) {
+        addAll(block.single->coarse);
+    } else if (block.exact) {
+        addAll(block.exact->coarse);
+    } else {
+        block.whole.add(block.constant);
+    }
+}
+
+template <class Value>
+void SeriesColumn::addRange(const Values<Value>& values, std::size_t begin, std::size_t end, MinMax& sum) {
+    constexpr std::size_t kFine = std::size_t{1} << kFineBits;
+    constexpr std::size_t kCoarse = std::size_t{1} << kCoarseBits;
+    RunningExtent<Value> range;
+    const auto addRows = [&](std::size_t from, std::size_t to) {
+        const auto part = RunningExtent<Value>::of(&values.rows[from], to - from);
+        range.add(part.min, part.max);
+    };
+    const std::size_t firstFine = (begin + kFine - 1) & ~(kFine - 1);
+    const std::size_t lastFine = end & ~(kFine - 1);
+    if (firstFine >= lastFine) {
+        addRows(begin, end);
+    } else {
+        addRows(begin, firstFine);
+        std::size_t at = firstFine;
+        while (at < lastFine) {
+            if (at % kCoarse == 0 && at + kCoarse <= lastFine) {
+                const auto& entry = values.coarse[at >> kCoarseBits];
+                range.add(entry.min, entry.max);
+                at += kCoarse;
+            } else {
+                const auto& entry = values.fine[at >> kFineBits];
+                range.add(entry.min, entry.max);
+                at += kFine;
+            }
+        }
+        addRows(lastFine, end);
+    }
+    sum.add(MinMax{static_cast<double>(range.min), static_cast<double>(range.max)});
+}
+
+MinMax SeriesColumn::minMax(std::int64_t begin, std::int64_t end) const {
+    MinMax sum;
+    std::int64_t at = std::max<std::int64_t>(begin, 0);
+    const std::int64_t stop = std::min(end, rows_);
+    while (at < stop) {
+        const Block& block = blocks_[static_cast<std::size_t>(at >> kBlockBits)];
+        const std::int64_t blockBegin = at & ~(kBlockRows - 1);
+        const std::int64_t to = std::min(stop, blockBegin + kBlockRows);
+        const auto from = static_cast<std::size_t>(at - blockBegin);
+        const auto until = static_cast<std::size_t>(to - blockBegin);
+        if (from == 0 && to - at == kBlockRows) {
+            sum.add(block.whole);
+        } else if (block.single) {
+            addRange(*block.single, from, until, sum);
+        } else if (block.exact) {
+            addRange(*block.exact, from, until, sum);
+        } else {
+            sum.add(block.constant);
+        }
+        at = to;
+    }
+    return sum;
+}
+
+template void SeriesColumn::spread<float>(Block&, std::size_t);
+template void SeriesColumn::spread<double>(Block&, std::size_t);
+template void SeriesColumn::completeLevels<float>(Values<float>&, std::size_t);
+template void SeriesColumn::completeLevels<double>(Values<double>&, std::size_t);
+
+}  // namespace tiller

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The values of one signal, block by block, with levels of minima and maxima inside each block. A block whose values
+// are all the same holds that value and nothing else: registers, modes and words of bits cost next to nothing.
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "widgets/signals/min_max.h"
+
+namespace tiller {
+
+enum class Precision : std::uint8_t {
+    Single,  ///< as float: what is measured
+    Exact,   ///< as double: integers, words of bits
+};
+
+/// Rows are counted from the oldest one kept.
+/// Threads  one
+class SeriesColumn {
+public:
+    static constexpr int kBlockBits = 12;
+    static constexpr std::int64_t kBlockRows = std::int64_t{1} << kBlockBits;
+
+    /// rowsBefore  rows that the columns beside it have already: no values here
+    explicit SeriesColumn(Precision precision, std::int64_t rowsBefore = 0);
+
+    Precision precision() const { return precision_; }
+    std::int64_t rows() const { return rows_; }
+    /// Memory of the values and their levels [bytes].
+    std::size_t bytes() const { return bytes_; }
+
+    /// source(row) gives each of the values; NaN: none.
+    template <class Source>
+    void add(std::size_t count, Source source) {
+        if (precision_ == Precision::Single) {
+            addAs<float>(count, source);
+        } else {
+            addAs<double>(count, source);
+        }
+    }
+    /// The oldest block falls out.
+    void dropBlock();
+
+    double value(std::int64_t row) const {
+        const Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];
+        const auto at = static_cast<std::size_t>(row & (kBlockRows - 1));
+        return block.single  ? static_cast<double>(block.single->rows[at])
+               : block.exact ? block.exact->rows[at]
+                             : block.constant;
+    }
+    /// Over the rows begin ... end - 1, exactly.
+    MinMax minMax(std::int64_t begin, std::int64_t end) const;
+
+private:
+    static constexpr int kFineBits =
+        5;  // 32 rows make an entry of the first level, eight of those one of the next
+    static constexpr int kCoarseBits = 8;
+    static constexpr std::size_t kFineEntries = std::size_t(kBlockRows >> kFineBits);
+    static constexpr std::size_t kCoarseEntries = std::size_t(kBlockRows >> kCoarseBits);
+
+    template <class Value>
+    struct Extent {
+        Value min, max;
+    };
+    template <class Value>
+    struct Values {
+        std::array<Value, std::size_t(kBlockRows)> rows;
+        std::array<Extent<Value>, kFineEntries> fine;
+        std::array<Extent<Value>, kCoarseEntries> coarse;
+    };
+    template <class Value>
+    struct RunningExtent;
+    struct Block {
+        double constant = 0;  ///< of every row, while there are no values
+        std::unique_ptr<Values<float>> single;
+        std::unique_ptr<Values<double>> exact;
+        MinMax whole;  ///< of a block that is full
+    };
+
+    template <class Value>
+    static std::unique_ptr<Values<Value>>& valuesOf(Block& block) {
+        if constexpr (sizeof(Value) == sizeof(float)) {
+            return block.single;
+        } else {
+            return block.exact;
+        }
+    }
+    template <class Value>
+    static bool isSame(Value a, double b) {
+        return static_cast<double>(a) == b || (std::isnan(a) && std::isnan(b));
+    }
+    template <class Value, class Source>
+    void addAs(std::size_t count, Source source) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto at = static_cast<std::size_t>(rows_ & (kBlockRows - 1));
+            if (at == 0) {
+                beginBlock();
+            }
+            Block& block = blocks_.back();
+            auto& values = valuesOf<Value>(block);
+            const auto value = static_cast<Value>(source(i));
+            if (!values && at == 0) {
+                block.constant = static_cast<double>(value);
+            } else if (!values && !isSame(value, block.constant)) {
+                spread<Value>(block, at);
+            }
+            ++rows_;
+            if (values) {
+                values->rows[at] = value;
+                if ((rows_ & ((std::int64_t{1} << kFineBits) - 1)) == 0) {
+                    completeLevels(*values, at + 1);
+                }
+            }
+            if ((rows_ & (kBlockRows - 1)) == 0) {
+                completeBlock(block);
+            }
+        }
+    }
+    void beginBlock();
+    /// The block gets room for values that differ.
+    template <class Value>
+    void spread(Block& block, std::size_t rows);
+    template <class Value>
+    static void completeLevels(Values<Value>& values, std::size_t rows);
+    static void completeBlock(Block& block);
+    template <class Value>
+    static void addRange(const Values<Value>& values, std::size_t begin, std::size_t end, MinMax& sum);
+
+    Precision precision_;
+    std::int64_t rows_ = 0;
+    std::size_t bytes_ = 0;
+    std::vector<Block> blocks_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/signals/signal_store.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "robot/receive/receiver.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
+/// Behind the newest sample its value holds for as long [s].
+constexpr double kHolds = 0.05;
+
+}  // namespace
+
+SignalStore::SignalStore(const HistoryLimits& limits, QObject* parent) : QObject(parent), limits_(limits) {
+    for (int i = 0; i < 2; ++i) {
+        tables_.emplace_back().buffer = std::make_unique<SeriesBuffer>();
+    }
+    const QVector<SignalInfo> all = robotSignals();
+    for (const SignalInfo& info : all) {
+        byKey_.insert(info.key, count());
+        signals_.emplace_back().info = info;
+    }
+    for (const std::string& field : receive::defaultFields()) {
+        addField(kLive, QString::fromStdString(field));
+    }
+    share();
+}
+
+void SignalStore::addField(int table, const QString& field) {
+    Table& into = tables_[static_cast<std::size_t>(table)];
+    for (Signal& signal : signals_) {
+        if (signal.info.field != field || signal.column >= 0 || signal.table >= kFirstRecording) {
+            continue;
+        }
+        const receive::FieldInfo* info = receive::findField(field.toStdString());
+        const std::string name = info->componentName(signal.info.component);
+        const auto known = std::find(into.columns.begin(), into.columns.end(), name);
+        signal.table = table;
+        signal.column = static_cast<int>(known - into.columns.begin());
+        if (known == into.columns.end()) {
+            into.buffer->addColumn(signal.info.precision());
+            into.columns.push_back(name);
+            into.derived.push_back(-1);
+        }
+    }
+}
+
+const SeriesBuffer* SignalStore::buffer(int signal) const {
+    const int table = signals_[static_cast<std::size_t>(signal)].table;
+    return table == kNowhere ? nullptr : tables_[static_cast<std::size_t>(table)].buffer.get();
+}
+
+double SignalStore::value(int signal, std::int64_t sample) const {
+    const SeriesBuffer* buffer = this->buffer(signal);
+    if (buffer == nullptr) {
+        return kNoData;
+    }
+    const double value = buffer->value(column(signal), sample);
+    const int bit = info(signal).bit;
+    if (bit < 0 || !(value >= 0)) {
+        return bit < 0 ? value : kNoData;
+    }
+    return static_cast<double>(static_cast<std::uint64_t>(value) >> bit & 1);
+}
+
+std::optional<double> SignalStore::valueAt(int signal, double time) const {
+    const SeriesBuffer* buffer = this->buffer(signal);
+    const std::int64_t at = buffer == nullptr ? -1 : buffer->lastBefore(time);
+    if (at < 0) {
+        return std::nullopt;
+    }
+    const bool isLast = at + 1 == buffer->end();
+    if (isLast ? time > buffer->lastTime() + kHolds : buffer->time(at) != time && buffer->gapBefore(at + 1)) {
+        return std::nullopt;
+    }
+    const double value = this->value(signal, at);
+    return std::isnan(value) ? std::nullopt : std::optional<double>(value);
+}
+
+std::vector<std::int64_t> SignalStore::changes(int signal, std::int64_t begin, std::int64_t end) const {
+    std::vector<std::int64_t> found;
+    const SeriesBuffer* buffer = this->buffer(signal);
+    if (buffer == nullptr) {
+        return found;
+    }
+    // Stretches in which the whole column is the same are stepped over.
+    constexpr std::int64_t kStretch = 256;
+    const auto differs = [](double a, double b) { return a != b && !(std::isnan(a) && std::isnan(b)); };
+    const int column = this->column(signal);
+    std::int64_t at = std::max(begin, buffer->first() + 1);
+    const std::int64_t stop = std::min(end, buffer->end());
+    while (at < stop) {
+        const std::int64_t to = std::min(stop, (at | (kStretch - 1)) + 1);
+        const MinMax extent = buffer->minMax(column, at - 1, to);
+        const bool same =
+            !extent.isEmpty() && extent.min == extent.max && !std::isnan(buffer->value(column, at - 1));
+        if (same || extent.isEmpty()) {
+            // NaN hides in an extent: a stretch that begins with a value and ends with one may have a hole.
+            if (extent.isEmpty() || !std::isnan(buffer->value(column, to - 1))) {
+                at = to;
+                continue;
+            }
+        }
+        for (; at < to; ++at) {
+            if (differs(value(signal, at), value(signal, at - 1))) {
+                found.push_back(at);
+            }
+        }
+    }
+    return found;
+}
+
+Result<int> SignalStore::derive(const QString& text) {
+    const auto exists = [this](const QString& key) {
+        const int signal = find(key);
+        return signal >= 0 && info(signal).bit < 0;
+    };
+    Result<std::shared_ptr<Derivation>> made = Derivation::make(text, exists);
+    if (!made) {
+        return made.error();
+    }
+    const std::shared_ptr<Derivation> derivation = *made;
+    if (const int known = find(derivation->text()); known >= 0) {
+        return known;
+    }
+    const Error context{ErrorCode::InvalidArgument, tr("compute a signal"), {}};
+    Signal signal;
+    for (const QString& key : derivation->inputs()) {
+        const int input = find(key);
+        const Signal& from = signals_[static_cast<std::size_t>(input)];
+        if (from.table == kNowhere) {
+            addField(kFurther, from.info.field);
+        }
+        if (signal.table != kNowhere && signal.table != from.table) {
+            return Error{context.code, context.context,
+                         tr("%1 does not come in the same packets as the others.").arg(key)};
+        }
+        signal.table = from.table;
+        signal.inputs.push_back(input);
+        signal.inputColumns.push_back(from.column);
+    }
+    SignalInfo& info = signal.info;
+    info.key = derivation->text();
+    info.group = tr("Derived");
+    info.family = info.label = info.longLabel = derivation->name();
+    info.meaning = derivation->text();
+    setUnit(info, derivation->unit());
+    Table& table = tables_[static_cast<std::size_t>(signal.table)];
+    signal.column = table.buffer->addColumn(Precision::Single);
+    signal.derivation = derivation;
+    table.columns.push_back(info.key.toStdString());
+    const int number = count();
+    table.derived.push_back(number);
+    byKey_.insert(info.key, number);
+    signals_.push_back(std::move(signal));
+    table.buffer->fillColumn(column(number),
+                             [&](std::int64_t sample) { return derivedAt(*table.buffer, number, sample); });
+    share();
+    Q_EMIT signalAdded(number);
+    return number;
+}
+
+int SignalStore::findOrDerive(const QString& key) {
+    if (const int known = find(key); known >= 0 || !key.contains(QLatin1Char('='))) {
+        return known;
+    }
+    const Result<int> made = derive(key);
+    return made ? *made : -1;
+}
+
+QStringList SignalStore::fieldsFor(const QHash<const void*, QSet<int>>& wanted) const {
+    QStringList fields;
+    const auto add = [&](const Signal& one) {
+        if (!one.info.field.isEmpty() && one.table != kLive && one.table < kFirstRecording &&
+            !fields.contains(one.info.field)) {
+            fields.append(one.info.field);
+        }
+    };
+    for (const QSet<int>& shown : wanted) {
+        for (const int signal : shown) {
+            add(signals_[static_cast<std::size_t>(signal)]);
+            for (const int input : signals_[static_cast<std::size_t>(signal)].inputs) {
+                add(signals_[static_cast<std::size_t>(input)]);
+            }
+        }
+    }
+    std::sort(fields.begin(), fields.end());
+    return fields;
+}
+
+bool SignalStore::want(const void* who, const QSet<int>& shown) {
+    problem_.clear();
+    for (const int signal : shown) {
+        if (!load(signal)) {
+            return false;
+        }
+    }
+    QHash<const void*, QSet<int>> wanted = wanted_;
+    if (shown.isEmpty()) {
+        wanted.remove(who);
+    } else {
+        wanted[who] = shown;
+    }
+    const QStringList fields = fieldsFor(wanted);
+    if (fields == furtherFields_) {
+        wanted_ = wanted;
+        return true;
+    }
+    constexpr qsizetype kTimestamp = 10;  // with its comma
+    if (static_cast<std::size_t>(fields.join(QLatin1Char(',')).size() + kTimestamp) >
+        receive::longestFieldList()) {
+        problem_ = tr("These signals are more than a robot sends at once: take others away first.");
+        return false;
+    }
+    for (const QString& field : std::as_const(fields)) {
+        addField(kFurther, field);
+    }
+    share();
+    wanted_ = wanted;
+    furtherFields_ = fields;
+    Q_EMIT furtherFieldsChanged(furtherFields_);
+    return true;
+}
+
+Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, double begin) {
+    const Error empty{ErrorCode::InvalidArgument, tr("open %1").arg(file->path()),
+                      tr("There is no row in this recording.")};
+    const Result<std::vector<double>> times = file->times({0, file->rows()});
+    if (!times) {
+        return times.error();
+    }
+    if (times->empty()) {
+        return empty;
+    }
+    const QString plain = QFileInfo(file->path()).fileName();
+    QString name = plain;
+    const auto isTaken = [this](const QString& wanted) {
+        return std::any_of(tables_.begin(), tables_.end(),
+                           [&](const Table& table) { return table.name == wanted; });
+    };
+    for (int more = 2; isTaken(name); ++more) {
+        name = QStringLiteral("%1 (%2)").arg(plain).arg(more);
+    }
+    std::vector<SeriesBuffer::Row> rows;
+    rows.reserve(times->size());
+    for (const double time : *times) {
+        double at = begin + time;
+        if (!rows.empty() && !(at > rows.back().time)) {
+            at = std::nextafter(rows.back().time, std::numeric_limits<double>::infinity());
+        }
+        rows.push_back({at, false});
+    }
+    for (const recording::RecordedGap& gap : file->gaps()) {
+        if (gap.row < rows.size()) {
+            rows[gap.row].gapBefore = true;
+        }
+    }
+    Table& table = tables_.emplace_back();
+    table.buffer =
+        std::make_unique<SeriesBuffer>(0, HistoryLimits{1e12, std::numeric_limits<std::size_t>::max()});
+    table.buffer->appendRows(rows, [](std::size_t, std::size_t) { return kNoData; });
+    table.name = name;
+    // What the robot's own signals are called is what they are called here.
+    QHash<QString, QVector<int>> known;
+    const int robots = count();
+    for (int i = 0; i < robots; ++i) {
+        const SignalInfo& info = this->info(i);
+        if (!info.field.isEmpty() && signals_[static_cast<std::size_t>(i)].table < kFirstRecording) {
+            const receive::FieldInfo* field = receive::findField(info.field.toStdString());
+            known[QString::fromStdString(field->componentName(info.component))].append(i);
+        }
+    }
+    for (const recording::RecordedColumn& column : file->columns()) {
+        const QString columnName = QString::fromStdString(column.name);
+        QVector<SignalInfo> infos;
+        for (const int like : known.value(columnName)) {
+            infos.append(info(like));
+        }
+        if (infos.isEmpty()) {
+            SignalInfo info;
+            info.key = info.family = info.label = info.longLabel = columnName;
+            info.kind = column.whole ? receive::FieldKind::Count : receive::FieldKind::Number;
+            setUnit(info, QString::fromStdString(column.unit));
+            infos.append(info);
+        }
+        for (SignalInfo& info : infos) {
+            info.field = columnName;
+            info.component = 0;
+            info.meaning = tr("%1 of %2").arg(info.key, name);
+            info.key = name + QLatin1Char('/') + info.key;
+            info.group = name;
+            byKey_.insert(info.key, count());
+            Signal& signal = signals_.emplace_back();
+            signal.info = info;
+            signal.table = static_cast<int>(tables_.size()) - 1;
+        }
+    }
+    table.file = std::move(file);
+    Q_EMIT signalAdded(count() - 1);
+    return name;
+}
+
+bool SignalStore::load(int signal) {
+    Signal& wanted = signals_[static_cast<std::size_t>(signal)];
+    if (wanted.table < kFirstRecording || wanted.column >= 0) {
+        return true;
+    }
+    Table& table = tables_[static_cast<std::size_t>(wanted.table)];
+    const std::string name = wanted.info.field.toStdString();
+    const auto known = std::find(table.columns.begin(), table.columns.end(), name);
+    if (known != table.columns.end()) {
+        wanted.column = static_cast<int>(known - table.columns.begin());
+        return true;
+    }
+    const std::uint64_t rows = table.file->rows();
+    const std::size_t size = wanted.info.precision() == Precision::Single ? sizeof(float) : sizeof(double);
+    if (memoryBytes() + rows * size > limits_.bytes) {
+        problem_ =
+            tr("There is too little memory for the history to show %1: choose more in the menu Layout.")
+                .arg(wanted.info.longLabel);
+        return false;
+    }
+    const std::optional<std::size_t> column = table.file->indexOf(name);
+    constexpr std::uint64_t kAtOnce = 1 << 16;
+    std::vector<double> part;
+    std::uint64_t partBegin = 0;
+    QString failure;
+    const int added = table.buffer->addColumn(wanted.info.precision());
+    table.buffer->fillColumn(added, [&](std::int64_t sample) {
+        const auto row = static_cast<std::uint64_t>(sample);
+        if (part.empty() || row >= partBegin + part.size()) {
+            partBegin = row;
+            const std::array<std::size_t, 1> columns = {*column};
+            auto read = table.file->read(columns, {row, std::min(kAtOnce, rows - row)});
+            if (read && !read->front().empty()) {
+                part = std::move(read->front());
+            } else {
+                failure = read ? QString() : read.error().toString();
+                part.assign(std::min(kAtOnce, rows - row), kNoData);
+            }
+        }
+        return part[row - partBegin];
+    });
+    table.columns.push_back(name);
+    table.derived.push_back(-1);
+    wanted.column = added;
+    if (!failure.isEmpty()) {
+        problem_ = failure;  // what can be read is shown
+    }
+    return true;
+}
+
+std::vector<int> SignalStore::signalsOf(const QString& recording) const {
+    std::vector<int> found;
+    for (int i = 0; i < count(); ++i) {
+        const int table = signals_[static_cast<std::size_t>(i)].table;
+        if (table >= kFirstRecording && tables_[static_cast<std::size_t>(table)].name == recording) {
+            found.push_back(i);
+        }
+    }
+    return found;
+}
+
+void SignalStore::closeRecordings() {
+    // Their numbers stay taken: they are nobody's now.
+    for (Signal& signal : signals_) {
+        if (signal.table >= kFirstRecording) {
+            byKey_.remove(signal.info.key);
+            signal = {};
+        }
+    }
+    tables_.resize(kFirstRecording);
+    Q_EMIT signalAdded(-1);
+}
+
+void SignalStore::setLimits(const HistoryLimits& limits) {
+    limits_ = limits;
+    share();
+}
+
+void SignalStore::share() {
+    // Times count as two columns.
+    const auto weight = [](const Table& table) { return static_cast<double>(table.columns.size() + 2); };
+    const double all =
+        weight(tables_[kLive]) + (tables_[kFurther].columns.empty() ? 0 : weight(tables_[kFurther]));
+    for (Table& table : std::span(tables_).first(kFirstRecording)) {
+        HistoryLimits part = limits_;
+        part.bytes = static_cast<std::size_t>(static_cast<double>(limits_.bytes) * weight(table) / all);
+        table.buffer->setLimits(part);
+    }
+}
+
+std::size_t SignalStore::memoryBytes() const {
+    std::size_t bytes = 0;
+    for (const Table& table : tables_) {
+        bytes += table.buffer->memoryBytes();
+    }
+    return bytes;
+}
+
+}  // namespace tiller
+
+#include "moc_signal_store.cpp"

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// All signals there are to see, and where their values lie: those that the robot sends anyway, those it was asked
+// for besides, and those made here from others. A signal keeps its number as long as the store lives.
+
+#include <QHash>
+#include <QObject>
+#include <QSet>
+#include <QStringList>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/recording/recording.h"
+#include "widgets/signals/derivation.h"
+#include "widgets/signals/series_buffer.h"
+#include "widgets/signals/signal_info.h"
+
+namespace tiller {
+
+/// Threads  GUI
+class SignalStore : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SignalStore(const HistoryLimits& limits = {}, QObject* parent = nullptr);
+
+    int count() const { return static_cast<int>(signals_.size()); }
+    const SignalInfo& info(int signal) const { return signals_[static_cast<std::size_t>(signal)].info; }
+    /// False: it is computed here, or from a recording.
+    bool isRobots(int signal) const {
+        const Signal& one = signals_[static_cast<std::size_t>(signal)];
+        return one.table < kFirstRecording && !one.derivation;
+    }
+    bool isRecorded(int signal) const {
+        return signals_[static_cast<std::size_t>(signal)].table >= kFirstRecording;
+    }
+    /// -1: there is none.
+    int find(const QString& key) const { return byKey_.value(key, -1); }
+
+    /// A signal computed from others, as Derivation describes the text; the samples there are get it too.
+    /// Returns  its number; that of the one there is, where it was made before
+    /// Errors   InvalidArgument, saying what is wrong with the text
+    Result<int> derive(const QString& text);
+    /// By its key, which for a derived signal is its text: that is made where it is not there yet. -1: cannot be.
+    int findOrDerive(const QString& key);
+
+    /// Null: the robot was never asked for it.
+    const SeriesBuffer* buffer(int signal) const;
+    int column(int signal) const { return signals_[static_cast<std::size_t>(signal)].column; }
+    /// Of the column, or of its bit; NaN: none.
+    double value(int signal, std::int64_t sample) const;
+    /// The value that held at this time, which is that of the last sample before; nothing in a gap or where there
+    /// are no data.
+    std::optional<double> valueAt(int signal, double time) const;
+    /// All samples at which it had another value than at the one before, within begin ... end - 1.
+    std::vector<std::int64_t> changes(int signal, std::int64_t begin, std::int64_t end) const;
+
+    /// A recording beside what is live: its signals stand in a group of their own, their keys behind its name. Values
+    /// are read from the file when somebody wants them.
+    /// begin    where its first row stands on the plots' time axis [s]
+    /// Returns  its name, which is the file's
+    /// Errors   those of Recording; InvalidArgument when there is no row in it
+    Result<QString> open(std::unique_ptr<recording::Recording> file, double begin);
+    /// The signals of an opened recording.
+    std::vector<int> signalsOf(const QString& recording) const;
+    /// Lets go of all recordings. Nobody may show them any more.
+    void closeRecordings();
+    bool hasRecordings() const { return tables_.size() > kFirstRecording; }
+    /// Why the last want() failed: more signals than a robot sends, or more memory than the budget has.
+    const QString& problem() const { return problem_; }
+
+    /// What comes with every packet, and what was asked for besides.
+    const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
+    const SeriesBuffer& further() const { return *tables_[kFurther].buffer; }
+    /// New rows of either; source(column, row) gives each value that is the robot's.
+    template <class Source>
+    void appendLive(std::span<const SeriesBuffer::Row> rows, Source source) {
+        append(tables_[kLive], rows, source);
+    }
+    template <class Source>
+    void appendFurther(std::span<const SeriesBuffer::Row> rows, Source source) {
+        append(tables_[kFurther], rows, source);
+    }
+    /// The components in the order of the columns: "actual_q_0".
+    const std::vector<std::string>& liveColumns() const { return tables_[kLive].columns; }
+    const std::vector<std::string>& furtherColumns() const { return tables_[kFurther].columns; }
+
+    /// Somebody shows these signals and no others any more: what the robot does not send anyway shall be asked for.
+    /// who      told apart by its address only
+    /// Returns  false, and changes nothing, if they are more than a robot takes at once
+    bool want(const void* who, const QSet<int>& shown);
+    const QStringList& furtherFields() const { return furtherFields_; }
+
+    const HistoryLimits& limits() const { return limits_; }
+    void setLimits(const HistoryLimits& limits);
+    std::size_t memoryBytes() const;
+
+Q_SIGNALS:
+    /// What the robot shall be asked for besides what comes anyway.
+    void furtherFieldsChanged(const QStringList& fields);
+    /// Another one was derived.
+    void signalAdded(int signal);
+
+private:
+    enum : int { kNowhere = -1, kLive = 0, kFurther = 1, kFirstRecording = 2 };
+    struct Table {
+        std::unique_ptr<SeriesBuffer> buffer;
+        std::vector<std::string> columns;
+        std::vector<int> derived;  ///< the signal whose column it is; -1: it is the robot's
+        QString name{};            ///< of a recording
+        std::unique_ptr<recording::Recording> file{};
+    };
+    struct Signal {
+        SignalInfo info;
+        int table = kNowhere;
+        int column = -1;
+        std::shared_ptr<Derivation> derivation;
+        std::vector<int> inputs;        ///< signals
+        std::vector<int> inputColumns;  ///< of the same table
+    };
+
+    /// Gives every component of the field a column.
+    void addField(int table, const QString& field);
+    double derivedAt(const SeriesBuffer& history, int signal, std::int64_t sample) {
+        Signal& derived = signals_[static_cast<std::size_t>(signal)];
+        return derived.derivation->valueAt(history, derived.inputColumns, sample);
+    }
+    template <class Source>
+    void append(Table& table, std::span<const SeriesBuffer::Row> rows, Source source) {
+        SeriesBuffer& history = *table.buffer;
+        const std::int64_t begin = history.end();
+        // A derived column stands behind those it is made from: they have their values already.
+        history.appendRows(rows, [&](std::size_t column, std::size_t row) {
+            const int derived = table.derived[column];
+            return derived < 0 ? static_cast<double>(source(column, row))
+                               : derivedAt(history, derived, begin + static_cast<std::int64_t>(row));
+        });
+    }
+    void share();
+    bool load(int signal);
+    QStringList fieldsFor(const QHash<const void*, QSet<int>>& wanted) const;
+
+    HistoryLimits limits_;
+    std::vector<Table> tables_;
+    std::vector<Signal> signals_;
+    QHash<QString, int> byKey_;
+    QHash<const void*, QSet<int>> wanted_;
+    QStringList furtherFields_;
+    QString problem_;
+};
+
+}  // namespace tiller

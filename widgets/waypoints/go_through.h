@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// "Go through": the waypoints of a route one after the other while a key is held, each by its own kind of move, at its
+// own speed under the chosen one, and with its own blend. Let go is pause: the next press goes on to the coming
+// waypoint, and two more keys go one waypoint on or back. Waypoints with a blend are joined into one path that the
+// controller follows; where the arm stops anyway each way is a move of its own.
+
+#include <QObject>
+#include <QVector>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "widgets/session/move_time.h"
+#include "widgets/waypoints/held_sequence.h"
+#include "widgets/waypoints/waypoint_route.h"
+
+namespace tiller {
+
+class ProjectDocument;
+
+class GoThrough : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Way { Through, StepOn, StepBack };
+
+    /// All must outlive it.
+    /// state      where the arm is now
+    /// heldSpeed  the speed that every move keeps below, asked at each
+    GoThrough(const MotionPort& port, const ProjectDocument& document, const SessionState& state,
+              const std::function<HeldSpeed()>& heldSpeed, QObject* parent = nullptr);
+    ~GoThrough() override;
+
+    /// The way goes through these rows of the document, and begins anew.
+    void setRows(const QVector<int>& rows);
+    /// After an edit of the document: the way goes through these rows now, and the coming one stays the coming one.
+    void followRows(const QVector<int>& rows);
+    void setLoop(bool loop);
+    const WaypointRoute& route() const { return route_; }
+    /// True from the first step on, until it begins anew.
+    bool isUnderWay() const { return route_.isUnderWay(); }
+    /// Row of the coming one; -1 behind the last.
+    int comingRow() const;
+
+    /// For the key of that way.
+    HoldMotion motion(Way way);
+    /// Why it cannot go that way now, as a sentence; empty when it can. Of the route, not of the robot.
+    QString obstacle(Way way) const;
+    /// The same for what was said when it could not begin or go on.
+    static QString whyNot(const Error& error);
+    /// What a press would begin with, or goes on with now.
+    Result<MoveRequest> firstMove(Way way) const;
+
+Q_SIGNALS:
+    /// Another waypoint is the coming one.
+    void routeChanged();
+    /// It ended before its end: a sentence that says why.
+    void failed(const QString& reason);
+
+private:
+    Result<std::unique_ptr<SequenceStep>> nextStep(Way way);
+    std::optional<int> firstPlace(Way way) const;
+    QVector<int> legFrom(int place, Way way) const;
+    Result<MoveRequest> moveTo(int place, const SessionState& from) const;
+    Result<std::vector<MoveRequest>> movesOf(const QVector<int>& leg) const;
+    control::MotionPath pathOf(const QVector<int>& leg, const std::vector<MoveRequest>& moves) const;
+    HoldBounds bounds(Way way) const;
+    void headFor(int place, Way way);
+    /// -1 when it has gone.
+    int rowOf(int place) const;
+    QVector<QUuid> idsOf(const QVector<int>& rows) const;
+
+    const MotionPort& port_;
+    const ProjectDocument& document_;
+    const SessionState& state_;
+    const std::function<HeldSpeed()>& heldSpeed_;
+    WaypointRoute route_;
+    QVector<int> rows_;  ///< of the route's places
+    QVector<int> leg_;   ///< the places of the way under way
+    int legs_ = 0;       ///< begun since the press
+    HeldSequence through_;
+    HeldSequence stepOn_;
+    HeldSequence stepBack_;
+};
+
+}  // namespace tiller

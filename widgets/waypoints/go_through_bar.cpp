@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/waypoints/go_through_bar.h"
+
+#include <QAbstractItemView>
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "widgets/common/choice_box.h"
+#include "widgets/common/hold_button.h"
+#include "widgets/project/project_document.h"
+
+namespace tiller {
+
+using Way = GoThrough::Way;
+
+GoThroughBar::GoThroughBar(MotionPort port, const ProjectDocument& document,
+                           const std::function<HeldSpeed()>& heldSpeed, QWidget* parent)
+    : QWidget(parent)
+    , port_(std::move(port))
+    , document_(document)
+    , goThrough_(port_, document, state_, heldSpeed)
+    , scope_(new ChoiceBox)
+    , loop_(new QCheckBox(tr("Loop"))) {
+    setObjectName(QStringLiteral("waypoint.route"));
+    setAccessibleName(tr("Go through the waypoints"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 0, 12, 8);
+    layout->setSpacing(8);
+    layout->addWidget(
+        addKey(tr("Go through (hold)"), QStringLiteral("waypoint.goThrough"), tr("Go through, hold"),
+               tr("Goes from waypoint to waypoint while the key is held, no faster than the jog "
+                  "speed. Let go to pause; the next press goes on to the coming waypoint."),
+               Way::Through),
+        3);
+    layout->addWidget(addKey(QStringLiteral("‹"), QStringLiteral("waypoint.stepBack"), tr("One waypoint back, hold"),
+                             tr("Goes back to the waypoint before while the key is held"), Way::StepBack));
+    layout->addWidget(addKey(QStringLiteral("›"), QStringLiteral("waypoint.stepOn"), tr("One waypoint on, hold"),
+                             tr("Goes to the coming waypoint while the key is held, and stops there"),
+                             Way::StepOn));
+    through().setWidestDetail(QStringLiteral("000 waypoints · 000 mm/s"));
+
+    scope_->setObjectName(QStringLiteral("waypoint.routeScope"));
+    scope_->setAccessibleName(tr("Which waypoints to go through"));
+    scope_->view()->setAccessibleName(tr("Which waypoints"));
+    scope_->setToolTip(tr("Which waypoints to go through, in the order of the list"));
+    scope_->addItems({tr("From here"), tr("Selection"), tr("All")});
+    scope_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    layout->addWidget(scope_);
+    loop_->setObjectName(QStringLiteral("waypoint.routeLoop"));
+    loop_->setAccessibleName(tr("In a loop"));
+    loop_->setToolTip(tr("After the last waypoint comes the first again, for as long as the key is held"));
+    layout->addWidget(loop_);
+    connect(scope_, &QComboBox::currentIndexChanged, this, [this] {
+        stop(control::StopCause::SelectionChanged);
+        goThrough_.setRows(rows());
+    });
+    connect(loop_, &QCheckBox::toggled, this, [this](bool loop) {
+        stop(control::StopCause::SelectionChanged);
+        goThrough_.setLoop(loop);
+    });
+    connect(&goThrough_, &GoThrough::failed, this, &GoThroughBar::refused);
+    connect(&goThrough_, &GoThrough::routeChanged, this, &GoThroughBar::showRoute);
+    showRoute();
+}
+
+GoThroughBar::~GoThroughBar() {
+    stop(control::StopCause::WindowClosed);
+}
+
+HoldButton* GoThroughBar::addKey(const QString& text, const QString& objectName,
+                                 const QString& accessibleName, const QString& toolTip, Way way) {
+    auto* key = new HoldButton(text);
+    key->setObjectName(objectName);
+    key->setAccessibleName(accessibleName);
+    key->setToolTip(toolTip);
+    key->setMotion(goThrough_.motion(way));
+    connect(&key->guard(), &HoldGuard::began, this, &GoThroughBar::comingChanged);
+    connect(&key->guard(), &HoldGuard::ended, this, &GoThroughBar::comingChanged);
+    connect(&key->guard(), &HoldGuard::refused, this,
+            [this](const Error& error) { Q_EMIT refused(GoThrough::whyNot(error)); });
+    keys_[static_cast<std::size_t>(way)] = key;
+    return key;
+}
+
+QVector<int> GoThroughBar::rows() const {
+    const int count = document_.waypoints().size();
+    const auto scope = static_cast<Scope>(scope_->currentIndex());
+    QVector<int> rows;
+    if (scope == Scope::Selection) {
+        std::copy_if(selected_.begin(), selected_.end(), std::back_inserter(rows),
+                     [count](int row) { return row < count; });
+        return rows;
+    }
+    for (int row = scope == Scope::FromHere ? std::max(current_, 0) : 0; row < count; ++row) {
+        rows << row;
+    }
+    return rows;
+}
+
+void GoThroughBar::setSelection(int current, const QList<int>& selected) {
+    const auto scope = static_cast<Scope>(scope_->currentIndex());
+    const bool same = scope == Scope::All || (scope == Scope::FromHere && current == current_) ||
+                      (scope == Scope::Selection && selected == selected_);
+    current_ = current;
+    selected_ = selected;
+    if (!same) {
+        stop(control::StopCause::SelectionChanged);
+        goThrough_.setRows(rows());
+    }
+}
+
+void GoThroughBar::followDocument(int current, const QList<int>& selected) {
+    stop(control::StopCause::SelectionChanged);
+    current_ = current;
+    selected_ = selected;
+    goThrough_.followRows(rows());
+}
+
+void GoThroughBar::setState(const SessionState& state) {
+    state_ = state;
+    for (HoldButton* key : keys_) {
+        key->setConfirmed(key->isHolding() && state.moving);
+    }
+    updateAvailability();
+}
+
+void GoThroughBar::updateAvailability() {
+    QString robot;
+    if (!state_.canMove()) {
+        robot = state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
+                                               : state_.controlReason;
+    }
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+        // What ends by itself is not to be greyed under the finger.
+        if (robot.isEmpty() && keys_[i]->isHolding()) {
+            continue;
+        }
+        keys_[i]->setUnavailable(obstacles_[i].isEmpty() ? robot : obstacles_[i]);
+    }
+}
+
+void GoThroughBar::showRoute() {
+    for (const Way way : {Way::Through, Way::StepOn, Way::StepBack}) {
+        obstacles_[static_cast<std::size_t>(way)] = goThrough_.obstacle(way);
+    }
+    updateAvailability();
+    const int size = goThrough_.route().size();
+    const int row = comingRow();
+    QString place;
+    if (row >= 0) {
+        const int number = *goThrough_.route().coming() + 1;
+        place_ = tr("%1 of %2").arg(number).arg(size);
+        place =
+            tr("The coming one: %1 of %2, %3").arg(number).arg(size).arg(document_.waypoints().at(row).name);
+    } else if (goThrough_.isUnderWay() && size > 0) {
+        place_ = tr("done");
+        place = tr("Done. The next press begins at the first.");
+    } else {
+        place_ = tr("%n waypoints", nullptr, size);
+        place = place_;
+    }
+    through().setAccessibleDescription(place);
+    showDetail();
+    Q_EMIT comingChanged();
+}
+
+HoldButton& GoThroughBar::through() {
+    return *keys_[static_cast<std::size_t>(Way::Through)];
+}
+
+void GoThroughBar::showSpeed() {
+    if (isHolding()) {
+        return;  // what is under way goes on as fast as it was begun
+    }
+    const bool known = state_.hasData() && obstacles_[static_cast<std::size_t>(Way::Through)].isEmpty();
+    const Result<MoveRequest> move =
+        known ? goThrough_.firstMove(Way::Through) : Error{ErrorCode::NoSolution, {}, {}};
+    speed_ = move ? moveSpeedText(*move, state_) : QString();
+    showDetail();
+}
+
+void GoThroughBar::showDetail() {
+    through().setDetail(speed_.isEmpty() ? place_ : tr("%1 · %2").arg(place_, speed_));
+}
+
+void GoThroughBar::stop(control::StopCause cause) {
+    for (HoldButton* key : keys_) {
+        key->guard().stop(cause);
+    }
+}
+
+bool GoThroughBar::isHolding() const {
+    return std::any_of(keys_.begin(), keys_.end(), [](const HoldButton* key) { return key->isHolding(); });
+}
+
+int GoThroughBar::comingRow() const {
+    return goThrough_.isUnderWay() ? goThrough_.comingRow() : -1;
+}
+
+}  // namespace tiller
+
+#include "moc_go_through_bar.cpp"

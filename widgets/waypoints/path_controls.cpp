@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/waypoints/path_controls.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QPushButton>
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "robot/core/angles.h"
+#include "widgets/common/notation.h"
+#include "widgets/session/texts.h"
+
+namespace tiller {
+namespace {
+
+constexpr double kTolerances[] = {0.0005, 0.001, 0.002, 0.005, 0.010};  // [m]
+constexpr int kUsualTolerance = 2;
+constexpr double kJointTolerance = 1;  // [deg]
+
+}  // namespace
+
+PathControls::PathControls(RobotSession& session, ProjectDocument& document, Selection selection,
+                           QWidget* parent)
+    : QWidget(parent)
+    , selection_(std::move(selection))
+    , recorder_(session, document)
+    , record_(new QPushButton)
+    , tolerances_(new QMenu(tr("Tolerance of recorded paths"), this)) {
+    record_->setObjectName(QStringLiteral("waypoint.recordPath"));
+    record_->setFocusPolicy(Qt::TabFocus);  // a click on it leaves the list its keys
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 12, 8);
+    layout->addWidget(record_);
+    addAction(QStringLiteral("waypoint.action.recordPath"), tr("Record path"), [this] { toggle(); });
+    addAction(QStringLiteral("waypoint.action.exportPath"), tr("Export path as CSV…"),
+              [this] { askForExport(); });
+    addAction(QStringLiteral("waypoint.action.importPath"), tr("Import demonstration (CSV)…"),
+              [this] { askForImport(); });
+    auto* group = new QActionGroup(this);
+    for (int i = 0; i < static_cast<int>(std::size(kTolerances)); ++i) {
+        QAction* action = tolerances_->addAction(format::shortLength(kTolerances[i]));
+        action->setObjectName(QStringLiteral("waypoint.tolerance.%1").arg(i));
+        action->setCheckable(true);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, i] {
+            recorder_.setTolerance({toRadians(kJointTolerance), kTolerances[i]});
+        });
+        if (i == kUsualTolerance) {
+            action->trigger();
+        }
+    }
+    connect(tolerances_, &QMenu::aboutToShow, this, [group] {
+        for (int i = 0; i < static_cast<int>(std::size(kTolerances)); ++i) {
+            group->actions().at(i)->setText(format::shortLength(kTolerances[i]));
+        }
+    });
+    connect(record_, &QPushButton::clicked, this, &PathControls::toggle);
+    connect(&recorder_, &PathRecorder::changed, this, &PathControls::show);
+    connect(&recorder_, &PathRecorder::kept, this, &PathControls::kept);
+    connect(&recorder_, &PathRecorder::refused, this, &PathControls::refused);
+    connect(&recorder_, &PathRecorder::ended, this, [this] {
+        recorder_.stop(selection_.currentRow());
+        Q_EMIT refused(tr("The recording of the path ended by itself: the data stopped, or it lasted ten "
+                          "minutes."),
+                       tr("What was recorded until then is kept."));
+    });
+    show();
+}
+
+QAction* PathControls::addAction(const QString& name, const QString& text, const std::function<void()>& run) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(name);
+    action->setAutoRepeat(false);
+    connect(action, &QAction::triggered, this, [run] { run(); });
+    actions_.append(action);
+    return action;
+}
+
+void PathControls::setState(const SessionState& state) {
+    if (const bool live = state.link == LinkState::Live; live != live_) {
+        live_ = live;
+        show();
+    }
+}
+
+void PathControls::toggle() {
+    if (recorder_.isRecording()) {
+        recorder_.stop(selection_.currentRow());
+    } else {
+        recorder_.start();
+    }
+}
+
+void PathControls::show() {
+    const bool recording = recorder_.isRecording();
+    const int seconds = static_cast<int>(recorder_.seconds());
+    const QString running = QStringLiteral("● REC %1:%2")
+                                .arg(seconds / 60, 2, 10, QLatin1Char('0'))
+                                .arg(seconds % 60, 2, 10, QLatin1Char('0'));
+    record_->setText(recording ? running : tr("○ Path"));
+    record_->setAccessibleName(recording ? tr("End the recording of the path") : tr("Record path"));
+    const QString obstacle = recorder_.isBusy() ? tr("The path is being thinned.")
+                             : live_ || recording
+                                 ? QString()
+                                 : tr("No data come from the robot: there is nothing to record.");
+    record_->setEnabled(obstacle.isEmpty());
+    record_->setToolTip(!obstacle.isEmpty() ? obstacle
+                        : recording
+                            ? tr("Ends the recording and keeps the path as waypoints")
+                            : tr("Records where the arm is led, by Freedrive or by jogging, until it is "
+                                 "pressed again, and keeps the path as waypoints. It moves nothing."));
+    actions_.first()->setText(recording ? tr("End the recording of the path") : tr("Record path"));
+    actions_.first()->setEnabled(obstacle.isEmpty());
+    // The widest of its texts: what stands beside it keeps its place.
+    const QString now = record_->text();
+    int widest = record_->sizeHint().width();
+    record_->setText(recording ? tr("○ Path") : QStringLiteral("● REC 00:00"));
+    widest = std::max(widest, record_->sizeHint().width());
+    record_->setText(now);
+    record_->setMinimumWidth(widest);
+}
+
+void PathControls::askForExport() {
+    if (selection_.rows().size() < 2) {
+        Q_EMIT refused(tr("Select the waypoints of the path, at least two."), {});
+        return;
+    }
+    const QString path = QFileDialog::getSaveFileName(
+        window(), tr("Export path"), QStringLiteral("demonstration.csv"), tr("Tables (*.csv)"));
+    if (!path.isEmpty()) {
+        exportTo(path);
+    }
+}
+
+void PathControls::exportTo(const QString& path) {
+    const QList<int> rows = selection_.rows();
+    if (const Result<void> done = recorder_.exportTo(path, rows); !done) {
+        const bool said = done.error().code == ErrorCode::InvalidArgument;
+        Q_EMIT refused(said ? done.error().context : tr("The path was not written."),
+                       said ? QString() : texts::errorText(done.error()));
+        return;
+    }
+    Q_EMIT exported(tr("%n waypoints written as a path to %1", nullptr, static_cast<int>(rows.size()))
+                        .arg(QFileInfo(path).fileName()));
+}
+
+void PathControls::askForImport() {
+    const QString path =
+        QFileDialog::getOpenFileName(window(), tr("Import a demonstration"), {}, tr("Tables (*.csv)"));
+    if (!path.isEmpty()) {
+        importFrom(path);
+    }
+}
+
+void PathControls::importFrom(const QString& path) {
+    recorder_.importFrom(path, selection_.currentRow());
+}
+
+}  // namespace tiller
+
+#include "moc_path_controls.cpp"

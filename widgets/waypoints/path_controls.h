@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What an operator does with recorded paths: the key that begins and ends a recording and shows how long it lasts,
+// the tolerance, and the way into a file and out of one.
+
+#include <QList>
+#include <QWidget>
+#include <functional>
+
+#include "widgets/waypoints/path_recorder.h"
+
+class QAction;
+class QMenu;
+class QPushButton;
+
+namespace tiller {
+
+class PathControls : public QWidget {
+    Q_OBJECT
+
+public:
+    /// What is selected in the list.
+    struct Selection {
+        std::function<int()> currentRow;  ///< -1 for none
+        std::function<QList<int>()> rows;
+    };
+
+    PathControls(RobotSession& session, ProjectDocument& document, Selection selection,
+                 QWidget* parent = nullptr);
+
+    PathRecorder& recorder() { return recorder_; }
+    /// Record, export, import: for menus, the palette and the help.
+    QList<QAction*> actions() const { return actions_; }
+    /// How far a recorded place may be from what is kept of it.
+    QMenu* toleranceMenu() { return tolerances_; }
+    void setState(const SessionState& state);
+
+    /// As the commands do once a file is chosen.
+    void exportTo(const QString& path);
+    void importFrom(const QString& path);
+
+Q_SIGNALS:
+    void kept(const QString& summary);
+    void refused(const QString& reason, const QString& details);
+    /// A file was written: a sentence for the log.
+    void exported(const QString& summary);
+
+private:
+    QAction* addAction(const QString& name, const QString& text, const std::function<void()>& run);
+    void toggle();
+    void show();
+    void askForExport();
+    void askForImport();
+
+    Selection selection_;
+    PathRecorder recorder_;
+    QPushButton* record_;
+    QMenu* tolerances_;
+    QList<QAction*> actions_;
+    bool live_ = false;
+};
+
+}  // namespace tiller

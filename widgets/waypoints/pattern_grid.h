@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A pattern seen from above: a square for each place, with its number in the order they are visited. A click, or Space on
+// the marked one, leaves a place out or takes it in again.
+
+#include <QWidget>
+
+#include "robot/project/pattern.h"
+
+namespace tiller {
+
+class PatternGrid : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PatternGrid(QWidget* parent = nullptr);
+
+    /// Its places and order; what is excluded is kept as far as it is on the grid.
+    void setPattern(const project::Pattern& pattern);
+    const std::vector<project::PatternCell>& excluded() const { return pattern_.excluded; }
+    QRect rectOf(const project::PatternCell& cell) const;
+
+    QSize sizeHint() const override { return {260, 200}; }
+
+Q_SIGNALS:
+    void excludedChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void toggle(const project::PatternCell& cell);
+
+    project::Pattern pattern_;
+    project::PatternCell marked_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/waypoints/waypoint_dialogs.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <algorithm>
+
+#include "widgets/project/project_document.h"
+#include "widgets/waypoints/pattern_dialog.h"
+#include "widgets/waypoints/waypoint_exchange.h"
+#include "widgets/waypoints/waypoint_history_dialog.h"
+#include "widgets/waypoints/waypoint_properties.h"
+#include "widgets/waypoints/waypoint_shift.h"
+#include "widgets/waypoints/waypoint_table.h"
+
+namespace tiller {
+namespace {
+
+/// Larger files are no lists of waypoints.
+constexpr qint64 kMostImportBytes = 64LL * 1024 * 1024;
+
+bool isJson(const QString& path) {
+    return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) ||
+           path.endsWith(QLatin1String(".tiller"), Qt::CaseInsensitive);
+}
+
+}  // namespace
+
+WaypointDialogs::WaypointDialogs(ProjectDocument& document, WaypointTable& table, QObject* parent)
+    : QObject(parent), document_(document), table_(table) {}
+
+void WaypointDialogs::setLive(const JointPositions& q, const Pose& tcpOffset) {
+    liveJoints_ = q;
+    liveTcp_ = tcpOffset;
+}
+
+std::vector<project::Waypoint> WaypointDialogs::selected() const {
+    std::vector<project::Waypoint> result;
+    for (const int row : table_.selectedRows()) {
+        result.push_back(document_.waypoints().at(row));
+    }
+    return result;
+}
+
+QUuid WaypointDialogs::patternOfCurrent() const {
+    const QModelIndex current = table_.currentIndex();
+    return current.isValid() ? document_.waypoints().at(current.row()).place.pattern : QUuid();
+}
+
+void WaypointDialogs::properties() {
+    const QList<int> rows = table_.selectedRows();
+    if (rows.isEmpty()) {
+        Q_EMIT refused(tr("Select waypoints to change."), {});
+        return;
+    }
+    QStringList groups;
+    for (const project::Waypoint& point : document_.waypoints()) {
+        if (!point.group.isEmpty() && !groups.contains(point.group)) {
+            groups << point.group;
+        }
+    }
+    groups.sort();
+    const auto& fastest = document_.robot().maxJointSpeed;
+    WaypointProperties dialog(selected(), groups, *std::min_element(fastest.begin(), fastest.end()),
+                              table_.window());
+    if (dialog.exec() == QDialog::Accepted) {
+        document_.changeWaypoints(
+            rows, dialog.changed(),
+            tr("Change the properties of %n waypoints", nullptr, static_cast<int>(rows.size())));
+    }
+}
+
+void WaypointDialogs::moveSelection() {
+    const QList<int> rows = table_.selectedRows();
+    if (rows.isEmpty()) {
+        Q_EMIT refused(tr("Select waypoints to move."), {});
+        return;
+    }
+    WaypointShift dialog(document_, selected(), table_.window());
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    if (const auto moved = dialog.moved()) {
+        document_.changeWaypoints(rows, *moved,
+                                  tr("Move %n waypoints", nullptr, static_cast<int>(rows.size())));
+    }
+}
+
+void WaypointDialogs::pattern() {
+    if (const project::Pattern* there = document_.patterns().find(patternOfCurrent())) {
+        PatternDialog dialog(document_, *there, table_.window());
+        if (dialog.exec() == QDialog::Accepted) {
+            document_.changePattern(dialog.pattern(),
+                                    tr("Change the pattern “%1”").arg(dialog.pattern().name));
+        }
+        return;
+    }
+    QVector<QUuid> corners;
+    for (const project::Waypoint& point : selected()) {
+        corners.append(point.id);
+    }
+    if (document_.waypoints().isEmpty()) {
+        Q_EMIT refused(tr("Teach the three corners of the pattern first, and select them."), {});
+        return;
+    }
+    PatternDialog dialog(document_, corners, table_.window());
+    if (dialog.exec() == QDialog::Accepted) {
+        const QList<int> rows = table_.selectedRows();
+        document_.insertPattern(rows.isEmpty() ? document_.waypoints().size() : rows.last() + 1,
+                                dialog.pattern(), tr("Make the pattern “%1”").arg(dialog.pattern().name));
+    }
+}
+
+void WaypointDialogs::dissolvePattern() {
+    if (const project::Pattern* there = document_.patterns().find(patternOfCurrent())) {
+        document_.dissolvePattern(there->id, tr("Dissolve the pattern “%1”").arg(there->name));
+    } else {
+        Q_EMIT refused(tr("Select a place of a pattern."), {});
+    }
+}
+
+void WaypointDialogs::removePattern() {
+    if (const project::Pattern* there = document_.patterns().find(patternOfCurrent())) {
+        document_.removePattern(there->id, tr("Delete the pattern “%1”").arg(there->name));
+    } else {
+        Q_EMIT refused(tr("Select a place of a pattern."), {});
+    }
+}
+
+void WaypointDialogs::history() {
+    const QModelIndex current = table_.currentIndex();
+    if (!current.isValid()) {
+        Q_EMIT refused(tr("Select a waypoint to see its history."), {});
+        return;
+    }
+    const project::Waypoint point = document_.waypoints().at(current.row());
+    WaypointHistoryDialog dialog(document_, point, table_.window());
+    if (dialog.exec() == QDialog::Accepted && !point.history.isEmpty()) {
+        const project::Waypoint earlier = dialog.chosen();
+        if (!document_.frames().pose(earlier.frame)) {
+            Q_EMIT refused(tr("The frame it was given in then is not in the project any more."), {});
+            return;
+        }
+        document_.changeWaypoint(document_.waypoints().indexOf(point.id), earlier,
+                                 tr("Take an earlier “%1” back").arg(point.name));
+    }
+}
+
+void WaypointDialogs::importFile() {
+    const QString path =
+        QFileDialog::getOpenFileName(table_.window(), tr("Import waypoints"), {},
+                                     tr("Waypoints (*.csv *.txt *.json *.tiller);;All files (*)"));
+    if (!path.isEmpty()) {
+        importFrom(path);
+    }
+}
+
+void WaypointDialogs::exportFile() {
+    const QString path =
+        QFileDialog::getSaveFileName(table_.window(), tr("Export waypoints"), QStringLiteral("waypoints.csv"),
+                                     tr("Comma separated (*.csv);;JSON (*.json)"));
+    if (!path.isEmpty()) {
+        exportTo(path);
+    }
+}
+
+void WaypointDialogs::importFrom(const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostImportBytes) {
+        Q_EMIT refused(tr("Nothing was imported"),
+                       file.isOpen() ? tr("%1 is too large for a list of waypoints.").arg(name)
+                                     : tr("%1: %2").arg(name, file.errorString()));
+        return;
+    }
+    const QByteArray bytes = file.readAll();
+    waypoint_exchange::Imported imported;
+    Error error;
+    if (isJson(path)) {
+        const auto read = waypoint_exchange::fromJson(bytes, document_.frames());
+        error = read.error();
+        if (read) {
+            imported = *read;
+        }
+    } else {
+        waypoint_clipboard::Defaults defaults;
+        defaults.robot = &document_.robot();
+        defaults.near = liveJoints_;
+        defaults.tcpOffset = liveTcp_;
+        const auto read = waypoint_exchange::fromCsv(bytes, document_.frames(), defaults);
+        error = read.error();
+        if (read) {
+            imported.waypoints = *read;
+        }
+    }
+    if (error.code != ErrorCode::None || imported.waypoints.empty()) {
+        Q_EMIT refused(tr("Nothing was imported"), error.code == ErrorCode::None
+                                                       ? tr("There are no waypoints in %1.").arg(name)
+                                                       : tr("%1: %2").arg(name, error.context));
+        return;
+    }
+    project::WaypointList names = document_.waypoints();
+    for (project::Waypoint& point : imported.waypoints) {
+        point.name = point.name.isEmpty() ? names.nextName(tr("waypoint")) : names.uniqueName(point.name);
+        names.append(point);
+    }
+    const QModelIndex current = table_.currentIndex();
+    const int row = current.isValid() ? current.row() + 1 : document_.waypoints().size();
+    const QString text = tr("Import %n waypoints", nullptr, static_cast<int>(imported.waypoints.size()));
+    document_.undoStack().beginMacro(text);
+    for (const project::Frame& frame : imported.frames) {
+        document_.insertFrame(static_cast<int>(document_.frames().size()), frame, text);
+    }
+    document_.insertWaypoints(row, imported.waypoints, text);
+    document_.undoStack().endMacro();
+}
+
+void WaypointDialogs::exportTo(const QString& path) {
+    std::vector<project::Waypoint> chosen = selected();
+    if (chosen.size() < 2) {
+        chosen.assign(document_.waypoints().begin(), document_.waypoints().end());
+    }
+    if (chosen.empty()) {
+        Q_EMIT refused(tr("There are no waypoints to export."), {});
+        return;
+    }
+    const QString full = QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".csv") : path;
+    const Result<QByteArray> bytes =
+        isJson(full) ? waypoint_exchange::toJson(chosen, document_.frames(), document_.robot().id)
+                     : Result<QByteArray>(waypoint_exchange::toCsv(chosen, document_.frames()));
+    QSaveFile file(full);
+    if (!bytes || !file.open(QIODevice::WriteOnly) || file.write(*bytes) != bytes->size() || !file.commit()) {
+        Q_EMIT refused(
+            tr("Nothing was exported"),
+            tr("%1: %2").arg(QFileInfo(full).fileName(), bytes ? file.errorString() : bytes.error().context));
+        return;
+    }
+    Q_EMIT done(tr("%n waypoints written to %1", nullptr, static_cast<int>(chosen.size()))
+                    .arg(QFileInfo(full).fileName()));
+}
+
+}  // namespace tiller
+
+#include "moc_waypoint_dialogs.cpp"

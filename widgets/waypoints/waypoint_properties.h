@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What one or several waypoints have besides their place: group, colour, note, kind of move, speeds, blend. Only what is
+// ticked is changed, so that many can be edited together.
+
+#include <QDialog>
+#include <vector>
+
+#include "robot/project/waypoint_list.h"
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QPlainTextEdit;
+
+namespace tiller {
+
+class ChoiceBox;
+class FigureBox;
+
+class WaypointProperties : public QDialog {
+    Q_OBJECT
+
+public:
+    /// groups     that there are, to choose from
+    /// waypoints  at least one
+    WaypointProperties(const std::vector<project::Waypoint>& waypoints, const QStringList& groups,
+                       double mostJointSpeed, QWidget* parent = nullptr);
+
+    /// As they are to be.
+    std::vector<project::Waypoint> changed() const;
+
+    /// "None", "Blue" ...; as many as there are colours.
+    static QStringList colourNames();
+
+    void accept() override;
+
+private:
+    QCheckBox* addRow(QGridLayout& grid, const QString& name, const QString& text, QWidget* editor);
+    FigureBox* addFigure(QGridLayout& grid, const QString& name, const QString& text, const QString& unit,
+                         double least, double most, QCheckBox*& tick);
+
+    std::vector<project::Waypoint> waypoints_;
+    QComboBox* group_;
+    ChoiceBox* colour_;
+    QPlainTextEdit* note_;
+    ChoiceBox* move_;
+    FigureBox* jointSpeed_;
+    FigureBox* toolSpeed_;
+    FigureBox* blend_;
+    QCheckBox* groupTick_;
+    QCheckBox* colourTick_;
+    QCheckBox* noteTick_;
+    QCheckBox* moveTick_;
+    QCheckBox* jointSpeedTick_;
+    QCheckBox* toolSpeedTick_;
+    QCheckBox* blendTick_;
+};
+
+}  // namespace tiller
