@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -79,6 +80,24 @@ bool refine(const DhParameters& dh, const Eigen::Isometry3d& target, JointPositi
         candidate.values += J.transpose() * JJt.ldlt().solve(error);
     }
     return best < kAccepted;
+}
+
+/// Where wrist 3 is free: by how much axis 5 has to be turned about axis 2, at least, so that upper and
+/// lower arm span what is left between shoulder and elbow's end [rad]. 0 where they do, or never will.
+/// T_1_4  with the axis as it is now; frame 1 has axis 2 as its z
+double turnIntoReach(const Eigen::Isometry3d& T_1_4, double d5, double a2, double a3) {
+    const Eigen::Vector2d axis5 = T_1_4.linear().col(2).head<2>();
+    const Eigen::Vector2d wrist = T_1_4.translation().head<2>() + d5 * axis5;
+    const double away = wrist.norm();
+    const double longest2 = (a2 + a3) * (a2 + a3);
+    const double shortest2 = (a2 - a3) * (a2 - a3);
+    // Between the wrist and axis 5 [rad]: the nearer to 0, the shorter the arm may be.
+    const auto between = [&](double length2) {
+        return std::acos(std::clamp((away * away + d5 * d5 - length2) / (2 * d5 * away), -1.0, 1.0));
+    };
+    const double now = std::atan2(wrist.x() * axis5.y() - wrist.y() * axis5.x(), wrist.dot(axis5));
+    const double wanted = std::clamp(std::abs(now), between(shortest2), between(longest2));
+    return std::copysign(wanted, now) - now;
 }
 
 /// One closed-form candidate, refined, wrapped, and kept if it is new.
@@ -173,9 +192,16 @@ InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base
                 theta5 = cos5 > 0 ? 0 : kPi;
                 theta6 = wrist3AtSingularity + dh.theta[5];
             }
-            const Eigen::Isometry3d T_4_6 = link(0, d5, -kPi / 2, theta5) * link(0, d6, 0, theta6);
-            const Eigen::Isometry3d T_1_4 =
-                link(0, d1, kPi / 2, theta1).inverse() * T_base_flange * T_4_6.inverse();
+            const Eigen::Isometry3d T_1_6 = link(0, d1, kPi / 2, theta1).inverse() * T_base_flange;
+            const auto T_1_4With = [&](double wrist3) -> Eigen::Isometry3d {
+                return T_1_6 * (link(0, d5, -kPi / 2, theta5) * link(0, d6, 0, wrist3)).inverse();
+            };
+            if (sin5 < kWristSingular) {
+                // Wrist 3 then turns axis 5 about axis 2, the one way round or the other.
+                const double turn = turnIntoReach(T_1_4With(theta6), d5, a2, a3);
+                theta6 += cos5 > 0 ? -turn : turn;
+            }
+            const Eigen::Isometry3d T_1_4 = T_1_4With(theta6);
             const Eigen::Vector3d p13 = T_1_4 * Eigen::Vector3d(0, -d4, 0);
 
             const double reach2 = p13.x() * p13.x() + p13.y() * p13.y();

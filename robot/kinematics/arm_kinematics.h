@@ -38,7 +38,7 @@ struct InverseSolutions {
 };
 
 /// T_base_flange to joints. At a wrist singularity, where wrist 3 is free, `wrist3AtSingularity` is used
-/// [rad]. Works on the nominal DH (theta offsets applied; other calibration deltas are refined by Newton
+/// [rad], or the angle nearest to it with which the arm gets there. Works on the nominal DH (theta offsets applied; other calibration deltas are refined by Newton
 /// steps).
 /// Threads  any. Real-time: yes (no allocation)
 InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base_flange,
