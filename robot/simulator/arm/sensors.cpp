@@ -73,6 +73,13 @@ void Sensors::setGravity(const Eigen::Vector3d& gravity) {
 }
 
 void Sensors::setPayload(const Payload& payload) {
+    if (loadHangs_) {
+        // A zeroing right behind it takes what is left with the new one, not with the one before.
+        const Wrench before = loadOnFlange(payload_);
+        const Wrench now = loadOnFlange(payload);
+        compensated_ = {compensated_.force + before.force - now.force,
+                        compensated_.torque + before.torque - now.torque};
+    }
     payload_ = payload;
     model_.setPayload(payload);
 }
@@ -90,7 +97,8 @@ void Sensors::place(const Vector6& q) {
 
 void Sensors::update(const JointTarget& target, DriveState drive, const Environment& environment,
                      ArmState& state) {
-    const Payload& load = environment.load() ? *environment.load() : payload_;
+    loadHangs_ = environment.load().has_value();
+    const Payload& load = loadHangs_ ? *environment.load() : payload_;
     if (!(load == load_)) {
         load_ = load;
         real_.setPayload(load);

@@ -68,6 +68,7 @@ private:
     Dynamics real_;   // with the load really carried
     Payload payload_;
     Payload load_;
+    bool loadHangs_ = false;  // one of its own, whatever the controller was told
     Eigen::Vector3d gravity_{0, 0, 9.82};
 
     Vector6 q_ = Vector6::Zero();  // where the joints really are

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void massMatrixGivesTheTorquesOfAcceleration();
     void whatPushesTheFlangeIsCarriedByTheJoints();
     void payloadAddsItsTorque();
+    void zeroingBehindAPayloadTakesTheNewPayload();
     void configuredPayloadIsNotFelt();
     void wrongPayloadIsFelt();
     void zeroingRemovesTheReading();
@@ -96,6 +97,24 @@ void TestArmSensors::whatPushesTheFlangeIsCarriedByTheJoints() {
     const Vector6 expected = dynamics.gravityTorques(q) - posture.jacobian.transpose() * inBase;
     const Vector6 found = dynamics.torques(q, Vector6::Zero(), Vector6::Zero(), onFlange);
     QVERIFY((found - expected).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+// As set_payload() does it: both in one step.
+void TestArmSensors::zeroingBehindAPayloadTakesTheNewPayload() {
+    for (const bool hangs : {true, false}) {
+        WatchedArm arm;
+        if (hangs) {
+            arm->environment().setLoad(Payload{.mass = 2, .centreOfGravity = {0.02, -0.03, 0.09}});
+        }
+        arm.step();
+        QVERIFY(std::abs(arm.state().tcpForce.force.norm() - (hangs ? 2 * 9.82 : 0)) < 1e-6);
+        arm->setPayload({.mass = 2, .centreOfGravity = {0.02, -0.03, 0.09}});
+        arm->zeroForceSensor();
+        arm.step();
+        QVERIFY2(arm.state().tcpForce.force.norm() < 1e-6,
+                 qPrintable(QString::number(arm.state().tcpForce.force.norm())));
+        QVERIFY(arm.state().tcpForce.torque.norm() < 1e-6);
+    }
 }
 
 void TestArmSensors::payloadAddsItsTorque() {
