@@ -418,14 +418,57 @@ void GripperPanel::refollow() {
 
 // ---- commands -------------------------------------------------------------------------------------------
 
-void GripperPanel::move(int position, const QString& what) {
+GripperPort GripperPanel::port() {
+    return {
+        .choice = [this] { return choice_; },
+        .obstacle = [this] { return robotiqObstacle(); },
+        .move =
+            [this](bool close, const CancelToken& token) {
+                move(close ? io::kRobotiqMost : 0, close ? tr("Gripper: close") : tr("Gripper: open"), token);
+            },
+        .outcome = [this](bool close) { return robotiqOutcome(close); },
+    };
+}
+
+QString GripperPanel::robotiqObstacle() const {
+    const std::optional<io::RobotiqState> now = robotiq_.state();
+    if (!now) {
+        return robotiq_.reason();
+    }
+    if (!robotiq_.faultText().isEmpty()) {
+        return robotiq_.faultText();
+    }
+    if (now->activation != io::RobotiqActivation::Active) {
+        return tr("Activate the gripper first.");
+    }
+    // A figure that was refused would be sent as the one before.
+    return speed_->isRefused() || force_->isRefused() ? tr("Its speed or its force is no figure it takes.")
+                                                      : QString();
+}
+
+std::optional<Result<void>> GripperPanel::robotiqOutcome(bool close) const {
+    if (robotiq_.isBusy()) {
+        return std::nullopt;
+    }
+    if (const QString why = robotiqObstacle(); !why.isEmpty()) {
+        return Result<void>(Error{ErrorCode::Cancelled, why, {}});
+    }
+    const io::RobotiqState now = *robotiq_.state();
+    if (now.requested != (close ? io::kRobotiqMost : 0)) {
+        return Result<void>(Error{ErrorCode::Cancelled, tr("The gripper did not take the command."), {}});
+    }
+    return now.object == io::RobotiqObject::Moving ? std::nullopt : std::optional(Result<void>());
+}
+
+void GripperPanel::move(int position, const QString& what, const CancelToken& token) {
     if (isRefused(speed_) || isRefused(force_)) {
         return;
     }
     robotiq_.move(
         position, byteOf(speed_->value()), byteOf(force_->value()),
         tr("%1 (speed %2, force %3)")
-            .arg(what, format::percent(speed_->value() / 100), format::percent(force_->value() / 100)));
+            .arg(what, format::percent(speed_->value() / 100), format::percent(force_->value() / 100)),
+        token);
 }
 
 void GripperPanel::setHand(bool close) {

@@ -17,6 +17,7 @@
 #include "robot/core/clock.h"
 #include "widgets/io/output_gripper.h"
 #include "widgets/session/gripper_choice.h"
+#include "widgets/session/gripper_port.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/robotiq_link.h"
 
@@ -49,6 +50,8 @@ public:
 
     const GripperChoice& choice() const { return choice_; }
     const RobotiqLink& robotiq() const { return robotiq_; }
+    /// For others; it may be used as long as the panel lives.
+    GripperPort port();
 
     /// For tests: where the outputs' commands go, what time is, and where the gripper answers.
     using OutputSetter = std::function<void(std::uint32_t mask, std::uint32_t values, const QString& what)>;
@@ -75,7 +78,9 @@ private:
     void refreshOutputs();
     void setObstacles(const QString& opening, const QString& activating);
     void say(const QString& text, const char* role);
-    void move(int position, const QString& what);
+    void move(int position, const QString& what, const CancelToken& token = {});
+    QString robotiqObstacle() const;
+    std::optional<Result<void>> robotiqOutcome(bool close) const;
     void setHand(bool close);
     QString obstacleOfLink() const;
 

@@ -46,11 +46,9 @@ OutputGripper::Hand OutputGripper::handIn(const SessionState& state) const {
 }
 
 OutputGripper::Command OutputGripper::command(bool close, std::int64_t nowNs) {
-    const std::uint32_t closes = 1U << choice_.closeOutput;
-    const std::uint32_t opens = hasTwo() ? 1U << choice_.openOutput : 0U;
     pending_ = Pending{close ? Hand::Closed : Hand::Open, nowNs};
     complaint_.clear();
-    return {closes | opens, close ? closes : opens, close ? tr("Gripper: close") : tr("Gripper: open")};
+    return {choice_.outputs(), choice_.outputsTo(close), close ? tr("Gripper: close") : tr("Gripper: open")};
 }
 
 QString OutputGripper::text() const {

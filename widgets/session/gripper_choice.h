@@ -4,6 +4,7 @@
 // Which gripper is at the wrist of a robot, as the operator chose it.
 
 #include <QString>
+#include <cstdint>
 
 #include "robot/io/outputs.h"
 
@@ -20,6 +21,14 @@ struct GripperChoice {
     int openOutput = io::kFirstTool + 1;
 
     bool usesOutputs() const { return kind == Kind::OneOutput || kind == Kind::TwoOutputs; }
+    /// Its outputs, as bits.
+    std::uint32_t outputs() const {
+        return 1U << closeOutput | (kind == Kind::TwoOutputs ? 1U << openOutput : 0U);
+    }
+    /// What they are set to, to close or to open it.
+    std::uint32_t outputsTo(bool close) const {
+        return close ? 1U << closeOutput : kind == Kind::TwoOutputs ? 1U << openOutput : 0U;
+    }
     /// "robotiq|2F-85", "outputs|16|17"; empty: none
     QString toText() const;
     /// What it cannot read is no gripper.

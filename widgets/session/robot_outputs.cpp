@@ -90,8 +90,12 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
     });
 }
 
-void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what) {
+void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
+                                     const OutputOrder& order) {
     if (!d_.link) {
+        if (order.done) {
+            order.done(Error{ErrorCode::NotConnected, what, {}});
+        }
         return;
     }
     QStringList each;
@@ -103,11 +107,23 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
     }
     const QString done = tr("%1 (%2)").arg(what, each.join(QStringLiteral(", ")));
     const std::uint64_t generation = d_.generation;
-    d_.worker.post(&session_, [this, generation, mask, values, done,
+    d_.worker.post(&session_, [this, generation, mask, values, done, order,
                                outputs = d_.link->outputs](const CancelToken& token) {
-        const Result<void> result =
-            outputs->setDigitalOutputs(mask, values, Deadline::after(kConfirmTime, token));
-        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+        Result<void> result = Error{ErrorCode::Cancelled, done, {}};
+        if (!order.token.isCancelled() && (!order.wanted || order.wanted())) {
+            // Taken back while it connects, it is not sent either.
+            const CancelToken either(
+                [token, own = order.token] { return token.isCancelled() || own.isCancelled(); });
+            result = outputs->setDigitalOutputs(mask, values, Deadline::after(kConfirmTime, either));
+        }
+        return std::function<void()>([this, generation, done, order, result] {
+            if (result || result.error().code != ErrorCode::Cancelled) {
+                report(generation, done, result);
+            }
+            if (order.done) {
+                order.done(result);
+            }
+        });
     });
 }
 

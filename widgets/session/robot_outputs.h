@@ -8,8 +8,10 @@
 #include <QMap>
 #include <QString>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
+#include "robot/core/deadline.h"
 #include "robot/core/result.h"
 #include "widgets/session/io_commands.h"
 
@@ -17,6 +19,16 @@ namespace tiller {
 
 class RobotSession;
 struct SessionBackend;
+
+/// For a command that somebody waits for, or may take back while it waits for its turn.
+struct OutputOrder {
+    /// Cancelled: it is not sent any more. What has been sent is not undone.
+    CancelToken token = {};
+    /// Asked on the worker when its turn has come; false: it is not sent. May be empty.
+    std::function<bool()> wanted = {};
+    /// What came of it, in the window's thread: Cancelled when it was not sent. May be empty: the log tells anyway.
+    std::function<void(const Result<void>&)> done = {};
+};
 
 class RobotOutputs {
     Q_DECLARE_TR_FUNCTIONS(RobotOutputs)
@@ -30,7 +42,8 @@ public:
     void setDigitalOutput(int output, bool on);
     /// Those of the mask at once, all or none.
     /// what  for the log, before the outputs: "Gripper: close"
-    void setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what);
+    void setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
+                           const OutputOrder& order = {});
     /// output  0 or 1; level  0 ... 1 of 4 to 20 mA or 0 to 10 V
     void setAnalogOutput(int output, io::AnalogDomain domain, double level);
     void setRegister(const RegisterValue& value);

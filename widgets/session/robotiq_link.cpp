@@ -219,12 +219,12 @@ void RobotiqLink::activate() {
          true});
 }
 
-void RobotiqLink::move(int position, int speed, int force, const QString& what) {
+void RobotiqLink::move(int position, int speed, int force, const QString& what, const CancelToken& token) {
     send({what,
           [position, speed, force](io::RobotiqClient& client, const Deadline& deadline) {
               return client.move(position, speed, force, deadline);
           },
-          false});
+          false, token});
 }
 
 void RobotiqLink::send(const Command& command) {
@@ -245,7 +245,9 @@ void RobotiqLink::send(const Command& command) {
     worker_.post(this, [this, generation = generation_, command, client = client_](const CancelToken& token) {
         const Deadline deadline = Deadline::after(kCommandTime, token);
         // Never over a new connection: what was shown when it was asked for may no longer be so.
-        const Result<void> result = command.call(*client, deadline);
+        const Result<void> result = command.token.isCancelled()
+                                        ? Error{ErrorCode::Cancelled, command.what, {}}
+                                        : command.call(*client, deadline);
         if (!result && result.error().code == ErrorCode::ProtocolError) {
             client->close();
         }
@@ -256,7 +258,7 @@ void RobotiqLink::send(const Command& command) {
             carriedOut_ = true;
             if (result) {
                 Q_EMIT session_.message(Severity::Info, command.what, Origin::Operator);
-            } else {
+            } else if (!command.token.isCancelled()) {
                 activating_.reset();
                 Q_EMIT session_.message(Severity::Error,
                                         tr("%1 failed. %2").arg(command.what, errorText(result.error())));

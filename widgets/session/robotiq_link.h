@@ -54,7 +54,8 @@ public:
     /// position, speed, force  0 ... 255
     /// what  for the log: "Gripper: close"
     /// While a command is on its way the newest one waits for it, and takes the place of one that waits.
-    void move(int position, int speed, int force, const QString& what);
+    /// token  cancelled: it is not sent any more
+    void move(int position, int speed, int force, const QString& what, const CancelToken& token = {});
 
 Q_SIGNALS:
     void changed();
@@ -66,6 +67,7 @@ private:
         QString what;
         Call call;
         bool activates = false;
+        CancelToken token = {};
     };
 
     void look();
