@@ -46,6 +46,13 @@ BodyColors ArmColors::ghost(const Theme& theme) {
     return {{color, color, lid, lid, color, color, color}, kGhostOpacity, 0.15};
 }
 
+BodyColors ArmColors::secondGhost(const Theme& theme) {
+    const QColor color = between(theme.panel, theme.axis(1), 0.85);
+    BodyColors colors = ghost(theme);
+    colors.materials.fill(color);
+    return colors;
+}
+
 BodyColors ArmColors::border(const Theme& theme) {
     BodyColors colors;
     colors.materials.fill(between(theme.panel, theme.operatorNeeded, 0.8));
@@ -73,6 +80,11 @@ void SceneBodies::setArm(const std::optional<JointPositions>& q, bool stale) {
 void SceneBodies::setGhost(const std::optional<JointPositions>& q) {
     changed_ = changed_ || q != ghost_;
     ghost_ = q;
+}
+
+void SceneBodies::setSecondGhost(const std::optional<JointPositions>& q) {
+    changed_ = changed_ || q != second_;
+    second_ = q;
 }
 
 void SceneBodies::setTool(const collision::ToolBody& tool) {
@@ -138,6 +150,9 @@ QRect SceneBodies::update(const Camera& camera, const QSize& size, double scale,
     }
     if (ghost_) {
         addArm(*ghost_, ArmColors::ghost(theme));
+    }
+    if (second_) {
+        addArm(*second_, ArmColors::secondGhost(theme));
     }
     const QRect before = std::exchange(covered_, raster_->covered());
     picture_ = &raster_->render(before | covered_);

@@ -26,6 +26,7 @@ struct ArmColors {
     static BodyColors live(const Theme& theme);
     static BodyColors stale(const Theme& theme);
     static BodyColors ghost(const Theme& theme);
+    static BodyColors secondGhost(const Theme& theme);
     static BodyColors border(const Theme& theme);  ///< a plane nothing may pass
 };
 
@@ -38,6 +39,8 @@ public:
     /// Nothing: no arm is shown.
     void setArm(const std::optional<JointPositions>& q, bool stale);
     void setGhost(const std::optional<JointPositions>& q);
+    /// Beside the first, of another colour.
+    void setSecondGhost(const std::optional<JointPositions>& q);
     /// Without a radius a thin rod leads to the TCP.
     void setTool(const collision::ToolBody& tool);
     /// Boxes and planes; a floor, which has no name, is not drawn here.
@@ -62,6 +65,7 @@ private:
     Mesh borders_;
     std::optional<JointPositions> q_;
     std::optional<JointPositions> ghost_;
+    std::optional<JointPositions> second_;
     bool stale_ = false;
     bool changed_ = true;
     std::unique_ptr<Rasterizer> raster_;

@@ -130,6 +130,13 @@ void SceneView::setGhost(const std::optional<Ghost>& ghost) {
     changed();
 }
 
+void SceneView::setSecondGhost(const std::optional<Ghost>& ghost) {
+    if (ghost || secondGhost_) {
+        secondGhost_ = ghost;
+        changed();
+    }
+}
+
 void SceneView::setWaypoints(const std::vector<WaypointMark>& waypoints) {
     waypoints_ = waypoints;
     changed();
@@ -289,6 +296,9 @@ std::vector<Camera::Ball> SceneView::inSight() const {
             balls.push_back({report_->places[i], 0});
         }
     }
+    if (secondGhost_ && haveJoints_) {
+        add(secondGhost_->q);
+    }
     // What was taught for another robot may be far away: the arm must not become a dot for it.
     const auto addPlace = [&](const Eigen::Vector3d& place, double radius) {
         if (place.norm() < 2 * reach) {
@@ -366,6 +376,15 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
     placer.block(arrowName);
     if (!keys_->isHidden()) {
         placer.block(QRectF(QPointF(kKeysAt, kKeysAt), QSizeF(keys_->sizeHint())));
+    }
+    if (secondGhost_ && haveJoints_) {
+        const auto addGhost = [&](const Ghost& ghost, const QString& text) {
+            add(kinematics::forwardTcp(model_->dh, ghost.q, tcpOffset_).position, text.arg(ghost.name), true);
+        };
+        addGhost(*secondGhost_, tr("“%1” as it will be"));
+        if (ghost_ && ghost_->reachable) {
+            addGhost(*ghost_, tr("“%1” as it was"));
+        }
     }
     for (const WaypointMark& waypoint : waypoints_) {
         if (add(waypoint.position, waypoint.name, waypoint.selected)) {
@@ -494,6 +513,7 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     const bool showsGhost = ghost_ && ghost_->reachable && haveJoints_;
     bodies_->setArm(haveJoints_ ? std::optional(q_) : std::nullopt, stale_);
     bodies_->setGhost(showsGhost ? std::optional(ghost_->q) : std::nullopt);
+    bodies_->setSecondGhost(secondGhost_ && haveJoints_ ? std::optional(secondGhost_->q) : std::nullopt);
     bodies_->update(camera_, size.toSize(), painter.device()->devicePixelRatioF(), theme);
     bodies_->paint(painter);
     drawPaths(scene);

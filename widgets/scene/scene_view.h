@@ -52,6 +52,9 @@ public:
     void setJoints(const JointPositions& q);
     void setTcpOffset(const Pose& offset);
     void setGhost(const std::optional<Ghost>& ghost);
+    /// Beside the ghost, of another colour: what would take its place. The two are told apart by words too.
+    void setSecondGhost(const std::optional<Ghost>& ghost);
+    const std::optional<Ghost>& secondGhost() const { return secondGhost_; }
     void setWaypoints(const std::vector<WaypointMark>& waypoints);
     void setFrames(const std::vector<FrameMark>& frames);
     const std::vector<FrameMark>& frames() const { return frames_; }
@@ -146,6 +149,7 @@ private:
     JointPositions q_;
     Pose tcpOffset_;
     std::optional<Ghost> ghost_;
+    std::optional<Ghost> secondGhost_;
     collision::Surroundings surroundings_;
     double toolRadius_ = 0;
     std::optional<collision::CollisionCheck> check_;  ///< nothing: to be made anew
