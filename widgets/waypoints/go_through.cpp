@@ -29,22 +29,21 @@ SessionState after(const MoveRequest& move, SessionState state) {
 
 }  // namespace
 
-GoThrough::GoThrough(const MotionPort& port, const ProjectDocument& document, const SessionState& state,
-                     const std::function<HeldSpeed()>& heldSpeed, QObject* parent)
+GoThrough::GoThrough(const MotionPort& port, const ActionPort& actions, const ProjectDocument& document,
+                     const SessionState& state, const std::function<HeldSpeed()>& heldSpeed, QObject* parent)
     : QObject(parent)
     , port_(port)
+    , actions_(actions)
     , document_(document)
     , state_(state)
     , heldSpeed_(heldSpeed)
     , through_(
-          port.stops, [this] { return nextStep(Way::Through); },
-          [this](const Error& error) { Q_EMIT failed(whyNot(error)); })
+          port.stops, [this] { return nextStep(Way::Through); }, [this](const Error& error) { fail(error); })
     , stepOn_(
-          port.stops, [this] { return nextStep(Way::StepOn); },
-          [this](const Error& error) { Q_EMIT failed(whyNot(error)); })
+          port.stops, [this] { return nextStep(Way::StepOn); }, [this](const Error& error) { fail(error); })
     , stepBack_(
           port.stops, [this] { return nextStep(Way::StepBack); },
-          [this](const Error& error) { Q_EMIT failed(whyNot(error)); }) {}
+          [this](const Error& error) { fail(error); }) {}
 
 QString GoThrough::whyNot(const Error& error) {
     // These are sentences already.
@@ -61,14 +60,48 @@ HoldMotion GoThrough::motion(Way way) {
         if (way != Way::StepBack && route_.isDone()) {
             route_.beginAnew();
         }
-        if (const QString why = obstacle(way); !why.isEmpty()) {
-            return Error{ErrorCode::NoSolution, why, {}};
+        const QString why = obstacle(way);
+        if (const QString all = why.isEmpty() ? actionObstacle(way) : why; !all.isEmpty()) {
+            return Error{ErrorCode::NoSolution, all, {}};
         }
         leg_.clear();
         legs_ = 0;
+        acting_.reset();
+        if (way == Way::StepBack) {
+            endActing();
+        }
         return begin();
     };
+    // However it ends, nothing is being done any more.
+    motion.hold = [this, hold = std::move(motion.hold)](HoldMotion::Id id) {
+        const bool alive = hold(id);
+        if (!alive) {
+            showNoAction();
+        }
+        return alive;
+    };
+    motion.end = [this, end = std::move(motion.end)](HoldMotion::Id id, control::StopCause cause) {
+        end(id, cause);
+        showNoAction();
+    };
     return motion;
+}
+
+void GoThrough::showNoAction() {
+    if (acting_) {
+        acting_.reset();
+        Q_EMIT routeChanged();
+    }
+}
+
+void GoThrough::fail(const Error& error) {
+    const int row = acting_ ? comingRow() : -1;
+    const QString why = whyNot(error);
+    Q_EMIT failed(row < 0 ? why : tr("“%1”: %2").arg(document_.waypoints().at(row).name, why));
+}
+
+const project::WaypointAction* GoThrough::acting() const {
+    return acting_ ? &*acting_ : nullptr;
 }
 
 QVector<QUuid> GoThrough::idsOf(const QVector<int>& rows) const {
@@ -81,6 +114,7 @@ QVector<QUuid> GoThrough::idsOf(const QVector<int>& rows) const {
 
 void GoThrough::setRows(const QVector<int>& rows) {
     rows_ = rows;
+    endActing();
     route_.setWaypoints(idsOf(rows));
     Q_EMIT routeChanged();
 }
@@ -125,8 +159,7 @@ QString GoThrough::obstacle(Way way) const {
     }
     // What cannot be gone to its end is not begun.
     const bool whole = way == Way::Through && route_.isLoop();
-    const int last = way == Way::Through ? route_.size() - 1 : *first;
-    for (int place = whole ? 0 : *first; place <= last; ++place) {
+    for (int place = whole ? 0 : *first; place <= lastPlace(way); ++place) {
         const int row = rowOf(place);
         if (row < 0) {
             return tr("A waypoint of the way is not in this project any more.");
@@ -138,11 +171,33 @@ QString GoThrough::obstacle(Way way) const {
     return {};
 }
 
+int GoThrough::lastPlace(Way way) const {
+    return way == Way::Through ? route_.size() - 1 : firstPlace(way).value_or(-1);
+}
+
+/// Which gripper there is may change at any time: asked at the press only.
+QString GoThrough::actionObstacle(Way way) const {
+    if (way == Way::StepBack) {
+        return {};
+    }
+    const bool whole = way == Way::Through && route_.isLoop();
+    for (int place = whole ? 0 : *firstPlace(way); place <= lastPlace(way); ++place) {
+        const project::Waypoint& point = document_.waypoints().at(rowOf(place));
+        for (const project::WaypointAction& action : point.actions) {
+            if (const QString why = ActionStep::obstacle(action, actions_.gripper.choice()); !why.isEmpty()) {
+                return tr("“%1”: %2").arg(point.name, why);
+            }
+        }
+    }
+    return {};
+}
+
 /// The places that are gone to without a stop between them.
 QVector<int> GoThrough::legFrom(int place, Way way) const {
     QVector<int> leg{place};
     while (way == Way::Through && leg.last() + 1 < route_.size() &&
-           document_.waypoints().at(rowOf(leg.last())).blend >= kLeastBlend) {
+           document_.waypoints().at(rowOf(leg.last())).blend >= kLeastBlend &&
+           document_.waypoints().at(rowOf(leg.last())).actions.empty()) {
         leg << leg.last() + 1;
     }
     return leg;
@@ -211,12 +266,76 @@ void GoThrough::headFor(int place, Way way) {
     Q_EMIT routeChanged();
 }
 
+bool GoThrough::isThere(int place) const {
+    constexpr double kSamePlace = 0.002;  // [rad]
+    const Result<MoveRequest> move = moveTo(place, state_);
+    return move && (move->q.values - state_.q.values).cwiseAbs().maxCoeff() < kSamePlace;
+}
+
+bool GoThrough::isActingAt(int place) const {
+    return !actingAt_.isNull() && route_.at(place) == actingAt_;
+}
+
+void GoThrough::endActing() {
+    actingAt_ = QUuid();
+    done_.clear();
+    acting_.reset();
+}
+
+/// The step that was under way has come to its end.
+void GoThrough::finishStep(Way way) {
+    if (acting_) {
+        done_.push_back(*acting_);
+        acting_.reset();
+    }
+    if (leg_.isEmpty()) {
+        return;
+    }
+    const int place = leg_.last();
+    leg_.clear();
+    if (way == Way::StepBack) {
+        route_.reach(place);
+    } else {
+        route_.headOnTo(place);  // the end of a path may come before it is seen to head for its last place
+        if (!isActingAt(place)) {
+            actingAt_ = route_.at(place);
+            done_.clear();
+        }
+    }
+    Q_EMIT routeChanged();
+}
+
+/// Of the coming one, where the arm has come; null when all is done there.
+const project::WaypointAction* GoThrough::nextAction() {
+    const project::WaypointActions& all = document_.waypoints().at(rowOf(*route_.coming())).actions;
+    // They may have been edited since: then all are done anew.
+    if (done_.size() > all.size() || !std::equal(done_.begin(), done_.end(), all.begin())) {
+        done_.clear();
+    }
+    return done_.size() < all.size() ? &all[done_.size()] : nullptr;
+}
+
 Result<std::unique_ptr<SequenceStep>> GoThrough::nextStep(Way way) {
-    if (!leg_.isEmpty()) {
-        route_.reach(leg_.last());
-        leg_.clear();
+    finishStep(way);
+    if (way != Way::StepBack && route_.coming() && isActingAt(*route_.coming())) {
+        const int place = *route_.coming();
+        if (const project::WaypointAction* action = nextAction()) {
+            if (legs_ == 0 && !isThere(place)) {
+                return nextLeg(way);
+            }
+            ++legs_;
+            acting_ = *action;
+            Q_EMIT routeChanged();
+            return std::unique_ptr<SequenceStep>(std::make_unique<ActionStep>(actions_, state_, *action));
+        }
+        endActing();
+        route_.reach(place);
         Q_EMIT routeChanged();
     }
+    return nextLeg(way);
+}
+
+Result<std::unique_ptr<SequenceStep>> GoThrough::nextLeg(Way way) {
     const std::optional<int> place = way == Way::StepBack ? route_.before() : route_.coming();
     if (!place || (way != Way::Through && legs_ > 0)) {
         return std::unique_ptr<SequenceStep>();
@@ -239,7 +358,7 @@ HoldBounds GoThrough::bounds(Way way) const {
     if (!first) {
         return {};
     }
-    const int last = way == Way::Through ? route_.size() - 1 : *first;
+    const int last = lastPlace(way);
     double seconds = 0;
     double linear = 0;   // [m/s]
     double angular = 0;  // [rad/s]
@@ -255,6 +374,14 @@ HoldBounds GoThrough::bounds(Way way) const {
             std::max(move->kind == MoveRequest::Kind::MoveL ? linear : angular, move->speed);
         from = after(*move, from);
     }
+    double acting = 0;  // [s]
+    for (int place = *first; way != Way::StepBack && place <= last; ++place) {
+        const int row = rowOf(place);
+        for (const project::WaypointAction& action :
+             row < 0 ? project::WaypointActions() : document_.waypoints().at(row).actions) {
+            acting += ActionStep::longestOf(action);
+        }
+    }
     HoldBounds bounds;
     bounds.silenceNs = HoldRules::silenceAt(linear, angular);
     // A loop has no end of its own.
@@ -262,7 +389,7 @@ HoldBounds GoThrough::bounds(Way way) const {
         // Those that were not looked at may take twice as long as these.
         const int others = std::max(0, last - *first + 1 - looked);
         bounds.longestNs = HoldBounds::longestOf(
-            looked == 0 ? 0 : seconds * (1 + 2.0 * static_cast<double>(others) / looked));
+            acting + (looked == 0 ? 0 : seconds * (1 + 2.0 * static_cast<double>(others) / looked)));
     }
     return bounds;
 }

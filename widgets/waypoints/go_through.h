@@ -4,7 +4,11 @@
 // "Go through": the waypoints of a route one after the other while a key is held, each by its own kind of move, at its
 // own speed under the chosen one, and with its own blend. Let go is pause: the next press goes on to the coming
 // waypoint, and two more keys go one waypoint on or back. Waypoints with a blend are joined into one path that the
-// controller follows; where the arm stops anyway each way is a move of its own.
+// controller follows; where the arm stops anyway, or something is to be done, each way is a move of its own.
+//
+// What is to be done at a waypoint is done when the arm has come there, going on; going back does nothing. Let go
+// in the middle of it, the next press brings the arm back there, if it has been moved away, and begins the action
+// that was not ended anew.
 
 #include <QObject>
 #include <QVector>
@@ -13,6 +17,7 @@
 #include <optional>
 
 #include "widgets/session/move_time.h"
+#include "widgets/waypoints/action_step.h"
 #include "widgets/waypoints/held_sequence.h"
 #include "widgets/waypoints/waypoint_route.h"
 
@@ -29,8 +34,9 @@ public:
     /// All must outlive it.
     /// state      where the arm is now
     /// heldSpeed  the speed that every move keeps below, asked at each
-    GoThrough(const MotionPort& port, const ProjectDocument& document, const SessionState& state,
-              const std::function<HeldSpeed()>& heldSpeed, QObject* parent = nullptr);
+    GoThrough(const MotionPort& port, const ActionPort& actions, const ProjectDocument& document,
+              const SessionState& state, const std::function<HeldSpeed()>& heldSpeed,
+              QObject* parent = nullptr);
     ~GoThrough() override;
 
     /// The way goes through these rows of the document, and begins anew.
@@ -43,6 +49,8 @@ public:
     bool isUnderWay() const { return route_.isUnderWay(); }
     /// Row of the coming one; -1 behind the last.
     int comingRow() const;
+    /// What is being done at it now; null for none.
+    const project::WaypointAction* acting() const;
 
     /// For the key of that way.
     HoldMotion motion(Way way);
@@ -61,6 +69,16 @@ Q_SIGNALS:
 
 private:
     Result<std::unique_ptr<SequenceStep>> nextStep(Way way);
+    Result<std::unique_ptr<SequenceStep>> nextLeg(Way way);
+    void finishStep(Way way);
+    bool isThere(int place) const;
+    bool isActingAt(int place) const;
+    void endActing();
+    void showNoAction();
+    void fail(const Error& error);
+    const project::WaypointAction* nextAction();
+    QString actionObstacle(Way way) const;
+    int lastPlace(Way way) const;
     std::optional<int> firstPlace(Way way) const;
     QVector<int> legFrom(int place, Way way) const;
     Result<MoveRequest> moveTo(int place, const SessionState& from) const;
@@ -73,13 +91,17 @@ private:
     QVector<QUuid> idsOf(const QVector<int>& rows) const;
 
     const MotionPort& port_;
+    const ActionPort& actions_;
     const ProjectDocument& document_;
     const SessionState& state_;
     const std::function<HeldSpeed()>& heldSpeed_;
     WaypointRoute route_;
-    QVector<int> rows_;  ///< of the route's places
-    QVector<int> leg_;   ///< the places of the way under way
-    int legs_ = 0;       ///< begun since the press
+    QVector<int> rows_;              ///< of the route's places
+    QVector<int> leg_;               ///< the places of the way under way
+    int legs_ = 0;                   ///< begun since the press
+    QUuid actingAt_;                 ///< the coming one, once the arm has come there and not all is done
+    project::WaypointActions done_;  ///< there
+    std::optional<project::WaypointAction> acting_;
     HeldSequence through_;
     HeldSequence stepOn_;
     HeldSequence stepBack_;

@@ -11,17 +11,19 @@
 #include "widgets/common/choice_box.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/project/project_document.h"
+#include "widgets/waypoints/action_words.h"
 
 namespace tiller {
 
 using Way = GoThrough::Way;
 
-GoThroughBar::GoThroughBar(MotionPort port, const ProjectDocument& document,
+GoThroughBar::GoThroughBar(MotionPort port, ActionPort actions, const ProjectDocument& document,
                            const std::function<HeldSpeed()>& heldSpeed, QWidget* parent)
     : QWidget(parent)
     , port_(std::move(port))
+    , actions_(std::move(actions))
     , document_(document)
-    , goThrough_(port_, document, state_, heldSpeed)
+    , goThrough_(port_, actions_, document, state_, heldSpeed)
     , scope_(new ChoiceBox)
     , loop_(new QCheckBox(tr("Loop"))) {
     setObjectName(QStringLiteral("waypoint.route"));
@@ -32,14 +34,16 @@ GoThroughBar::GoThroughBar(MotionPort port, const ProjectDocument& document,
     layout->addWidget(
         addKey(tr("Go through (hold)"), QStringLiteral("waypoint.goThrough"), tr("Go through, hold"),
                tr("Goes from waypoint to waypoint while the key is held, no faster than the jog "
-                  "speed. Let go to pause; the next press goes on to the coming waypoint."),
+                  "speed, and does at each what is to be done there. Let go to pause; the next "
+                  "press goes on to the coming waypoint."),
                Way::Through),
         3);
-    layout->addWidget(addKey(QStringLiteral("‹"), QStringLiteral("waypoint.stepBack"), tr("One waypoint back, hold"),
+    layout->addWidget(addKey(QStringLiteral("‹"), QStringLiteral("waypoint.stepBack"),
+                             tr("One waypoint back, hold"),
                              tr("Goes back to the waypoint before while the key is held"), Way::StepBack));
-    layout->addWidget(addKey(QStringLiteral("›"), QStringLiteral("waypoint.stepOn"), tr("One waypoint on, hold"),
-                             tr("Goes to the coming waypoint while the key is held, and stops there"),
-                             Way::StepOn));
+    layout->addWidget(
+        addKey(QStringLiteral("›"), QStringLiteral("waypoint.stepOn"), tr("One waypoint on, hold"),
+               tr("Goes to the coming waypoint while the key is held, and stops there"), Way::StepOn));
     through().setWidestDetail(QStringLiteral("000 waypoints · 000 mm/s"));
 
     scope_->setObjectName(QStringLiteral("waypoint.routeScope"));
@@ -150,7 +154,11 @@ void GoThroughBar::showRoute() {
     const int size = goThrough_.route().size();
     const int row = comingRow();
     QString place;
-    if (row >= 0) {
+    const project::WaypointAction* acting = goThrough_.acting();
+    if (row >= 0 && acting != nullptr) {
+        place_ = ActionWords::of(*acting);
+        place = tr("At %1: %2").arg(document_.waypoints().at(row).name, place_);
+    } else if (row >= 0) {
         const int number = *goThrough_.route().coming() + 1;
         place_ = tr("%1 of %2").arg(number).arg(size);
         place =
@@ -183,7 +191,8 @@ void GoThroughBar::showSpeed() {
 }
 
 void GoThroughBar::showDetail() {
-    through().setDetail(speed_.isEmpty() ? place_ : tr("%1 · %2").arg(place_, speed_));
+    const bool moves = !speed_.isEmpty() && goThrough_.acting() == nullptr;
+    through().setDetail(moves ? tr("%1 · %2").arg(place_, speed_) : place_);
 }
 
 void GoThroughBar::stop(control::StopCause cause) {

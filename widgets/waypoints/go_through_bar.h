@@ -25,11 +25,12 @@ public:
     enum class Scope { FromHere, Selection, All };
 
     /// As those of GoThrough.
-    GoThroughBar(MotionPort port, const ProjectDocument& document,
+    GoThroughBar(MotionPort port, ActionPort actions, const ProjectDocument& document,
                  const std::function<HeldSpeed()>& heldSpeed, QWidget* parent = nullptr);
     ~GoThroughBar() override;
 
     void setState(const SessionState& state);
+    void setGripper(GripperPort gripper) { actions_.gripper = std::move(gripper); }
     /// The operator selected other rows: the way begins anew.
     /// current  -1 for none
     void setSelection(int current, const QList<int>& selected);
@@ -61,6 +62,7 @@ private:
     void updateAvailability();
 
     MotionPort port_;
+    ActionPort actions_;
     const ProjectDocument& document_;
     SessionState state_;
     GoThrough goThrough_;

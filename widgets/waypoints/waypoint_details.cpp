@@ -17,6 +17,7 @@
 #include "widgets/common/notation.h"
 #include "widgets/common/pose_editor.h"
 #include "widgets/common/theme.h"
+#include "widgets/waypoints/action_words.h"
 #include "widgets/waypoints/waypoint_model.h"
 
 namespace tiller {
@@ -154,6 +155,7 @@ void WaypointDetails::refresh() {
                                                     : tr("position “%1”"))
                      .arg(use.name);
     }
+    facts << ActionWords::of(point.actions);
     if (!point.note.isEmpty()) {
         facts << QString(point.note).replace(QLatin1Char('\n'), QLatin1Char(' '));
     }

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "widgets/project/project_document.h"
+#include "widgets/waypoints/actions_dialog.h"
 #include "widgets/waypoints/pattern_dialog.h"
 #include "widgets/waypoints/waypoint_exchange.h"
 #include "widgets/waypoints/waypoint_history_dialog.h"
@@ -70,6 +71,24 @@ void WaypointDialogs::properties() {
             rows, dialog.changed(),
             tr("Change the properties of %n waypoints", nullptr, static_cast<int>(rows.size())));
     }
+}
+
+void WaypointDialogs::actions() {
+    const QList<int> rows = table_.selectedRows();
+    if (rows.isEmpty()) {
+        Q_EMIT refused(tr("Select waypoints where something is to be done."), {});
+        return;
+    }
+    std::vector<project::Waypoint> points = selected();
+    ActionsDialog dialog(points, table_.window());
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    for (project::Waypoint& point : points) {
+        point.actions = dialog.actions();
+    }
+    document_.changeWaypoints(
+        rows, points, tr("Change the actions at %n waypoints", nullptr, static_cast<int>(rows.size())));
 }
 
 void WaypointDialogs::moveSelection() {

@@ -25,6 +25,8 @@ public:
     WaypointDialogs(ProjectDocument& document, WaypointTable& table, QObject* parent = nullptr);
 
     void properties();
+    /// What is done at the selected waypoints.
+    void actions();
     void moveSelection();
     /// A new pattern at the selected waypoints; the pattern itself where the selected one is a place of it.
     void pattern();

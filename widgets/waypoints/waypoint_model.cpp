@@ -14,6 +14,7 @@
 #include "widgets/common/format.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
+#include "widgets/waypoints/action_words.h"
 #include "widgets/waypoints/waypoint_properties.h"
 
 namespace tiller {
@@ -28,6 +29,15 @@ constexpr double kMostBlend = 1.0;         ///< [m]
 QColor colourOf(project::WaypointColour colour) {
     static constexpr QRgb kColours[] = {0x000000, 0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9};
     return QColor(kColours[static_cast<int>(colour)]);
+}
+
+/// With what the row shows besides: that it is the coming one, and how many things are done there.
+QString shownName(const project::Waypoint& point, bool coming) {
+    QString text = coming ? QStringLiteral("▶ ") + point.name : point.name;
+    if (!point.actions.empty()) {
+        text += QStringLiteral("  ⚙%1").arg(point.actions.size());
+    }
+    return text;
 }
 
 /// "250", "250,5", "250 mm/s" -> 250; nothing when there is no number in front.
@@ -145,7 +155,7 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
         case Number:
             return QString::number(row + 1);
         case Name:
-            return point.id == coming_ ? QStringLiteral("▶ ") + point.name : point.name;
+            return shownName(point, point.id == coming_);
         case Move:
             return point.move == project::MoveKind::Joint ? QStringLiteral("J") : QStringLiteral("L");
         case Frame: {
@@ -177,6 +187,9 @@ QString WaypointModel::toolTip(const project::Waypoint& point, int row, int colu
             if (point.colour != project::WaypointColour::None) {
                 lines << tr("Colour: %1")
                              .arg(WaypointProperties::colourNames().value(static_cast<int>(point.colour)));
+            }
+            if (!point.actions.empty()) {
+                lines << tr("Done there: %1").arg(ActionWords::of(point.actions).join(QStringLiteral(" · ")));
             }
             if (!point.note.isEmpty()) {
                 lines << point.note;
@@ -218,8 +231,14 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
         case Qt::ToolTipRole:
             return toolTip(point, index.row(), index.column());
         case Qt::AccessibleTextRole:
-            if (index.column() == Name && point.id == coming_) {
-                return tr("Name %1, the coming one").arg(point.name);
+            if (index.column() == Name && (point.id == coming_ || !point.actions.empty())) {
+                const auto count = static_cast<int>(point.actions.size());
+                QStringList words{point.id == coming_ ? tr("Name %1, the coming one").arg(point.name)
+                                                      : tr("Name %1").arg(point.name)};
+                if (count > 0) {
+                    words << tr("%n actions", nullptr, count);
+                }
+                return words.join(QStringLiteral(", "));
             }
             return QStringLiteral("%1 %2").arg(
                 headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString(),

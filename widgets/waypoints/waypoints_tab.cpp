@@ -2,6 +2,7 @@
 #include "widgets/waypoints/waypoints_tab.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QLabel>
@@ -89,7 +90,11 @@ void WaypointsTab::buildLayout(MotionPort port) {
     touchUp_ = new QPushButton(tr("Touch up  U"));
     touchUp_->setObjectName(QStringLiteral("waypoint.touchUp"));
     touchUp_->setAccessibleName(tr("Touch up"));
-    goThrough_ = new GoThroughBar(port, document_, heldSpeed_);
+    const ActionPort actions{
+        [this](std::uint32_t mask, std::uint32_t values, const QString& what, const OutputOrder& order) {
+            session_.outputs().setDigitalOutputs(mask, values, what, order);
+        }};
+    goThrough_ = new GoThroughBar(port, actions, document_, heldSpeed_);
     paths_ = new PathControls(session_, document_,
                               {[this] { return currentRow(); }, [this] { return table_->selectedRows(); }});
     goTo_ = new GoToButton(std::move(port), [this] { return goToRequest(); });
@@ -134,6 +139,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     layout->addWidget(pages_, 1);
     layout->addWidget(details_);
     notice_ = new NoticeBar;
+    notice_->installEventFilter(this);
     new LowerEdge(*notice_, *this, {pages_});
 
     connect(teach_, &QPushButton::clicked, this, &WaypointsTab::teach);
@@ -146,6 +152,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     connect(goThrough_, &GoThroughBar::refused, this, refuse);
     connect(paths_, &PathControls::refused, this, &WaypointsTab::showProblem);
     connect(paths_, &PathControls::kept, this, [this](const QString& summary) {
+        setTouchUpGhost(std::nullopt);
         notice_->show(NoticeBar::Kind::Question, tr("Path recorded"), summary);
         Q_EMIT message(Severity::Info, summary);
     });
@@ -215,6 +222,21 @@ QSize WaypointsTab::minimumSizeHint() const {
         least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();
     }
     return least;
+}
+
+bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
+    // However the question was answered.
+    if (watched == notice_ && event->type() == QEvent::Hide) {
+        setTouchUpGhost(std::nullopt);
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void WaypointsTab::setTouchUpGhost(const std::optional<Ghost>& ghost) {
+    if (ghost || touchUpGhost_) {
+        touchUpGhost_ = ghost;
+        Q_EMIT ghostChanged();
+    }
 }
 
 void WaypointsTab::onSelection() {
@@ -356,6 +378,10 @@ void WaypointsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {
     showSpeed();
 }
 
+void WaypointsTab::setGripper(GripperPort gripper) {
+    goThrough_->setGripper(std::move(gripper));
+}
+
 void WaypointsTab::followSpeed() {
     goThrough_->stop(control::StopCause::SelectionChanged);  // under way it would take the new speed half way
     showSpeed();
@@ -430,6 +456,8 @@ void WaypointsTab::buildActions() {
                    [this] { search_->open(); }));
     add(onSelected(addCommand("waypoint.action.properties", tr("Group, colour, note, speeds…"),
                               QKeySequence(Qt::ALT | Qt::Key_Return), [this] { dialogs_->properties(); })));
+    add(onSelected(addCommand("waypoint.action.actions", tr("Actions there…"),
+                              QKeySequence(Qt::ALT | Qt::Key_A), [this] { dialogs_->actions(); })));
     add(onSelected(addCommand("waypoint.action.shift", tr("Offset, turn or mirror…"), {},
                               [this] { dialogs_->moveSelection(); })));
     add(onSelected(addCommand("waypoint.action.history", tr("History…"), QKeySequence(Qt::ALT | Qt::Key_H),
@@ -528,6 +556,7 @@ void WaypointsTab::touchUp() {
                                   format::degrees(turns[joint], 1));
     notice_->show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(before.name), text, tr("Touch up"),
                   [this, id = before.id, taught = *after] { replaceByTouchUp(id, taught); });
+    setTouchUpGhost(Ghost{before.name, after->joints, before.move == project::MoveKind::Linear});
 }
 
 void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& taught) {
@@ -540,10 +569,12 @@ void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& ta
 
 void WaypointsTab::showNotice(const QString& title, const QString& text, const QString& accept,
                               const std::function<void()>& accepted) {
+    setTouchUpGhost(std::nullopt);
     notice_->show(NoticeBar::Kind::Warning, title, text, accept, accepted);
 }
 
 void WaypointsTab::showProblem(const QString& text, const QString& details) {
+    setTouchUpGhost(std::nullopt);
     notice_->show(NoticeBar::Kind::Warning, text, details);
 }
 

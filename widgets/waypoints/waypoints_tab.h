@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "robot/project/waypoint_list.h"
+#include "widgets/session/gripper_port.h"
 #include "widgets/session/motion_port.h"
 #include "widgets/session/move_time.h"
 #include "widgets/session/scene_marks.h"
@@ -60,8 +61,12 @@ public:
     void setWayLimit(const QString& text);
     /// The speed that "Go to" keeps below, asked at each press; none unless told.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
+    /// What "Go through" opens and closes; none unless told.
+    void setGripper(GripperPort gripper);
 
     std::optional<Ghost> ghost() const;
+    /// While it is asked whether to touch up: where the waypoint would be; ghost() is where it is.
+    const std::optional<Ghost>& touchUpGhost() const { return touchUpGhost_; }
     std::vector<WaypointMark> marks() const;
 
     /// Row of the selected waypoint; -1 for none.
@@ -72,6 +77,7 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 public Q_SLOTS:
     /// Adds the live place after the selection.
@@ -89,7 +95,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// Another waypoint, or none (null), is selected.
     void selectionChanged(const QUuid& waypoint);
-    /// ghost() is another one.
+    /// ghost() is another one, or touchUpGhost().
     void ghostChanged();
     /// marks() are others.
     void marksChanged();
@@ -110,6 +116,7 @@ private:
     void replaceByTouchUp(const QUuid& id, const project::Waypoint& taught);
     QString teachObstacle() const;
     void showSpeed();
+    void setTouchUpGhost(const std::optional<Ghost>& ghost);
     void showProblem(const QString& text, const QString& details = {});
     QAction* addCommand(const QString& name, const QString& text, const QKeySequence& shortcut,
                         std::function<void()> run);
@@ -123,6 +130,7 @@ private:
     QList<QAction*> actions_;
     QTimer detailsTimer_;
     QUuid lastSelected_;
+    std::optional<Ghost> touchUpGhost_;
 
     QPushButton* teach_ = nullptr;
     QPushButton* touchUp_ = nullptr;

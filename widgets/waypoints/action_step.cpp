@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/waypoints/action_step.h"
+
+#include <utility>
+
+#include "widgets/session/texts.h"
+#include "widgets/waypoints/action_words.h"
+
+namespace tiller {
+
+namespace {
+
+using ActionKind = project::WaypointAction::Kind;
+
+/// Data that are older say nothing of the robot any more [ms].
+constexpr double kOldest = 100;
+/// A gripper that needs longer has something wrong [s].
+constexpr double kLongestGrip = 15;
+/// What the robot takes to report an output, at most [s].
+constexpr double kLongestConfirmation = 3;
+
+bool isGrip(const project::WaypointAction& action) {
+    return action.kind == ActionKind::OpenGripper || action.kind == ActionKind::CloseGripper;
+}
+
+Error sentence(const QString& text) {
+    return {ErrorCode::Cancelled, text, {}};
+}
+
+}  // namespace
+
+ActionStep::ActionStep(const ActionPort& port, const SessionState& state, project::WaypointAction action)
+    : port_(port), state_(state), action_(std::move(action)) {}
+
+ActionStep::~ActionStep() {
+    giveUp();
+}
+
+QString ActionStep::obstacle(const project::WaypointAction& action, const GripperChoice& gripper) {
+    return isGrip(action) && gripper.kind == GripperChoice::Kind::None
+               ? tr("This robot has no gripper here. Choose it in I/O, Gripper.")
+               : QString();
+}
+
+double ActionStep::longestOf(const project::WaypointAction& action) {
+    switch (action.kind) {
+        case ActionKind::SetOutput:
+            return kLongestConfirmation;
+        case ActionKind::PulseOutput:
+            return 2 * kLongestConfirmation + action.seconds;
+        case ActionKind::WaitForInput:
+            return action.seconds > 0 ? action.seconds : project::kLongestAction;
+        case ActionKind::WaitTime:
+            return action.seconds;
+        default:
+            return kLongestGrip;
+    }
+}
+
+std::shared_ptr<ActionStep::Order> ActionStep::send(const ActionPort& port, std::uint32_t mask,
+                                                    std::uint32_t values,
+                                                    const std::shared_ptr<Order>& after) {
+    auto order = std::make_shared<Order>();
+    port.setOutputs(mask, values, tr("Go through"),
+                    {.token = order->token,
+                     .wanted =
+                         [order, after] {
+                             // Only what has begun has an end.
+                             order->begun = !after || after->begun;
+                             return order->begun.load();
+                         },
+                     .done = [order](const Result<void>& result) { order->result = result; }});
+    return order;
+}
+
+bool ActionStep::mayGoOn() const {
+    return state_.canMove() && state_.link == LinkState::Live && state_.quality.ageMs <= kOldest;
+}
+
+Result<void> ActionStep::begin(std::uint64_t) {
+    if (!mayGoOn()) {
+        return Error{ErrorCode::Stopped, {}, {}};
+    }
+    const GripperChoice gripper = port_.gripper.choice();
+    if (const QString why = obstacle(action_, gripper); !why.isEmpty()) {
+        return sentence(why);
+    }
+    beganAt_ = state_.robotTime;
+    const bool close = action_.kind == ActionKind::CloseGripper;
+    if (action_.kind == ActionKind::SetOutput || action_.kind == ActionKind::PulseOutput) {
+        order_ = send(port_, pin(), action_.value ? pin() : 0);
+    } else if (isGrip(action_) && gripper.usesOutputs()) {
+        order_ = send(port_, gripper.outputs(), gripper.outputsTo(close));
+    } else if (isGrip(action_)) {
+        if (const QString why = port_.gripper.obstacle(); !why.isEmpty()) {
+            return sentence(why);
+        }
+        port_.gripper.move(close, gripper_);
+    }
+    return {};
+}
+
+Result<SequenceStep::State> ActionStep::hold() {
+    if (!mayGoOn()) {
+        giveUp();
+        return State::Ended;
+    }
+    switch (action_.kind) {
+        case ActionKind::WaitTime:
+            return elapsed() >= action_.seconds ? State::Done : State::Going;
+        case ActionKind::WaitForInput:
+            return holdInput();
+        default:
+            return order_ ? holdOutput() : holdRobotiq();
+    }
+}
+
+Result<SequenceStep::State> ActionStep::holdInput() const {
+    const bool on = (state_.digitalInputs & pin()) != 0;
+    if (on == action_.value) {
+        return State::Done;
+    }
+    if (elapsed() < longestOf(action_)) {
+        return State::Going;
+    }
+    const QString seconds = QString::number(longestOf(action_), 'g', 6);
+    return sentence((action_.value
+                         ? tr("%1 did not go on within %2 s. Look at what it waits for, and press again.")
+                         : tr("%1 did not go off within %2 s. Look at what it waits for, and press "
+                              "again."))
+                        .arg(ActionWords::terminal(action_), seconds));
+}
+
+Result<SequenceStep::State> ActionStep::holdOutput() {
+    const std::shared_ptr<Order>& order = back_ ? back_ : order_;
+    if (!order->result) {
+        return State::Going;
+    }
+    if (!*order->result) {
+        const Error& error = order->result->error();
+        return sentence(tr("%1 was not done. %2").arg(ActionWords::of(action_), texts::errorText(error)));
+    }
+    if (action_.kind != ActionKind::PulseOutput || back_) {
+        return State::Done;
+    }
+    if (!std::exchange(pulsing_, true)) {
+        beganAt_ = state_.robotTime;
+    }
+    if (elapsed() >= action_.seconds) {
+        back_ = send(port_, pin(), action_.value ? 0 : pin(), order_);
+    }
+    return State::Going;
+}
+
+Result<SequenceStep::State> ActionStep::holdRobotiq() const {
+    const std::optional<Result<void>> outcome =
+        port_.gripper.outcome(action_.kind == ActionKind::CloseGripper);
+    if (outcome) {
+        return *outcome ? Result<State>(State::Done) : outcome->error();
+    }
+    if (elapsed() < kLongestGrip) {
+        return State::Going;
+    }
+    return sentence(tr("The gripper did not come to rest within %1 s.").arg(kLongestGrip));
+}
+
+void ActionStep::end(control::StopCause) {
+    giveUp();
+}
+
+void ActionStep::giveUp() {
+    gripper_.cancel();
+    if (!order_) {
+        return;
+    }
+    order_->token.cancel();
+    // A pulse that has begun is not left standing.
+    if (action_.kind == ActionKind::PulseOutput && !back_) {
+        back_ = send(port_, pin(), action_.value ? 0 : pin(), order_);
+    }
+}
+
+}  // namespace tiller
