@@ -38,6 +38,7 @@
 #include "app/settings_page.h"
 #include "app/settings_transfer.h"
 #include "app/sleep_watch.h"
+#include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/project_file.h"
 #include "widgets/common/density.h"
 #include "widgets/common/hold_button.h"
@@ -304,6 +305,10 @@ void MainWindow::connectParts() {
     connectFrames();
     connectTools();
     followCell(scene_->view(), *document_);
+    for (const auto change : {&ProjectDocument::cellChanged, &ProjectDocument::framesChanged,
+                              &ProjectDocument::projectReplaced}) {
+        connect(document_.get(), change, this, &MainWindow::simulateCell);
+    }
     connectProject();
     connectTransfer();
     connectIo();
@@ -468,13 +473,25 @@ void MainWindow::followJog() {
         }
         scene_->view().setJogDirection(arrow);
     });
+    connect(jog_, &JogColumn::wayBackChanged, this, &MainWindow::showWayBack);
     waypoints_->setHeldSpeed([this] { return jog_->heldSpeed(); });
+    waypoints_->setGripper(gripper_->port());
     connect(jog_, &JogColumn::speedChanged, waypoints_, &WaypointsTab::followSpeed);
 }
 
 void MainWindow::updateScene() {
     scene_->view().setWaypoints(waypoints_->marks());
     scene_->view().setGhost(waypoints_->ghost());
+    scene_->view().setSecondGhost(waypoints_->touchUpGhost());
+}
+
+void MainWindow::showWayBack() {
+    const SessionState& state = session_->state();
+    PathMark way{PathMark::Kind::Breadcrumb, {}, {}};
+    for (const JointPositions& q : jog_->wayBack()) {
+        way.places.push_back(kinematics::forwardTcp(robotModel(state.model).dh, q, state.tcpOffset).position);
+    }
+    scene_->view().setPaths(way.places.size() > 1 ? std::vector<PathMark>{way} : std::vector<PathMark>());
 }
 
 void MainWindow::stopMotion(control::StopCause cause) {
@@ -491,7 +508,25 @@ void MainWindow::connectSimulator() {
         return;
     }
     toRemember_.reset();
+    simulateCell();
     session_->connectTo(*address);
+}
+
+void MainWindow::simulateCell() {
+    // An empty cell clears only what a project has put there.
+    if (document_->cell().isEmpty() && !cellIsSimulated_) {
+        return;
+    }
+    cellIsSimulated_ = !document_->cell().isEmpty();
+    for (simulator::Simulator* robot : simulator_.controllers()) {
+        if (const int over = app::simulateCell(*robot, *document_); over > 0) {
+            Q_EMIT session_->message(
+                Severity::Warning,
+                tr("%n boxes or planes of the cell are not known to the simulated robot: it has no "
+                   "room for more.",
+                   nullptr, over));
+        }
+    }
 }
 
 void MainWindow::connectRobot(const RobotAddress& address) {

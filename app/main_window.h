@@ -151,12 +151,15 @@ private:
     void listRobots();
     void listProjects();
     void updateScene();
+    void showWayBack();
+    void simulateCell();
     void stopMotion(control::StopCause cause);
     ReportSources reportSources() const;
 
     Settings settings_;
     Preferences preferences_;  ///< as they hold now
     LocalSimulator simulator_;
+    bool cellIsSimulated_ = false;
     std::optional<RobotAddress> toRemember_;  ///< once it has answered
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<HoldWitness> witness_;

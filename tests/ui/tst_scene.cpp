@@ -187,6 +187,120 @@ private Q_SLOTS:
         QVERIFY(view().moveLimitText().isEmpty());
     }
 
+    // What "Back" would undo is drawn as a line, from where the arm is to where it came from, and is gone with it.
+    void theWayBackIsDrawn() {
+        driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
+        QVERIFY(view().paths().empty());
+        const Eigen::Vector3d from = bench_->cell.truth().tcpPose.position;
+        auto& key = bench_->find<HoldButton>("jog.Z+");
+        press(key);
+        bench_->cell.advanceMs(1500);
+        release(key);
+        QVERIFY(timeToStandstill(bench_->cell) >= 0);
+        const Eigen::Vector3d here = bench_->cell.truth().tcpPose.position;
+        QVERIFY((here - from).norm() > 0.03);
+        bench_->cell.advanceMs(500);
+        QCOMPARE(view().paths().size(), std::size_t(1));
+        const PathMark way = view().paths().front();
+        QVERIFY(way.kind == PathMark::Kind::Breadcrumb);
+        QVERIFY((way.places.front() - from).norm() < 0.002);
+        QVERIFY((way.places.back() - here).norm() < 0.005);
+        const QImage with = view().grab().toImage();
+        keepPicture(view(), QStringLiteral("scene-way-back"));
+        view().setPaths({});
+        QVERIFY2(view().grab().toImage() != with, "it can be seen");
+        auto& back = bench_->find<HoldButton>("backKey");
+        press(back);
+        QVERIFY(bench_->cell.advanceUntil([&] { return !back.isHolding(); }, 60'000));
+        release(back);
+        bench_->cell.advanceMs(500);
+        QVERIFY((bench_->cell.truth().tcpPose.position - from).norm() < 0.001);
+        QVERIFY(view().paths().empty());
+    }
+
+    // Before a touch-up is kept it says by how much, and shows where the waypoint is and where it would be.
+    void touchUpShowsBothPlacesBeforeItIsKept() {
+        driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
+        window().waypoints().teach();
+        const project::Waypoint taught = window().document().waypoints().at(0);
+        auto& key = bench_->find<HoldButton>("jog.Z+");
+        press(key);
+        bench_->cell.advanceMs(3000);
+        release(key);
+        QVERIFY(timeToStandstill(bench_->cell) >= 0);
+        bench_->cell.advanceMs(100);
+        QVERIFY(!view().secondGhost());
+        QTest::keyClick(&window(), Qt::Key_U);
+        QVERIFY(view().ghost() && view().secondGhost());
+        QVERIFY((view().ghost()->q.values - taught.joints.values).norm() < 1e-6);
+        const JointPositions live = bench_->cell.truth().q;
+        QVERIFY((view().secondGhost()->q.values - live.values).norm() < 1e-3);
+        const QString text = window().waypoints().findChild<QLabel*>("notice.text")->text();
+        QVERIFY2(text.contains("mm") && text.contains(QStringLiteral("°")), qPrintable(text));
+        view().grab();
+        QStringList names;
+        for (const PlacedLabel& label : view().labels()) {
+            names << label.text;
+        }
+        QVERIFY2(names.filter("as it was").size() == 1 && names.filter("as it will be").size() == 1,
+                 qPrintable(names.join(", ")));
+        // The arm goes on: what was shown is what is kept.
+        press(key);
+        bench_->cell.advanceMs(1500);
+        release(key);
+        QVERIFY(timeToStandstill(bench_->cell) >= 0);
+        bench_->cell.advanceMs(100);
+        keepPicture(window(), QStringLiteral("scene-touch-up"));
+        const QImage two = view().grab().toImage();
+        view().setSecondGhost(std::nullopt);
+        QVERIFY2(view().grab().toImage() != two, "the second one can be seen");
+        const auto click = [this](const char* name) {
+            QTest::mouseClick(window().waypoints().findChild<QAbstractButton*>(name), Qt::LeftButton);
+        };
+        click("notice.dismiss");
+        QVERIFY(!window().waypoints().touchUpGhost());
+        QCOMPARE(window().document().waypoints().at(0), taught);
+        QTest::keyClick(&window(), Qt::Key_U);
+        const JointPositions shown = view().secondGhost()->q;
+        click("notice.accept");
+        QVERIFY(!view().secondGhost());
+        QVERIFY((window().document().waypoints().at(0).joints.values - shown.values).norm() < 1e-9);
+        window().document().undoStack().undo();
+        QCOMPARE(window().document().waypoints().at(0), taught);
+    }
+
+    // The simulated arm cannot go through what the project says stands there.
+    void aBoxOfTheCellStopsTheSimulatedArm() {
+        driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
+        window().practiseOn(&bench_->cell.robot);
+        const Eigen::Vector3d tcp = bench_->cell.truth().tcpPose.position;
+        project::CellBox box;
+        box.id = QUuid::createUuid();
+        box.name = "crate";
+        box.pose = Pose(tcp.x(), tcp.y(), tcp.z() + 0.03 + 0.1, 0, 0, 0);
+        box.size = Eigen::Vector3d(0.4, 0.4, 0.2);
+        project::CellGeometry cell;
+        cell.boxes.insert(0, box);
+        window().document().changeCell(cell, "crate");
+        auto& key = bench_->find<HoldButton>("jog.Z+");
+        press(key);
+        QVERIFY(bench_->cell.advanceUntil(
+            [&] { return bench_->cell.truth().safetyMode == SafetyMode::ProtectiveStop; }, 10'000));
+        release(key);
+        const double into = bench_->cell.truth().tcpPose.position.z() - (tcp.z() + 0.03);
+        QVERIFY2(into > -0.001 && into < 0.03, qPrintable(QString::number(into)));
+
+        // Gone from the project, it is gone from the simulator.
+        window().document().undoStack().undo();
+        bool empty = false;
+        bench_->cell.robot.changeWorld([&empty, tcp](simulator::arm::Environment& world) {
+            empty = world.contactForce(tcp + Eigen::Vector3d(0, 0, 0.08), Eigen::Vector3d::Zero()).isZero();
+        });
+        bench_->cell.advanceMs(40);
+        QVERIFY(empty);
+        window().practiseOn(nullptr);
+    }
+
     // Taught at one place, as happens: each name is readable or counted.
     void namesOfWaypointsDoNotPileUp() {
         for (int i = 0; i < 14; ++i) {

@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is done at a waypoint, in the real window against the simulated robot: edited by keyboard and undone, shown in
+// the list, and done by "Go through" only while its key is held.
+
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+
+#include "robot/kinematics/arm_kinematics.h"
+#include "tests/support/jog_window_test.h"
+#include "widgets/io/gripper_panel.h"
+#include "widgets/jog/jog_selectors.h"
+#include "widgets/project/project_document.h"
+#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using Action = project::WaypointAction;
+
+namespace {
+
+Action setOutput(int pin, bool on) {
+    Action action;
+    action.kind = Action::Kind::SetOutput;
+    action.pin = pin;
+    action.value = on;
+    return action;
+}
+
+Action pulse(int pin, double seconds) {
+    Action action = setOutput(pin, true);
+    action.kind = Action::Kind::PulseOutput;
+    action.seconds = seconds;
+    return action;
+}
+
+Action waitFor(int pin, double atMost) {
+    Action action = pulse(pin, atMost);
+    action.kind = Action::Kind::WaitForInput;
+    return action;
+}
+
+Action waitTime(double seconds) {
+    Action action;
+    action.seconds = seconds;
+    return action;
+}
+
+Action gripper(bool close) {
+    Action action;
+    action.kind = close ? Action::Kind::CloseGripper : Action::Kind::OpenGripper;
+    return action;
+}
+
+enum class End {
+    Release,
+    WindowDeactivated,
+    Dialog,
+    Escape,
+    Space,
+    StopButton,
+    SecondButton,
+    SilentLink,
+    ClosedLink,
+    ProtectiveStop
+};
+constexpr const char* kEnds[] = {
+    "released", "window deactivated", "dialog",      "Esc",         "Space",
+    "STOP",     "second hand",        "silent link", "closed link", "protective stop"};
+
+}  // namespace
+
+class TestWaypointActions : public JogWindowTest {
+    Q_OBJECT
+
+private:
+    QStringList said_;
+
+    ProjectDocument& document() { return window().document(); }
+    HoldButton& through() { return key("waypoint.goThrough"); }
+    WaypointsTab& tab() { return *window().findChild<WaypointsTab*>(); }
+    bool output(int pin) { return (cell().truth().digitalOutputs >> pin & 1) != 0; }
+    bool isAt(int row) {
+        const JointPositions& q = document().waypoints().at(row).joints;
+        return (cell().truth().q.values - q.values).cwiseAbs().maxCoeff() < 1e-3;
+    }
+    QString doing() { return through().accessibleDescription(); }
+    /// Real time passes too: outputs are set by a worker.
+    bool until(const std::function<bool()>& condition) {
+        for (int i = 0; i < 4000 && !condition(); ++i) {
+            cell().advanceMs(4);
+            QTest::qWait(1);
+        }
+        return condition();
+    }
+    void pass(int ms) {
+        for (int t = 0; t < ms; t += 20) {
+            cell().advanceMs(20);
+            QTest::qWait(1);
+        }
+    }
+    /// While nothing comes from the robot: who waits for it would wait in real time.
+    void passWithoutLink(int ms) {
+        for (int t = 0; t < ms; t += 20) {
+            for (int tick = 0; tick < 10; ++tick) {
+                cell().clock.advanceNs(2 * kNsPerMs);
+                cell().robot.step();
+            }
+            cell().everyRefresh();
+            QCoreApplication::processEvents();
+            window().session().refresh();
+            QTest::qWait(1);
+        }
+    }
+    /// Two waypoints a little apart; `actions` are done at the first.
+    void teach(const project::WaypointActions& actions, double blend = 0) {
+        const SessionState& state = window().session().state();
+        std::vector<project::Waypoint> points;
+        for (const double turn : {0.1, 0.2}) {
+            project::Waypoint point;
+            point.id = QUuid::createUuid();
+            point.name = QStringLiteral("point %1").arg(points.size() + 1);
+            JointPositions q = state.q;
+            q[0] += turn;
+            const Pose pose = kinematics::forwardTcp(robotModel(state.model).dh, q, state.tcpOffset);
+            points.push_back(*project::taughtAt(point, q, pose, state.tcpOffset, document().frames()));
+            points.back().blend = blend;
+        }
+        points[0].actions = actions;
+        document().insertWaypoints(0, points, "taught");
+        tab().selectRow(0);
+        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        keys << &through() << &key("waypoint.stepOn") << &key("waypoint.stepBack") << &key("waypoint.goTo");
+        driveKeys(cell(), keys, &window().jogColumn().axisJog());
+        window().jogColumn().selectors().setSpeedClass(3);
+        said_.clear();
+        QObject::connect(&window().session(), &RobotSession::message, &window(),
+                         [this](Severity, const QString& text) { said_ << text; });
+        cell().advanceMs(40);
+    }
+    void hold(HoldButton& button) {
+        QVERIFY2(button.isEnabled(), qPrintable(button.toolTip()));
+        press(button);
+        QVERIFY(button.isHolding());
+    }
+    /// Until the key ends by itself.
+    void holdToTheEnd(HoldButton& button) {
+        hold(button);
+        QVERIFY(until([&] { return !button.isHolding(); }));
+        release(button);
+        pass(40);
+    }
+    bool wasSaid(const QString& text) { return said_.filter(text).size() > 0; }
+    void end(End end) {
+        switch (end) {
+            case End::Release:
+                release(through());
+                break;
+            case End::WindowDeactivated: {
+                QEvent deactivated(QEvent::WindowDeactivate);
+                QApplication::sendEvent(&window(), &deactivated);
+                break;
+            }
+            case End::Dialog: {
+                auto* dialog = new QDialog(&window());
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->open();
+                break;
+            }
+            case End::Escape:
+                QTest::keyPress(&window(), Qt::Key_Escape);
+                break;
+            case End::Space:
+                QTest::keyPress(&window(), Qt::Key_Space);
+                break;
+            case End::StopButton:
+                QTest::mousePress(window().findChild<QAbstractButton*>("stopButton"), Qt::LeftButton);
+                break;
+            case End::SecondButton:
+                sendMouse(key("jog.Y+"), QEvent::MouseButtonPress, Qt::RightButton);
+                break;
+            case End::SilentLink:
+                cell().robot.silence(true);
+                break;
+            case End::ClosedLink:
+                cell().robot.closeClients();
+                break;
+            case End::ProtectiveStop:
+                cell().robot.protectiveStop();
+                break;
+        }
+    }
+    /// In the dialog of the actions, which runs an event loop of its own.
+    void inDialog(const std::function<void(QDialog&)>& use) {
+        bool used = false;
+        QTimer::singleShot(0, &window(), [&] {
+            auto* dialog = window().findChild<QDialog*>("waypoint.actions");
+            if (dialog == nullptr) {
+                return;
+            }
+            used = true;
+            use(*dialog);
+            if (dialog->isVisible()) {
+                dialog->reject();
+            }
+        });
+        for (QAction* action : tab().commandActions()) {
+            if (action->objectName() == "waypoint.action.actions") {
+                action->trigger();
+            }
+        }
+        QVERIFY(used);
+    }
+
+private Q_SLOTS:
+    void theyAreDoneInOrderWhereTheArmHasCome() {
+        teach({setOutput(3, true), waitTime(0.5), setOutput(3, false), setOutput(4, true)}, 0.02);
+        hold(through());
+        QVERIFY(until([&] { return output(3); }));
+        QVERIFY2(isAt(0), "a blend does not carry the arm past what is to be done");
+        const double setAt = window().session().state().robotTime;
+        QVERIFY(until([&] { return doing().contains("Wait 0.5 s"); }));
+        QVERIFY2(doing().contains("point 1"), qPrintable(doing()));
+        QVERIFY(until([&] { return !output(3); }));
+        QVERIFY(window().session().state().robotTime - setAt >= 0.49);
+        QVERIFY(isAt(0));
+        QVERIFY(until([&] { return output(4); }));
+        QVERIFY(until([&] { return !through().isHolding(); }));
+        release(through());
+        QVERIFY(isAt(1));
+        QVERIFY(wasSaid("DO 3"));
+    }
+
+    void aPulseIsAsLongAsItSaysAndGoesBack() {
+        teach({pulse(2, 0.4)});
+        hold(through());
+        QVERIFY(until([&] { return output(2); }));
+        const double on = window().session().state().robotTime;
+        QVERIFY(until([&] { return !output(2); }));
+        const double seconds = window().session().state().robotTime - on;
+        QVERIFY2(seconds >= 0.37, qPrintable(QString::number(seconds)));
+        QVERIFY(until([&] { return isAt(1); }));
+        release(through());
+    }
+
+    void anInputIsWaitedFor() {
+        teach({waitFor(5, 60), setOutput(1, true)});
+        hold(through());
+        QVERIFY(until([&] { return doing().contains("DI 5"); }));
+        pass(1000);
+        QVERIFY(isAt(0) && !output(1));
+        QVERIFY(through().isHolding());
+        cell().robot.setDigitalInput(5, true);
+        QVERIFY(until([&] { return output(1); }));
+        QVERIFY(until([&] { return isAt(1); }));
+        release(through());
+    }
+
+    void anInputThatDoesNotComeEndsItWithAReason() {
+        teach({waitFor(5, 0.6), setOutput(1, true)});
+        holdToTheEnd(through());
+        QVERIFY(isAt(0));
+        QVERIFY(!output(1));
+        QVERIFY2(wasSaid("DI 5") && wasSaid("0.6 s") && wasSaid("point 1"), qPrintable(said_.join('\n')));
+        // The next press waits again.
+        cell().robot.setDigitalInput(5, true);
+        holdToTheEnd(through());
+        QVERIFY(output(1));
+        QVERIFY(isAt(1));
+    }
+
+    // Nothing goes on without the key, however it was let go: neither the wait nor what comes after it.
+    void noActionRunsWithoutTheKey_data() {
+        QTest::addColumn<int>("end");
+        for (int e = 0; e < static_cast<int>(std::size(kEnds)); ++e) {
+            QTest::newRow(kEnds[e]) << e;
+        }
+    }
+    void noActionRunsWithoutTheKey() {
+        QFETCH(int, end);
+        teach({waitTime(1), setOutput(1, true), waitFor(5, 60), setOutput(2, true)});
+        hold(through());
+        QVERIFY(until([&] { return doing().contains("Wait 1 s"); }));
+        pass(100);
+        const bool linkEnds =
+            static_cast<End>(end) == End::SilentLink || static_cast<End>(end) == End::ClosedLink;
+        const auto passTime = [&](int ms) { linkEnds ? passWithoutLink(ms) : pass(ms); };
+        this->end(static_cast<End>(end));
+        // The hand stays on the key where it was something else that ended it.
+        passTime(3000);
+        QVERIFY(!through().isHolding());
+        QVERIFY(!output(1) && !output(2));
+        QVERIFY2(!doing().contains("Wait"), qPrintable(doing()));
+        QVERIFY(isAt(0));
+        // Nor when what it would have waited for comes.
+        cell().robot.silence(false);
+        cell().robot.setDigitalInput(5, true);
+        passTime(1000);
+        QVERIFY(!output(1) && !output(2));
+        QVERIFY(isAt(0));
+    }
+
+    void letGoInAPulseTheOutputGoesBackAtOnce() {
+        teach({pulse(2, 5), setOutput(1, true)});
+        hold(through());
+        QVERIFY(until([&] { return output(2) && doing().contains("DO 2"); }));
+        pass(200);
+        release(through());
+        QVERIFY(until([&] { return !output(2); }));
+        pass(500);
+        QVERIFY(!output(1) && !output(2));
+    }
+
+    // Let go while the command is on its way to the worker: it is not sent any more.
+    void letGoAtOnceNothingIsSetLater() {
+        teach({setOutput(1, true)});
+        hold(through());
+        // Virtual time only: what the worker is given waits for the worker, and is taken back before its turn or was set
+        // before; either way nothing is set once the key is up.
+        cell().advanceUntil([&] { return doing().contains("DO 1"); }, 20'000);
+        release(through());
+        pass(100);
+        const bool set = output(1);
+        pass(1000);
+        QCOMPARE(output(1), set);
+    }
+
+    void theNextPressGoesOnWithWhatWasNotDone() {
+        teach({setOutput(1, true), waitFor(5, 60), setOutput(2, true)});
+        hold(through());
+        QVERIFY(until([&] { return doing().contains("DI 5"); }));
+        release(through());
+        pass(100);
+        QVERIFY(isAt(0));
+        // What was done is not done again.
+        window().session().outputs().setDigitalOutput(1, false);
+        QVERIFY(until([&] { return !output(1); }));
+        cell().robot.setDigitalInput(5, true);
+        holdToTheEnd(through());
+        QVERIFY(!output(1) && output(2));
+        QVERIFY(isAt(1));
+    }
+
+    void movedAwayItComesBackFirst() {
+        teach({waitFor(5, 60), setOutput(2, true)});
+        hold(through());
+        QVERIFY(until([&] { return doing().contains("DI 5"); }));
+        release(through());
+        pass(100);
+        jog("jog.Z+", 400);
+        QVERIFY(!isAt(0));
+        cell().robot.setDigitalInput(5, true);
+        hold(through());
+        QVERIFY(until([&] { return output(2); }));
+        QVERIFY2(isAt(0), "it is done where it belongs");
+        release(through());
+    }
+
+    void aStepDoesThemAndAStepBackDoesNot() {
+        teach({setOutput(1, true)});
+        holdToTheEnd(key("waypoint.stepOn"));
+        QVERIFY(isAt(0) && output(1));
+        holdToTheEnd(key("waypoint.stepOn"));
+        QVERIFY(isAt(1));
+        window().session().outputs().setDigitalOutput(1, false);
+        QVERIFY(until([&] { return !output(1); }));
+        holdToTheEnd(key("waypoint.stepBack"));
+        QVERIFY(isAt(0));
+        QVERIFY(!output(1));
+    }
+
+    void theGripperOfOutputsClosesAndOpens() {
+        teach({gripper(true), waitTime(0.2), gripper(false)});
+        press(through());
+        QVERIFY2(!through().isHolding(), "there is no gripper yet");
+        release(through());
+        QVERIFY2(wasSaid("no gripper"), qPrintable(said_.join('\n')));
+        window().showTab("gripper");
+        auto& kind = bench_->find<QComboBox>("gripper.kind");
+        kind.setFocus();
+        QTest::keyClick(&kind, Qt::Key_End);
+        QVERIFY(bench_->find<GripperPanel>("gripper").choice().kind == GripperChoice::Kind::TwoOutputs);
+        window().showTab("waypoints");
+        pass(40);
+        hold(through());
+        QVERIFY(until([&] { return output(16) && !output(17); }));
+        QVERIFY(isAt(0));
+        QVERIFY(until([&] { return output(17) && !output(16); }));
+        QVERIFY(until([&] { return isAt(1); }));
+        release(through());
+    }
+
+    void aRobotiqIsWaitedFor() {
+        teach({gripper(true)});
+        window().showTab("gripper");
+        auto& panel = bench_->find<GripperPanel>("gripper");
+        auto& kind = bench_->find<QComboBox>("gripper.kind");
+        kind.setFocus();
+        QTest::keyClick(&kind, Qt::Key_Home);
+        QTest::keyClick(&kind, Qt::Key_Down);
+        QVERIFY(panel.choice().kind == GripperChoice::Kind::Robotiq);
+        QVERIFY(until([&] { return panel.robotiq().state().has_value(); }));
+        window().showTab("waypoints");
+        pass(40);
+        holdToTheEnd(through());
+        QVERIFY2(wasSaid("Activate the gripper first") && wasSaid("point 1"), qPrintable(said_.join('\n')));
+        QVERIFY(isAt(0));
+        window().showTab("gripper");
+        auto& activate = bench_->find<QAbstractButton>("gripper.activate");
+        QVERIFY(until([&] { return activate.isEnabled(); }));
+        QTest::mouseClick(&activate, Qt::LeftButton);
+        QVERIFY(until([&] {
+            return panel.robotiq().state() &&
+                   panel.robotiq().state()->activation == io::RobotiqActivation::Active;
+        }));
+        window().showTab("waypoints");
+        pass(40);
+        holdToTheEnd(through());
+        QVERIFY(panel.robotiq().state()->position > 200);
+        QVERIFY(isAt(1));
+    }
+
+    void theyAreEditedByKeyboardAndUndone() {
+        teach({});
+        const QString before = tab().model().index(0, WaypointModel::Name).data().toString();
+        const int commands = document().undoStack().count();
+        inDialog([](QDialog& dialog) {
+            QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.add"), Qt::Key_Return);
+            QTest::keyClick(dialog.findChild<QComboBox*>("waypoint.actions.pin"), Qt::Key_Down);
+            QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.add"), Qt::Key_Return);
+            auto* kind = dialog.findChild<QComboBox*>("waypoint.actions.kind");
+            QTest::keyClick(kind, Qt::Key_Down);
+            QTest::keyClick(kind, Qt::Key_Down);
+            auto* list = dialog.findChild<QListWidget*>("waypoint.actions.list");
+            QCOMPARE(list->count(), 2);
+            QCOMPARE(list->item(0)->text(), QString("DO 1 on"));
+            QCOMPARE(list->item(1)->text(), QString("Wait for DI 1 on, at most 10 s"));
+            QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.up"), Qt::Key_Return);
+            QCOMPARE(list->currentRow(), 0);
+            auto* seconds = dialog.findChild<QDoubleSpinBox*>("waypoint.actions.seconds");
+            seconds->setFocus();
+            seconds->selectAll();
+            QTest::keyClicks(seconds, "2.5");
+            QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.accept"), Qt::Key_Return);
+        });
+        const project::WaypointActions expected{waitFor(1, 2.5), setOutput(1, true)};
+        QCOMPARE(document().waypoints().at(0).actions, expected);
+        QCOMPARE(document().undoStack().count(), commands + 1);
+        const QString shown = tab().model().index(0, WaypointModel::Name).data().toString();
+        QVERIFY2(shown != before && shown.endsWith("2"), qPrintable(shown));
+        QVERIFY(
+            tab().model().index(0, WaypointModel::Name).data(Qt::ToolTipRole).toString().contains("DI 1"));
+        document().undoStack().undo();
+        QVERIFY(document().waypoints().at(0).actions.empty());
+        QCOMPARE(tab().model().index(0, WaypointModel::Name).data().toString(), before);
+        document().undoStack().redo();
+        inDialog([](QDialog& dialog) {
+            QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.remove"), Qt::Key_Return);
+            auto* seconds = dialog.findChild<QDoubleSpinBox*>("waypoint.actions.seconds");
+            QVERIFY(!seconds->isVisible());
+            QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.accept"), Qt::Key_Return);
+        });
+        QCOMPARE(document().waypoints().at(0).actions, project::WaypointActions{setOutput(1, true)});
+        // Cancel changes nothing.
+        inDialog([](QDialog& dialog) {
+            QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.remove"), Qt::Key_Return);
+            dialog.reject();
+        });
+        QCOMPARE(document().waypoints().at(0).actions, project::WaypointActions{setOutput(1, true)});
+    }
+};
+
+QTEST_MAIN(TestWaypointActions)
+#include "tst_waypoint_actions.moc"
