@@ -236,6 +236,21 @@ private:
     }
 
 private Q_SLOTS:
+    // In the arrangement that everybody begins with. On a lower screen the panel has no room for them.
+    void itsKeysAreInSightOnAnOrdinaryScreen() {
+        window().setTheme("light");
+        teach({0.2, 0.4}, 0);
+        window().resize(1920, 1080);
+        cell().advanceMs(40);
+        for (const char* name : {"waypoint.goThrough", "waypoint.stepBack", "waypoint.stepOn"}) {
+            QVERIFY2(key(name).isVisible(), qPrintable(QStringLiteral("row %1, tab %2 x %3, least %4")
+                                                           .arg(key(name).parentWidget()->sizeHint().width())
+                                                           .arg(tab().width())
+                                                           .arg(tab().height())
+                                                           .arg(tab().minimumSizeHint().height())));
+        }
+    }
+
     void itGoesThroughAllInOrder() {
         teach({0.2, 0.4, 0.1}, 0);
         hold(through());

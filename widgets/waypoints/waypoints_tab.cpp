@@ -212,6 +212,9 @@ void WaypointsTab::onComing() {
 
 void WaypointsTab::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    // In a narrow panel "Record path" is left to the menu.
+    paths_->setVisible(true);
+    paths_->setVisible(routes_->sizeHint().width() <= width());
     routes_->fitInto({width(), height() - minimumSizeHint().height()});
 }
 
