@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Pictures for people to look at, and for the README: every arm in two poses, every tab, a pattern and actions being
+// taught. Made in the folder that TILLER_PICTURES names; without it nothing is done.
+
+#include <QDialog>
+#include <QDir>
+#include <QTest>
+#include <QTimer>
+
+#include "resources/resources.h"
+#include "robot/core/robot_model.h"
+#include "robot/kinematics/arm_kinematics.h"
+#include "tests/support/window_bench.h"
+#include "widgets/common/theme.h"
+#include "widgets/project/project_document.h"
+#include "widgets/scene/scene_view.h"
+#include "widgets/waypoints/waypoint_dialogs.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr double kRight = 1.5707963267948966;
+struct Stance {
+    const char* name;
+    JointPositions q;
+};
+const Stance kStances[] = {{"working", {-0.5, -1.9, -1.9, -0.9, kRight, 0}},
+                           {"reaching", {0.7, -0.9, -0.7, -1.5, kRight, 0.4}}};
+
+}  // namespace
+
+class TestPictures : public QObject {
+    Q_OBJECT
+
+private:
+    QDir folder_;
+    std::unique_ptr<WindowBench> bench_;
+
+    app::MainWindow& window() { return bench_->window; }
+    /// Fails where nothing was drawn: one colour is no picture.
+    void keep(QWidget& widget, const QString& name) {
+        const QImage image = widget.grab().toImage();
+        const QRgb first = image.pixel(0, 0);
+        bool drawn = false;
+        for (int y = 0; y < image.height() && !drawn; y += 3) {
+            for (int x = 0; x < image.width() && !drawn; x += 3) {
+                drawn = image.pixel(x, y) != first;
+            }
+        }
+        QVERIFY2(drawn, qPrintable(name));
+        QVERIFY2(image.save(folder_.filePath(name + QStringLiteral(".png"))), qPrintable(name));
+    }
+    /// In both themes and both usual sizes.
+    void keepWindow(const QString& name) {
+        for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
+            window().resize(size);
+            for (const char* theme : {"dark", "light"}) {
+                window().setTheme(QLatin1String(theme));
+                bench_->cell.advanceMs(200);
+                QTest::qWait(50);
+                keep(window(),
+                     QStringLiteral("%1-%2-%3").arg(name).arg(size.width()).arg(QLatin1String(theme)));
+            }
+        }
+    }
+    void teachTray() {
+        const SessionState& state = window().session().state();
+        const RobotModel& model = robotModel(state.model);
+        std::vector<project::Waypoint> points;
+        const struct {
+            const char* name;
+            double x;
+            double y;
+            double z;
+        } places[] = {{"tray, first place", -0.45, -0.25, 0.2},
+                      {"tray, end of row", -0.45, -0.05, 0.2},
+                      {"tray, last row", -0.30, -0.25, 0.2},
+                      {"above the tray", -0.38, -0.15, 0.35},
+                      {"drop", -0.2, -0.42, 0.25}};
+        for (const auto& place : places) {
+            project::Waypoint point;
+            point.id = QUuid::createUuid();
+            point.name = QString::fromLatin1(place.name);
+            const Pose pose(place.x, place.y, place.z, 2 * kRight, 0, 0);
+            const auto q = kinematics::inverseNearest(model.dh, pose, state.tcpOffset, state.q);
+            QVERIFY(q.has_value());
+            points.push_back(
+                *project::taughtAt(point, *q, pose, state.tcpOffset, window().document().frames()));
+        }
+        project::WaypointAction close;
+        close.kind = project::WaypointAction::Kind::CloseGripper;
+        project::WaypointAction part;
+        part.kind = project::WaypointAction::Kind::WaitForInput;
+        part.pin = 2;
+        part.seconds = 10;
+        project::WaypointAction lamp;
+        lamp.kind = project::WaypointAction::Kind::SetOutput;
+        lamp.pin = 3;
+        points[4].actions = {part, close, lamp};
+        window().document().insertWaypoints(0, points, "taught");
+    }
+    /// While the dialog of that name is open, which runs an event loop of its own.
+    void inDialog(const char* name, const std::function<void()>& open,
+                  const std::function<void(QDialog&)>& use) {
+        bool used = false;
+        QTimer::singleShot(200, &window(), [&] {
+            if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+                used = dialog->objectName() == QLatin1String(name);
+                use(*dialog);
+                dialog->reject();
+            }
+        });
+        open();
+        QVERIFY2(used, name);
+    }
+
+private Q_SLOTS:
+    void initTestCase() {
+        const QString folder = qEnvironmentVariable("TILLER_PICTURES");
+        if (folder.isEmpty()) {
+            QSKIP("TILLER_PICTURES names no folder");
+        }
+        folder_ = QDir(folder);
+        QVERIFY2(folder_.mkpath(QStringLiteral(".")), qPrintable(folder));
+        initResources();
+    }
+
+    void everyArmInTwoPoses() {
+        for (const bool dark : {false, true}) {
+            applyTheme(*qApp, dark ? Theme::dark() : Theme::light());
+            for (const RobotModel& model : robotModels()) {
+                for (const Stance& stance : kStances) {
+                    SceneView view;
+                    view.resize(960, 720);
+                    view.setModel(model.id);
+                    view.setTcpOffset(Pose(0, 0, 0.12, 0, 0, 0));
+                    view.setToolRadius(0.03);
+                    view.setJoints(stance.q);
+                    view.setStale(false);
+                    keep(view, QStringLiteral("arm-%1-%2-%3")
+                                   .arg(QString::fromLatin1(model.name).toLower(), QLatin1String(stance.name),
+                                        dark ? QStringLiteral("dark") : QStringLiteral("light")));
+                }
+            }
+        }
+    }
+
+    void everyTabAndAPatternBeingTaught() {
+        bench_ = std::make_unique<WindowBench>();
+        bench_->show(QSize(1280, 720));
+        QVERIFY2(bench_->cell.bringUp(), qPrintable(bench_->cell.what()));
+        bench_->cell.advanceMs(200);
+        teachTray();
+        for (const char* tab : {"waypoints", "frames", "tools", "io", "gripper", "log"}) {
+            window().showTab(QLatin1String(tab));
+            keepWindow(QStringLiteral("tab-%1").arg(QLatin1String(tab)));
+        }
+        window().showTab("waypoints");
+        auto* table = window().findChild<QAbstractItemView*>("waypoint.table");
+        for (const int row : {0, 1, 2}) {
+            table->selectionModel()->select(
+                table->model()->index(row, 0),
+                QItemSelectionModel::Rows |
+                    (row == 0 ? QItemSelectionModel::ClearAndSelect : QItemSelectionModel::Select));
+        }
+        inDialog(
+            "pattern", [this] { window().waypoints().dialogs().pattern(); },
+            [this](QDialog& dialog) { keep(dialog, QStringLiteral("pattern")); });
+        window().waypoints().selectRow(4);
+        inDialog(
+            "waypoint.actions", [this] { window().waypoints().dialogs().actions(); },
+            [this](QDialog& dialog) { keep(dialog, QStringLiteral("actions")); });
+        window().waypoints().touchUp();
+        bench_->cell.advanceMs(100);
+        keepWindow(QStringLiteral("touch-up"));
+        bench_.reset();
+    }
+};
+
+QTEST_MAIN(TestPictures)
+#include "tst_pictures.moc"
