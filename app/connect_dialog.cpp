@@ -47,7 +47,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     , hint_(new QLabel) {
     setObjectName("connectDialog");
     setWindowTitle(tr("Connect"));
-    setMinimumWidth(520);
+    setMinimumWidth(600);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
@@ -144,7 +144,7 @@ QWidget* ConnectDialog::robotPart() {
 
     list_->setObjectName("rememberedRobots");
     list_->setAccessibleName(tr("Robots connected to before"));
-    list_->setMaximumHeight(120);
+    list_->setMaximumHeight(104);
     for (const RobotAddress& robot : std::as_const(remembered_)) {
         list_->addItem(robot.name == robot.host ? robot.host
                                                 : QStringLiteral("%1 · %2").arg(robot.name, robot.host));

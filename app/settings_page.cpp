@@ -63,7 +63,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     : QDialog(parent), preferences_(preferences), actions_(actions) {
     setObjectName("settingsPage");
     setWindowTitle(tr("Settings"));
-    resize(760, 640);
+    resize(840, 640);
     pages_ = new QTabWidget;
     pages_->setObjectName("settingsPages");
     pages_->setAccessibleName(tr("Settings"));

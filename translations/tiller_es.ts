@@ -8996,7 +8996,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Waypoints</source>
-        <translation>Puntos de paso</translation>
+        <translation>Puntos</translation>
     </message>
     <message>
         <source>Frames</source>

@@ -8996,7 +8996,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Waypoints</source>
-        <translation>Points de passage</translation>
+        <translation>Points</translation>
     </message>
     <message>
         <source>Frames</source>

@@ -224,7 +224,14 @@ inline QStringList clipped(const QWidget& window) {
                                 : widget->geometry();
         const bool cell = parent->parentWidget() != nullptr && parent->parentWidget()->inherits("QTableView");
         if (!cell && !place.isEmpty() && !parent->rect().contains(place)) {
-            found << clipping::nameOf(*widget) + QStringLiteral(" reaches out of it");
+            found << clipping::nameOf(*widget) +
+                         QStringLiteral(" reaches out of it: %1 to %2 x %3 to %4 in %5 x %6")
+                             .arg(place.left())
+                             .arg(place.right())
+                             .arg(place.top())
+                             .arg(place.bottom())
+                             .arg(parent->width())
+                             .arg(parent->height());
         }
         if (const QString problem = clipping::problemOf(*widget); !problem.isEmpty()) {
             found << clipping::nameOf(*widget) + QStringLiteral(": ") + problem;

@@ -166,7 +166,8 @@ private Q_SLOTS:
         const Texts texts = readTexts(kFolder + "tiller_" + code + ".ts");
         QStringList wrong;
         for (auto it = texts.begin(); it != texts.end(); ++it) {
-            const QString source = it.key().section(QLatin1String(": "), 1).section(QLatin1String(" // "), 0, 0);
+            const QString source =
+                it.key().section(QLatin1String(": "), 1).section(QLatin1String(" // "), 0, 0);
             if (code == QLatin1String("en") && !it->plural) {
                 continue;  // English is what stands in the sources
             }
@@ -180,8 +181,9 @@ private Q_SLOTS:
                 }
             }
         }
-        QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1 of %2:\n").arg(wrong.size()).arg(texts.size()) +
-                                             wrong.mid(0, 20).join('\n')));
+        QVERIFY2(wrong.isEmpty(),
+                 qPrintable(QStringLiteral("%1 of %2:\n").arg(wrong.size()).arg(texts.size()) +
+                            wrong.mid(0, 20).join('\n')));
     }
 
     void theWindowSpeaksTheLanguageThatIsTaken_data() { allLanguages(); }
@@ -256,8 +258,7 @@ private Q_SLOTS:
         Bench again;
         again.show();
         SettingsPage& shown = again.settings();
-        QCOMPARE(shown.windowTitle(),
-                 QCoreApplication::translate("tiller::app::SettingsPage", "Settings"));
+        QCOMPARE(shown.windowTitle(), QCoreApplication::translate("tiller::app::SettingsPage", "Settings"));
         QVERIFY(shown.windowTitle() != QLatin1String("Settings"));
     }
 

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
@@ -69,7 +70,7 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     value_->setAccessibleName(tr("Value for the input register"));
     auto* write = new QPushButton(tr("Write"));
     write->setObjectName(QStringLiteral("io.register.write"));
-    kind_->setFixedWidth(100);
+    kind_->setFixedWidth(std::max(100, kind_->sizeHint().width()));
     number_->setDecimals(0);
     number_->setFixedWidth(64);
     value_->setMinimumWidth(80);

@@ -43,6 +43,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     search_->setAccessibleName(tr("Filter the log by words"));
     search_->setPlaceholderText(tr("Filter"));
     search_->setClearButtonEnabled(true);
+    search_->setMinimumWidth(search_->fontMetrics().horizontalAdvance(search_->placeholderText()) + 32);
     const auto button = [](const QString& name, const QString& text, const QString& tip) {
         auto* result = new QToolButton;
         result->setObjectName(name);
@@ -58,14 +59,13 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
 
     open_ = button(QStringLiteral("log.openRecording"), tr("Open recording"),
                    tr("Open the recording of the selected line: incidents have one"));
-    open_->setEnabled(false);
+    open_->hide();
 
     auto* tools = new QHBoxLayout;
     tools->setContentsMargins(12, 12, 12, 8);
     tools->setSpacing(8);
     tools->addWidget(severity_);
     tools->addWidget(search_, 1);
-    tools->addWidget(open_);
     tools->addWidget(copyKey);
     tools->addWidget(exportKey);
 
@@ -102,7 +102,11 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     details_->setTextFormat(Qt::PlainText);
     details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     details_->hide();
-    layout->addWidget(details_);
+    auto* ofLine = new QHBoxLayout;
+    ofLine->setContentsMargins(0, 0, 12, 0);
+    ofLine->addWidget(details_, 1);
+    ofLine->addWidget(open_, 0, Qt::AlignVCenter);
+    layout->addLayout(ofLine);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LogTab::showDetails);
     connect(filter_, &QAbstractItemModel::dataChanged, this, &LogTab::showDetails);
     connect(filter_, &QAbstractItemModel::rowsRemoved, this, &LogTab::showDetails);
@@ -172,7 +176,7 @@ void LogTab::hideEvent(QHideEvent* event) {
 void LogTab::showDetails() {
     const QModelIndex current = table_->currentIndex();
     details_->setVisible(current.isValid());
-    open_->setEnabled(!current.data(LogModel::RecordingRole).toString().isEmpty());
+    open_->setVisible(!current.data(LogModel::RecordingRole).toString().isEmpty());
     if (current.isValid()) {
         details_->setText(model_->details(filter_->mapToSource(current).row()));
     }

@@ -303,17 +303,22 @@ QString PlotDock::historyText() const {
 void PlotDock::buildPagesMenu() {
     QMenu* menu = pagesKey_->menu();
     menu->clear();
-    // These two have keys of their own where the title bar has room for them.
-    const auto addSwitch = [this, menu](const char* name, const QString& text, const QWidget* shown,
+    // These have keys of their own where the title bar has room for them.
+    const auto addSwitch = [this, menu](const char* name, const QString& text, bool on,
                                         void (PlotDock::*set)(bool)) {
         QAction* action = menu->addAction(text);
         action->setObjectName(QLatin1String(name));
         action->setCheckable(true);
-        action->setChecked(!shown->isHidden());
+        action->setChecked(on);
         connect(action, &QAction::triggered, this, set);
     };
-    addSwitch("plots.layout.signals", tr("List of signals"), side_, &PlotDock::setSignalsShown);
-    addSwitch("plots.layout.values", tr("Values at the cursors"), values_, &PlotDock::setValuesShown);
+    addSwitch("plots.layout.signals", tr("List of signals"), !side_->isHidden(), &PlotDock::setSignalsShown);
+    addSwitch("plots.layout.values", tr("Values at the cursors"), !values_->isHidden(),
+              &PlotDock::setValuesShown);
+    addSwitch("plots.layout.zero", tr("Zero the force shown"), view().isForceZeroed(),
+              &PlotDock::setForceZeroed);
+    menu->addAction(tr("Export the shown range…"), this, &PlotDock::askExport)
+        ->setObjectName(QStringLiteral("plots.layout.export"));
     menu->addSeparator();
     const auto add = [this](QMenu* into, const char* name, const QString& text, auto todo) {
         QAction* action = into->addAction(text);
@@ -572,14 +577,14 @@ void PlotDock::buildHeader() {
     connect(record_, &QToolButton::clicked, this, &PlotDock::toggleRecording);
 
     addHeaderWidget(readout_);
-    addHeaderWidget(line);
+    addFoldingHeaderWidget(line);
     addFoldingHeaderWidget(valuesKey_);
     addFoldingHeaderWidget(signalsKey_);
     addHeaderWidget(pagesKey_);
     addHeaderWidget(span_);
     addHeaderWidget(pause_);
-    addHeaderWidget(zero_);
-    addHeaderWidget(export_);
+    addFoldingHeaderWidget(zero_);
+    addFoldingHeaderWidget(export_);
     addHeaderWidget(record_);
     buildRecordMenu();
     addHeaderWidget(recordMenu_);

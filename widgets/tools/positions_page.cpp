@@ -70,6 +70,7 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
     , hasHeight_(new QCheckBox(tr("Safe height")))
     , height_(new FigureBox) {
     facts_->setObjectName(QStringLiteral("position.facts"));
+    facts_->setWordWrap(true);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(6);

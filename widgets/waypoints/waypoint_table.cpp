@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDropEvent>
+#include <QHeaderView>
 #include <algorithm>
 
 #include "widgets/waypoints/waypoint_model.h"
@@ -97,9 +98,21 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
         {WaypointModel::Number, 34, 34}, {WaypointModel::Move, 52, 52},
         {WaypointModel::Frame, 70, 66},  {WaypointModel::Speed, 90, 88},
         {WaypointModel::Blend, 80, 80},  {WaypointModel::ReachColumn, 78, 76}};
-    const int room = viewport()->width();
+    // Titles are longer in some languages; what they take is not there for the rest.
+    constexpr int kMargins = 12;
+    const QFontMetrics metrics = horizontalHeader()->fontMetrics();
+    const auto titleWidth = [&](int column) {
+        return metrics.horizontalAdvance(
+                   model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()) +
+               kMargins;
+    };
+    int room = viewport()->width();
     for (const Width& width : kWidths) {
-        setColumnWidth(width.column, room >= 520 ? width.wide : width.narrow);
+        room -= std::max(0, titleWidth(width.column) - width.wide);
+    }
+    for (const Width& width : kWidths) {
+        setColumnWidth(width.column,
+                       std::max(room >= 520 ? width.wide : width.narrow, titleWidth(width.column)));
     }
     // The name needs its room; what goes first can be seen elsewhere.
     setColumnHidden(WaypointModel::Blend, room < 500);
