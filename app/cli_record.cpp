@@ -10,6 +10,7 @@
 #include "app/cli_options.h"
 #include "app/cli_progress.h"
 #include "app/termination.h"
+#include "robot/dashboard/robot_identity.h"
 #include "robot/receive/robot_state.h"
 #include "robot/recording/mcap/mcap_format.h"
 #include "robot/recording/recorder.h"
@@ -25,6 +26,7 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr milliseconds kLookEvery{100};
+constexpr std::chrono::seconds kIdentityPatience{2};
 
 const QString kRecordHelp = QStringLiteral(
     "tiller-cli record: writes what a robot sends to a file, every package of it\n"
@@ -64,6 +66,7 @@ struct RecordOptions {
     recording::McapFormatOptions mcap;
     double duration = 0;  ///< [s]; 0: until told
     double wait = 10;     ///< [s]
+    int portOffset = 0;
     bool isMcap = false;
     bool quiet = false;
 };
@@ -132,6 +135,7 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
     options.quiet = parser.isSet(quiet);
     options.receiver.host = parser.positionalArguments().constFirst();
     options.receiver.port = static_cast<std::uint16_t>(rtde::kPort + static_cast<int>(*portOffset));
+    options.portOffset = static_cast<int>(*portOffset);
     options.recorder.path = path;
     options.recorder.every = static_cast<int>(*nth);
     options.recorder.keepFree = static_cast<std::int64_t>(*megabytes * 1e6);
@@ -204,6 +208,12 @@ int record(const QStringList& arguments) {
     const SoftwareVersion version = receiver.version();
     options->mcap.facts["robot"] = options->receiver.host.toStdString();
     options->mcap.facts["software"] = toString(version);
+    if (options->isMcap) {
+        const auto identity = dashboard::askIdentity(options->receiver.host, options->portOffset,
+                                                     version.isCb3(), Deadline::after(kIdentityPatience));
+        options->mcap.facts["model"] = identity.model.toStdString();
+        options->mcap.facts["serial_number"] = identity.serialNumber.toStdString();
+    }
     options->mcap.facts["written_by"] = "tiller-cli " TILLER_VERSION;
     if (options->isMcap) {
         options->recorder.format = recording::mcapFormat(options->mcap);

@@ -6,7 +6,9 @@
 #include <QFileInfo>
 #include <QTimeZone>
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <charconv>
 #include <cmath>
 #include <condition_variable>
 #include <deque>
@@ -17,6 +19,7 @@
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/robot_state.h"
 #include "robot/recording/detail/recording_file.h"
+#include "robot/recording/incident.h"
 #include "robot/recording/mcap/detail/sample_store.h"
 #include "robot/recording/mcap/mcap_format.h"
 
@@ -49,6 +52,13 @@ const char* reasonOf(SafetyMode mode) {
         default:
             return nullptr;
     }
+}
+
+/// The fewest digits that read back exactly.
+std::string shortestText(double value) {
+    std::array<char, 32> text{};
+    const auto [end, failed] = std::to_chars(text.data(), text.data() + text.size(), value);
+    return failed == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
 std::string asName(const QString& reason) {
@@ -85,7 +95,8 @@ struct BlackBox::Worker {
     std::uint64_t lastSequence = 0;
     std::uint64_t lastConnection = 0;
     std::optional<Incident> pending;
-    std::int64_t stopNs = 0;  ///< of it, on the receiver's clock
+    std::int64_t stopNs = 0;   ///< of it, on the receiver's clock
+    double stopTimestamp = 0;  ///< of it, on the controller's clock [s]
 
     void run() {
         realtime::nameThread("tiller-box");
@@ -143,6 +154,7 @@ struct BlackBox::Worker {
 
     void begin(const char* reason, const receive::Sample& sample) {
         stopNs = sample.hostTimeNs;
+        stopTimestamp = receive::RobotState(sample).timestamp();
         pending.emplace();
         pending->reason = reason;
         pending->utcNs = stopNs + steadyToUtc;
@@ -185,8 +197,11 @@ struct BlackBox::Worker {
         incident.path = freePath(incident);
         McapFormatOptions format;
         format.facts = options.facts;
-        format.facts["incident"] = incident.reason;
-        format.facts["incident_utc_ns"] = std::to_string(incident.utcNs);
+        format.facts[kIncidentFact] = incident.reason;
+        format.facts[kIncidentUtcFact] = std::to_string(incident.utcNs);
+        if (std::isfinite(stopTimestamp)) {
+            format.facts[kIncidentTimeFact] = shortestText(stopTimestamp);
+        }
         std::deque<RecordedNote> said;
         {
             const std::lock_guard lock(mutex);

@@ -87,6 +87,8 @@ void TestCliRecording::recordsForATimeAndTellsWhatIsInIt() {
     QVERIFY(info["rows"].toInt() > 0);
     QCOMPARE(info["period"].toDouble(), 0.002);
     QCOMPARE(info["facts"]["robot"].toString(), address_);
+    QCOMPARE(info["facts"]["model"].toString(), QStringLiteral("UR5e"));
+    QCOMPARE(info["facts"]["serial_number"].toString(), QString(simulator_->options().serialNumber));
     QVERIFY(info["columns"].toArray().size() > 100);
     QVERIFY(run({"info", path("a.mcap")}).out.contains("actual_q_0 [rad]"));
     // By default text is what it always was.

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "robot/recording/formats/open_recording.h"
+#include "robot/recording/incident.h"
 #include "robot/recording/mcap/black_box.h"
 #include "tests/support/rtde_peer.h"
 
@@ -110,6 +111,7 @@ void TestBlackBox::aProtectiveStopBecomesAFile() {
     QCOMPARE(recording->rows(), std::uint64_t(501));
     QCOMPARE(bench.column(*recording, "safety_mode").back(), 3.0);
     QCOMPARE(bench.column(*recording, "safety_mode").front(), 1.0);
+    QCOMPARE(incidentMoment(*recording).value(), std::optional(recording->times({500, 1}).value().front()));
     QCOMPARE(recording->facts().at("robot"), std::string("127.0.0.1"));
     QCOMPARE(recording->facts().at("software"), std::string("5.22.1"));
     QCOMPARE(recording->facts().at("incident"), std::string("protective-stop"));
@@ -142,6 +144,7 @@ void TestBlackBox::whatComesAfterBelongsToIt() {
     const auto modes = bench.column(*recording, "safety_mode");
     QVERIFY(std::count(modes.begin(), modes.end(), 3.0) > 1);
     QCOMPARE(std::count(modes.begin(), modes.end(), 1.0), 10);
+    QCOMPARE(incidentMoment(*recording).value(), std::optional(recording->times({10, 1}).value().front()));
     QVERIFY(bench.incidents.front().secondsBefore > 0);
 }
 
