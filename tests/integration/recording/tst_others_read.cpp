@@ -48,6 +48,7 @@ private Q_SLOTS:
     void mcapByItsMakers();
     void csvByPandas();
     void hdf5ByH5py();
+    void csvByOctave();
 
 private:
     QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
@@ -181,6 +182,30 @@ void TestOthersRead::hdf5ByH5py() {
     QCOMPARE(found["gaps"][0][0].toInt(), int(kGap));
     QCOMPARE(found["gaps"][0][1].toInt(), 5);
     QVERIFY(std::abs(found["time"].toDouble() - (kRows - 1) * 0.002) < 1e-6);
+}
+
+void TestOthersRead::csvByOctave() {
+    const QString octave = QStandardPaths::findExecutable(QStringLiteral("octave-cli"));
+    if (octave.isEmpty()) {
+        QSKIP("Octave is not installed (octave)");
+    }
+    QVERIFY(test::writeFile(path("b.mcap"), test::madeFile(*mcapFormat({}), kRows, kGap)));
+    const auto recording = openRecording(path("b.mcap")).value();
+    exportCsv(*recording, {.path = path("octave.csv")}).value();
+    const QString script =
+        QStringLiteral(
+            "n = 'FILE'; a = dlmread(n, ',', 1, 0); f = fopen(n); h = strsplit(strtrim(fgetl(f)), ',');\n"
+            "q = find(strcmp(h, 'actual_q_3')); lost = find(strcmp(h, 'packages_lost'));\n"
+            "printf('{\"rows\": %d, \"q\": %.17g, \"lost\": %d}', rows(a), a(end, q), sum(a(:, lost)));\n")
+            .replace(QStringLiteral("FILE"), path("octave.csv"));
+    QString complaint;
+    const QJsonObject found = answerOf(octave, {"--norc", "--eval", script}, complaint);
+    QVERIFY2(!found.isEmpty(), qPrintable(complaint));
+    const MadeSamples samples;
+    QCOMPARE(found["rows"].toInt(), int(kRows));
+    QCOMPARE(found["q"].toDouble(),
+             samples.value(samples.layout->indexOfComponent("actual_q_3").value(), kRows - 1));
+    QCOMPARE(found["lost"].toInt(), 5);
 }
 
 QTEST_GUILESS_MAIN(TestOthersRead)
