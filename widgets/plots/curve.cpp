@@ -9,6 +9,9 @@ namespace tiller {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+/// So many columns before their turn their samples are sent for.
+constexpr std::size_t kAhead = 12;
+constexpr std::int64_t kCoarse = 12;
 constexpr Curve::Column kEmptyColumn = {kNowhere, kNowhere, kNowhere, kNowhere};
 
 }  // namespace
@@ -68,18 +71,27 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
     const auto by = sameRaster ? std::llround(shift) : 0;
     const auto known = sameRaster ? static_cast<std::int64_t>(envelope_.size()) : 0;
     fresh_.resize(static_cast<std::size_t>(grid.columns()));
+    edges_ = grid.edges;
+    if (grid.edges.back() - grid.edges.front() > kCoarse * SeriesColumn::kSummary * grid.columns()) {
+        // A column of so many samples begins where a summary does: its samples themselves need not be looked at, which
+        // lie all over the memory. Each sample is still in one column, and at most 1 / kCoarse of it from its place.
+        for (std::size_t i = 1; i + 1 < edges_.size(); ++i) {
+            const std::int64_t summary = edges_[i] - edges_[i] % SeriesColumn::kSummary;
+            edges_[i] = std::max(summary, edges_[i - 1]);
+        }
+    }
     for (std::size_t i = 0; i < fresh_.size(); ++i) {
         const std::int64_t j = static_cast<std::int64_t>(i) + by;
         const auto old = static_cast<std::size_t>(j);
-        if (j >= 0 && j < known && cachedEdges_[old] == grid.edges[i] &&
-            cachedEdges_[old + 1] == grid.edges[i + 1]) {
+        if (j >= 0 && j < known && cachedEdges_[old] == edges_[i] && cachedEdges_[old + 1] == edges_[i + 1]) {
             fresh_[i] = envelope_[old];
         } else {
-            fresh_[i] = history.minMax(column, grid.edges[i], grid.edges[i + 1]);
+            history.fetchAhead(column, edges_[std::min(i + kAhead, fresh_.size())]);
+            fresh_[i] = history.minMax(column, edges_[i], edges_[i + 1]);
         }
     }
     envelope_.swap(fresh_);
-    cachedEdges_ = grid.edges;
+    cachedEdges_.swap(edges_);
     cachedStart_ = grid.start;
     cachedWidth_ = grid.width;
 }

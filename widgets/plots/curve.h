@@ -71,6 +71,7 @@ private:
     double offset_ = 0;
     std::vector<MinMax> envelope_;  // of the columns with cachedEdges_
     std::vector<MinMax> fresh_;
+    std::vector<std::int64_t> edges_;
     std::vector<std::int64_t> cachedEdges_;
     double cachedStart_ = 0;
     double cachedWidth_ = 0;

@@ -13,6 +13,12 @@ namespace tiller {
 namespace {
 
 constexpr int kOpaque = 255;
+/// A column that covers so many times what it slants is drawn as a bar.
+constexpr double kBand = 2;
+/// Where a curve rises or falls by more than this in many of its columns, it goes up and down within a few of them: it is
+/// drawn as bars without slanting ends.
+constexpr double kSteep = 6;  // [px]
+constexpr std::size_t kDenseShare = 4;
 
 /// Colour times coverage, premultiplied, for 0 ... 255.
 std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
@@ -121,12 +127,18 @@ void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pi
     const double bottom = area_.height() / pitch;
     std::vector<std::array<QRgb, kOpaque + 1>> shades;
     std::vector<const Curve*> drawn;
+    std::vector<std::uint8_t> dense;
     for (const auto& curve : curves_) {
         if (!curve->isVisible() || curve->range().isEmpty() || curve->columns().size() != wanted.size()) {
             continue;
         }
         drawn.push_back(curve.get());
         shades.push_back(shadesOf(curve->pen().color()));
+        const auto steep =
+            std::count_if(curve->columns().begin(), curve->columns().end(), [&](const Curve::Column& column) {
+                return std::abs(column.right - column.left) * perUnit > kSteep;
+            });
+        dense.push_back(static_cast<std::size_t>(steep) > wanted.size() / kDenseShare ? 1 : 0);
     }
     // All curves of some columns before the next ones: what they cover stays in the cache.
     constexpr std::size_t kBlock = 16;
@@ -135,14 +147,14 @@ void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pi
         for (std::size_t c = 0; c < drawn.size(); ++c) {
             for (std::size_t i = begin; i < end; ++i) {
                 if (wanted[i] != 0 && !drawn[c]->columns()[i].isEmpty() && drawn[c]->isDrawn(i)) {
-                    paintColumn(*drawn[c], i, perUnit, bottom, shades[c].data());
+                    paintColumn(*drawn[c], i, perUnit, bottom, dense[c] != 0, shades[c].data());
                 }
             }
         }
     }
 }
 
-void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit, double bottom,
+void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit, double bottom, bool isDense,
                              const QRgb* shades) {
     // A slanted stroke through the column, as thick as the pen and as what the curve does besides
     // slanting; how much of a pixel it covers follows from where its two edges cross the column.
@@ -153,11 +165,15 @@ void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit,
     const double left = rowOf(column.left);
     const double right = rowOf(column.right);
     const double slant = std::abs(right - left);
-    const double thickness = half * std::sqrt(1 + slant * slant) +
-                             std::max(0.0, rowOf(column.low) - rowOf(column.high) - slant) / 2;
+    const double extent = rowOf(column.low) - rowOf(column.high);
+    // Where a column is mostly noise its ends are level: nobody sees that they slant, and all the rows over which they
+    // would have to be worked out one by one. The extent is the same to the last spike.
+    const bool isBand = isDense || extent > kBand * slant;
+    const double thickness =
+        isBand ? half + extent / 2 : half * std::sqrt(1 + slant * slant) + std::max(0.0, extent - slant) / 2;
     // The stroke's middle is that of its extent, unless it only slants.
     const double middle = (rowOf(column.low) + rowOf(column.high)) / 2;
-    const double ramp = std::max(slant, 1.0);
+    const double ramp = isBand ? 1.0 : std::max(slant, 1.0);
     const int rows = ring_.height();
     const auto row = [rows](double y) {
         return static_cast<int>(std::clamp(y, 0.0, static_cast<double>(rows)));
@@ -213,7 +229,11 @@ void CurveSheet::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
         return;
     }
     // Whole pixels only: resampling would blur the curve and make it shimmer while it moves.
-    const double pitch = painted_.columnWidth * area_.width() / (t1_ - t0_);
+    double pitch = painted_.columnWidth * area_.width() / (t1_ - t0_);
+    constexpr double kRounding = 1e-6;
+    if (std::abs(pitch - 1) < kRounding) {
+        pitch = 1;  // a picture of its own size is copied, any other one is stretched
+    }
     const double x =
         std::round(static_cast<double>(raster_) - t0_ / painted_.columnWidth) * pitch + area_.left();
     const double height = ring_.height() * pitch;

@@ -43,7 +43,7 @@ private:
     };
     std::size_t place(std::int64_t column) const;
     void paintColumns(const std::vector<std::uint8_t>& wanted, double pitch);
-    void paintColumn(const Curve& curve, std::size_t column, double perUnit, double bottom,
+    void paintColumn(const Curve& curve, std::size_t column, double perUnit, double bottom, bool isDense,
                      const QRgb* shades);
 
     const std::vector<std::unique_ptr<Curve>>& curves_;

@@ -123,6 +123,10 @@ public:
     MinMax minMax(int column, std::int64_t begin, std::int64_t end) const {
         return columns_[static_cast<std::size_t>(column)].minMax(begin - first_, end - first_);
     }
+    /// See SeriesColumn::fetchAhead().
+    void fetchAhead(int column, std::int64_t sample) const {
+        columns_[static_cast<std::size_t>(column)].fetchAhead(sample - first_);
+    }
     /// True when samples were lost right before one of the samples begin ... end - 1.
     bool hasGap(std::int64_t begin, std::int64_t end) const;
 

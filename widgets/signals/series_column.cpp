@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/signals/series_column.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 #include <algorithm>
 #include <limits>
 
@@ -24,6 +27,11 @@ struct SeriesColumn::RunningExtent {
     }
     /// In four strands, so that a step need not wait for the one before.
     static RunningExtent of(const Value* rows, std::size_t count) {
+#ifdef __SSE2__
+        if constexpr (sizeof(Value) == sizeof(float)) {
+            return ofFloats(rows, count);
+        }
+#endif
         std::array<RunningExtent, 4> strands;
         const std::size_t whole = count - count % strands.size();
         for (std::size_t i = 0; i < whole; i += strands.size()) {
@@ -39,6 +47,36 @@ struct SeriesColumn::RunningExtent {
         }
         return strands[0];
     }
+
+#ifdef __SSE2__
+private:
+    /// Eight at a time. Of a NaN and a number these instructions give their second operand: the number.
+    static RunningExtent ofFloats(const float* rows, std::size_t count) {
+        const RunningExtent none;
+        __m128 min[2] = {_mm_set1_ps(none.min), _mm_set1_ps(none.min)};
+        __m128 max[2] = {_mm_set1_ps(none.max), _mm_set1_ps(none.max)};
+        const std::size_t whole = count - count % 8;
+        for (std::size_t i = 0; i < whole; i += 8) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                const __m128 four = _mm_loadu_ps(rows + i + 4 * k);
+                min[k] = _mm_min_ps(four, min[k]);
+                max[k] = _mm_max_ps(four, max[k]);
+            }
+        }
+        alignas(16) std::array<float, 4> low{};
+        alignas(16) std::array<float, 4> high{};
+        _mm_store_ps(low.data(), _mm_min_ps(min[0], min[1]));
+        _mm_store_ps(high.data(), _mm_max_ps(max[0], max[1]));
+        RunningExtent sum;
+        for (std::size_t k = 0; k < low.size(); ++k) {
+            sum.add(low[k], high[k]);
+        }
+        for (std::size_t i = whole; i < count; ++i) {
+            sum.add(rows[i], rows[i]);
+        }
+        return sum;
+    }
+#endif
 };
 
 SeriesColumn::SeriesColumn(Precision precision, std::int64_t rowsBefore) : precision_(precision) {

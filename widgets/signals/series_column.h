@@ -27,6 +27,8 @@ class SeriesColumn {
 public:
     static constexpr int kBlockBits = 12;
     static constexpr std::int64_t kBlockRows = std::int64_t{1} << kBlockBits;
+    /// A stretch of rows that begins and ends at multiples of this is answered from summaries alone.
+    static constexpr std::int64_t kSummary = 32;
 
     /// rowsBefore  rows that the columns beside it have already: no values here
     explicit SeriesColumn(Precision precision, std::int64_t rowsBefore = 0);
@@ -55,12 +57,30 @@ public:
                : block.exact ? block.exact->rows[at]
                              : block.constant;
     }
+    /// Has what minMax() reads about this row on its way from the memory. Rows that lie far apart are each waited for
+    /// otherwise.
+    void fetchAhead(std::int64_t row) const {
+#if defined(__GNUC__)
+        if (row < 0 || row >= rows_) {
+            return;
+        }
+        const Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];
+        const auto at = static_cast<std::size_t>(row & (kBlockRows - 1));
+        if (block.single) {
+            const std::size_t fine = at & ~((std::size_t{1} << kFineBits) - 1);
+            __builtin_prefetch(&block.single->rows[fine]);
+            __builtin_prefetch(&block.single->rows[fine + (std::size_t{1} << (kFineBits - 1))]);
+            __builtin_prefetch(&block.single->fine[at >> kFineBits]);
+        }
+#endif
+    }
     /// Over the rows begin ... end - 1, exactly.
     MinMax minMax(std::int64_t begin, std::int64_t end) const;
 
 private:
-    static constexpr int kFineBits =
-        5;  // 32 rows make an entry of the first level, eight of those one of the next
+    // So many rows make an entry of the first level, eight of those one of the next.
+    static constexpr int kFineBits = 5;
+    static_assert(std::int64_t{1} << kFineBits == kSummary);
     static constexpr int kCoarseBits = 8;
     static constexpr std::size_t kFineEntries = std::size_t(kBlockRows >> kFineBits);
     static constexpr std::size_t kCoarseEntries = std::size_t(kBlockRows >> kCoarseBits);
