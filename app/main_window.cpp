@@ -3,7 +3,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDesktopServices>
 #include <QDialog>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -14,7 +13,6 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolButton>
-#include <QUrl>
 #include <QVBoxLayout>
 
 #include "app/action_table.h"
@@ -225,7 +223,8 @@ void MainWindow::buildDocks() {
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View")));
     tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, Tools, I/O, Log"));
     stage_->add(*tabsDock_);
-    stage_->add(*new PanelDock(*plots_, "plotsDock", tr("Plots")));
+    plotsDock_ = new PanelDock(*plots_, "plotsDock", tr("Plots"));
+    stage_->add(*plotsDock_);
     perspectives_ =
         new Perspectives(*stage_, settings_,
                          {.stop = [this](control::StopCause cause) { stopMotion(cause); },
@@ -314,6 +313,7 @@ void MainWindow::connectParts() {
     connectIo();
     followJog();
     connect(plots_, &PlotDock::recordingOptionsWanted, this, [this] { showSettings(true); });
+    connectReplay();
     plots_->arrange(settings_.plots());
     if (const std::size_t budget = settings_.plotBudget(); budget > 0) {
         plots_->setBudget(budget);
@@ -342,7 +342,20 @@ void MainWindow::connectParts() {
     });
 }
 
+void MainWindow::connectReplay() {
+    connect(plots_, &PlotDock::replayChanged, this, [this](const Replay& moment) {
+        scene_->setReplay(moment);
+        io_->setReplay(moment);
+        log_->setReplay(moment);
+    });
+    connect(scene_, &SceneDock::liveWanted, plots_, &PlotDock::endReplay);
+    connect(io_, &IoTab::liveWanted, plots_, &PlotDock::endReplay);
+    connect(log_, &LogTab::liveWanted, plots_, &PlotDock::endReplay);
+}
+
 void MainWindow::connectProject() {
+    connect(document_.get(), &ProjectDocument::documentChanged, this, &MainWindow::keepProject);
+    keepProject();
     const auto showFile = [this] {
         const ProjectStore& store = files_->store();
         const QString copy = store.copyName();
@@ -627,19 +640,24 @@ void MainWindow::setTheme(const QString& theme) {
 void MainWindow::keepIncidentsIn(const QString& folder) {
     incidents_ = new IncidentWatch(*session_, folder, this);
     connect(incidents_, &IncidentWatch::told, log_, &LogTab::appendRecording);
-    connect(log_, &LogTab::recordingWanted, this, [](const QString& path) {
-        QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath()));
+    connect(log_, &LogTab::recordingWanted, this, [this](const QString& path) {
+        plots_->openRecording(path);
+        stage_->reveal(*plotsDock_);
     });
-    const auto keepProject = [this] {
-        if (const auto bytes = project::serializeProject(document_->project())) {
-            const QString path = files_->store().path();
-            incidents_->setProject(
-                path.isEmpty() ? QStringLiteral("project.tiller") : QFileInfo(path).fileName(),
-                bytes.value());
-        }
-    };
-    connect(document_.get(), &ProjectDocument::documentChanged, incidents_, keepProject);
     keepProject();
+}
+
+void MainWindow::keepProject() {
+    const auto bytes = project::serializeProject(document_->project());
+    if (!bytes) {
+        return;
+    }
+    const QString path = files_->store().path();
+    const QString name = path.isEmpty() ? QStringLiteral("project.tiller") : QFileInfo(path).fileName();
+    session_->recording().setProject(name, bytes.value());
+    if (incidents_ != nullptr) {
+        incidents_->setProject(name, bytes.value());
+    }
 }
 
 void MainWindow::openProject(const QString& path) {

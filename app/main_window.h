@@ -139,6 +139,9 @@ private:
     void keepLayout();
     void tellIoNames();
     void connectParts();
+    void connectReplay();
+    /// What recordings and incidents keep as the project.
+    void keepProject();
     void connectProject();
     void followJog();
     void connectFrames();
@@ -193,6 +196,7 @@ private:
     QList<QAction*> robotActions_;  ///< the remembered robots, in the robot menu
     DockStage* stage_ = nullptr;
     PanelDock* tabsDock_ = nullptr;
+    PanelDock* plotsDock_ = nullptr;
     Perspectives* perspectives_ = nullptr;
     QString crashReport_;          ///< the file of one that was not reported yet; empty: none
     bool layoutRestored_ = false;  ///< as it was left last

@@ -89,6 +89,8 @@ Preferences readPreferences(const QString& file) {
     recording.pattern = settings.value("recording/pattern", recording.pattern).toString();
     recording.fields = settings.value("recording/fields").toStringList();
     recording.every = settings.value("recording/every", recording.every).toInt();
+    recording.format = formatByName(settings.value("recording/format").toString());
+    recording.keepFree = settings.value("recording/keepFree", recording.keepFree).toInt();
     preferences.recording = recording.sane();
     settings.beginGroup("shortcuts");
     const QStringList ids = settings.childKeys();
@@ -122,6 +124,8 @@ void writePreferences(const QString& file, const Preferences& preferences) {
     settings.setValue("recording/pattern", preferences.recording.pattern);
     settings.setValue("recording/fields", preferences.recording.fields);
     settings.setValue("recording/every", preferences.recording.every);
+    settings.setValue("recording/format", formatName(preferences.recording.format));
+    settings.setValue("recording/keepFree", preferences.recording.keepFree);
     settings.remove("shortcuts");
     settings.beginGroup("shortcuts");
     for (auto it = preferences.shortcuts.constBegin(); it != preferences.shortcuts.constEnd(); ++it) {

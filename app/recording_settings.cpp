@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
 #include "widgets/common/format.h"
 #include "widgets/common/nothing_found.h"
@@ -42,6 +43,8 @@ RecordingSettings::RecordingSettings(const RecordingChoice& choice, QWidget* par
     , example_(namedSecondary(QStringLiteral("settings.recording.example")))
     , every_(new FigureBox)
     , rate_(namedSecondary(QStringLiteral("settings.recording.rate")))
+    , format_(new ChoiceBox)
+    , keepFree_(new FigureBox)
     , search_(new QLineEdit)
     , signals_(new QListWidget)
     , nothing_(nullptr) {
@@ -55,6 +58,17 @@ RecordingSettings::RecordingSettings(const RecordingChoice& choice, QWidget* par
         next.every = static_cast<int>(value);
         tell(next);
         showExample();
+    });
+    connect(format_, &QComboBox::currentIndexChanged, this, [this] {
+        RecordingChoice next = choice_;
+        next.format = formatByName(format_->currentData().toString());
+        tell(next);
+        showExample();
+    });
+    connect(keepFree_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        RecordingChoice next = choice_;
+        next.keepFree = static_cast<int>(value);
+        tell(next);
     });
     connect(search_, &QLineEdit::textChanged, this, &RecordingSettings::search);
     connect(signals_, &QListWidget::itemChanged, this, &RecordingSettings::takeSignals);
@@ -85,6 +99,22 @@ void RecordingSettings::build() {
     every_->setRange(1, RecordingChoice::kMostSparse);
     every_->setValue(choice_.every);
 
+    format_->setObjectName(QStringLiteral("settings.recording.format"));
+    format_->setAccessibleName(tr("Format of a recording"));
+    for (const auto& [format, text] :
+         {std::pair{RecordingChoice::Format::Csv, tr("CSV: text, for pandas and spreadsheets")},
+          {RecordingChoice::Format::Mcap, tr("MCAP: every field, the log and the project, for ROS tools")}}) {
+        format_->addItem(text, formatName(format));
+    }
+    format_->setCurrentIndex(format_->findData(formatName(choice_.format)));
+    keepFree_->setObjectName(QStringLiteral("settings.recording.keepFree"));
+    keepFree_->setAccessibleName(tr("Megabytes of the disk that stay free"));
+    keepFree_->setDecimals(0);
+    keepFree_->setRange(0, RecordingChoice::kMostKeptFree);
+    keepFree_->setSuffix(tr(" MB"));
+    keepFree_->setToolTip(tr("A recording ends in order, and is whole, before less of the disk is free."));
+    keepFree_->setValue(choice_.keepFree);
+
     search_->setObjectName(QStringLiteral("settings.recording.search"));
     search_->setAccessibleName(tr("Search signals"));
     search_->setPlaceholderText(tr("Search"));
@@ -111,11 +141,13 @@ void RecordingSettings::build() {
     auto* form = new QFormLayout;
     form->setVerticalSpacing(12);
     form->setHorizontalSpacing(20);
+    form->addRow(tr("Format"), format_);
     form->addRow(tr("Folder"), place);
     form->addRow(tr("File name"), pattern_);
     form->addRow(QString(), example_);
     form->addRow(tr("One row every"), every_);
     form->addRow(QString(), rate_);
+    form->addRow(tr("Keep free"), keepFree_);
     form->addRow(tr("Signals"), above);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 16, 0, 0);

@@ -14,6 +14,7 @@ class QListWidget;
 
 namespace tiller {
 
+class ChoiceBox;
 class FigureBox;
 class NothingFound;
 
@@ -47,6 +48,8 @@ private:
     QLabel* example_;
     FigureBox* every_;
     QLabel* rate_;
+    ChoiceBox* format_;
+    FigureBox* keepFree_;
     QLineEdit* search_;
     QListWidget* signals_;
     NothingFound* nothing_;

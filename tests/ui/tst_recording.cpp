@@ -2,6 +2,7 @@
 //
 // What a recording is like is chosen on the settings page and beside the Record key, and the next file is like that.
 
+#include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -10,16 +11,21 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTabWidget>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include "app/action_table.h"
 #include "app/recording_settings.h"
 #include "app/settings_page.h"
 #include "resources/resources.h"
 #include "robot/recording/csv_reader.h"
+#include "robot/recording/formats/open_recording.h"
 #include "tests/support/window_bench.h"
 #include "widgets/common/nothing_found.h"
 #include "widgets/plots/plot_dock.h"
@@ -134,6 +140,88 @@ private Q_SLOTS:
         QCOMPARE(kept.pattern, QString("run {number}"));
         QCOMPARE(kept.fields.size(), 2);
         QCOMPARE(QDir(kept.folder), QDir(folder));
+    }
+
+    void anMcapFileHoldsEverythingAndTheProject() {
+        WindowBench bench;
+        bench.show(QSize(1280, 720));
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        const QString folder = bench.folder.filePath("measured");
+        bench.find<PlotDock>("plots").setRecordingChoice({.folder = folder, .pattern = "run"});
+        bench.window.actions().find("app.settings")->trigger();
+        auto* page = bench.window.findChild<app::SettingsPage*>();
+        page->showRecording();
+        auto* format = page->findChild<QComboBox*>("settings.recording.format");
+        format->setFocus();
+        QTest::keyClick(format, Qt::Key_Down);
+        QCOMPARE(format->currentData().toString(), QString("mcap"));
+        typeInto(*page->findChild<QLineEdit*>("settings.recording.folder"), folder);
+        typeInto(*page->findChild<QLineEdit*>("settings.recording.pattern"), "run");
+        QVERIFY(page->findChild<QLabel*>("settings.recording.example")->text().contains("run.mcap"));
+        page->close();
+        auto& key = bench.find<QToolButton>("plots.record");
+        const auto active = [&] { return bench.window.session().state().recording.active; };
+        const auto until = [&](const std::function<bool()>& condition) {
+            return bench.cell.advanceUntil(
+                [&] {
+                    QTest::qWait(1);
+                    return condition();
+                },
+                60'000);
+        };
+        QTest::mouseClick(&key, Qt::LeftButton);
+        QVERIFY(until(active));
+        Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("seen"), Origin::Operator);
+        QVERIFY(until([&] { return bench.window.session().state().recording.rows > 200; }));
+        // How much, how fast and how much room there is.
+        QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
+        Q_EMIT menu->aboutToShow();
+        const QString progress =
+            menu->findChild<QAction*>("plots.record.progress", Qt::FindDirectChildrenOnly)->text();
+        QVERIFY2(progress.contains("free") && key.toolTip().contains("a second"), qPrintable(progress));
+        QTest::mouseClick(&key, Qt::LeftButton);
+        QVERIFY(until([&] { return !active(); }));
+        const auto file = recording::openRecording(QDir(folder).filePath("run.mcap"));
+        QVERIFY2(file.ok(), qPrintable(file.error().toString()));
+        QVERIFY2((*file)->problems().isEmpty(), qPrintable((*file)->problems().join('\n')));
+        QVERIFY((*file)->rows() > 200);
+        QVERIFY((*file)->columns().size() > 100);
+        QCOMPARE((*file)->facts().at("model"), std::string("UR5e"));
+        QCOMPARE((*file)->facts().at("serial_number"),
+                 QString(bench.cell.robot.options().serialNumber).toStdString());
+        QCOMPARE((*file)->attachments().size(), qsizetype(1));
+        const auto inside = (*file)->attachment((*file)->attachments().front());
+        QVERIFY(inside.ok() && inside->contains("waypoints"));
+        const auto& events = (*file)->events();
+        QVERIFY(std::any_of(events.begin(), events.end(),
+                            [](const auto& event) { return event.text == "seen"; }));
+        QCOMPARE(app::Settings(bench.file).preferences().recording.format, RecordingChoice::Format::Mcap);
+    }
+
+    void aDiskWithTooLittleRoomEndsItAndSaysSo() {
+        WindowBench bench;
+        bench.show(QSize(1280, 720));
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QSignalSpy messages(&bench.window.session(), &RobotSession::message);
+        const QString path = bench.folder.filePath("full.csv");
+        bench.window.session().recording().start(
+            {.path = path, .keepFree = std::numeric_limits<std::int64_t>::max()});
+        const auto failure = [&] {
+            for (const auto& message : messages) {
+                if (message[0].value<Severity>() == Severity::Error) {
+                    return message[1].toString();
+                }
+            }
+            return QString();
+        };
+        QVERIFY(bench.cell.advanceUntil(
+            [&] {
+                QTest::qWait(1);
+                return !failure().isEmpty();
+            },
+            120'000));
+        QVERIFY2(failure().contains("free"), qPrintable(failure()));
+        QVERIFY(recording::readCsv(path).ok());
     }
 
     void whatCannotBeIsRefusedAndChangesNothing() {

@@ -11,6 +11,7 @@
 #include "widgets/common/lower_edge.h"
 #include "widgets/common/nothing_found.h"
 #include "widgets/common/notice_bar.h"
+#include "widgets/common/replay_band.h"
 #include "widgets/common/steady_scroll_area.h"
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
@@ -86,6 +87,9 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     auto* top = new QHBoxLayout;
     top->setContentsMargins(12, 10, 12, 2);
     top->addWidget(search_);
+    replayBand_ = new ReplayBand(QStringLiteral("io.replay"));
+    connect(replayBand_, &ReplayBand::liveWanted, this, &IoTab::liveWanted);
+    layout->addWidget(replayBand_);
     layout->addLayout(top);
     layout->addWidget(scroll, 1);
     notice_->setObjectName(QStringLiteral("io.notice"));
@@ -140,8 +144,14 @@ QWidget* IoTab::buildColumn(bool output) {
     return column;
 }
 
+void IoTab::setReplay(const Replay& moment) {
+    replay_ = moment;
+    replayBand_->tell(moment ? moment->words() : QString());
+    refresh();
+}
+
 void IoTab::toggle(int output) {
-    if (state_.link != LinkState::Live) {
+    if (state_.link != LinkState::Live || replay_) {
         return;
     }
     // Against what is asked already, so that a second click takes the first back.
@@ -158,7 +168,7 @@ void IoTab::ask(int output, bool on) {
 }
 
 void IoTab::pulse(int output) {
-    if (state_.link != LinkState::Live) {
+    if (state_.link != LinkState::Live || replay_) {
         return;
     }
     ask(output, true);
@@ -250,17 +260,23 @@ void IoTab::search(const QString& text) {
 
 void IoTab::refresh() {
     using State = IoChannel::State;
-    const bool stale = state_.link != LinkState::Live;
-    const bool known = state_.hasData();
+    // What was looks as old as it is.
+    const bool stale = state_.link != LinkState::Live || replay_;
+    const bool known = replay_ ? !replay_->sample.isEmpty() : state_.hasData();
+    const receive::RobotState then(replay_ ? replay_->sample : sample_);
+    const std::uint64_t inputs = replay_ && known ? then.digitalInputs().value_or(0) : state_.digitalInputs;
+    const std::uint64_t outputs =
+        replay_ && known ? then.digitalOutputs().value_or(0) : state_.digitalOutputs;
+    const QString notNow = tr("This is a replay: go back to live first.");
     for (int channel = 0; channel < kChannels; ++channel) {
         IoChannel* in = inputs_[channel];
         in->setStale(stale);
-        in->setState(!known ? State::Unknown : bit(state_.digitalInputs, channel) ? State::On : State::Off);
+        in->setState(!known ? State::Unknown : bit(inputs, channel) ? State::On : State::Off);
 
         IoChannel* out = outputs_[channel];
-        const bool on = bit(state_.digitalOutputs, channel);
+        const bool on = bit(outputs, channel);
         const auto asked = pending_.find(channel);
-        bool pending = asked != pending_.end();
+        bool pending = asked != pending_.end() && !replay_;
         if (pending && (asked->wanted == on || stale)) {
             pending_.erase(asked);
             pending = false;
@@ -272,7 +288,9 @@ void IoTab::refresh() {
                           tr("Another program or the installation may own it."));
         }
         out->setStale(stale);
-        out->setObstacle(stale ? QString() : session_.outputs().holders().digital(channel));
+        out->setObstacle(replay_ ? notNow
+                         : stale ? QString()
+                                 : session_.outputs().holders().digital(channel));
         out->setState(!known    ? State::Unknown
                       : pending ? (on ? State::PendingOff : State::PendingOn)
                       : on      ? State::On
@@ -346,7 +364,9 @@ void IoTab::buildAnalog(QVBoxLayout* layout) {
 }
 
 void IoTab::refreshAnalog(bool known, bool stale) {
-    if (!known || sample_.isEmpty()) {
+    const receive::Sample& shown = replay_ ? replay_->sample : sample_;
+    registers_->setEnabled(!replay_);
+    if (!known || shown.isEmpty()) {
         for (const auto* rows : {&analogInputs_, &analogOutputs_}) {
             for (AnalogRow* row : *rows) {
                 row->setValue(0, io::AnalogDomain::Current, false, true);
@@ -355,7 +375,7 @@ void IoTab::refreshAnalog(bool known, bool stale) {
         registers_->showNothing();
         return;
     }
-    const receive::RobotState robot(sample_);
+    const receive::RobotState robot(shown);
     const std::uint32_t types = robot.analogIoTypes().value_or(0);
     const auto domain = [types](int bit) {
         return (types >> bit & 1U) != 0 ? io::AnalogDomain::Voltage : io::AnalogDomain::Current;
@@ -369,8 +389,9 @@ void IoTab::refreshAnalog(bool known, bool stale) {
                                              stale);
         analogOutputs_[channel]->setValue(robot.analogOutput(channel), domain(2 + channel),
                                           !std::isnan(robot.analogOutput(channel)), stale);
-        analogOutputs_[channel]->setObstacle(stale ? tr("No data from the robot.")
-                                                   : session_.outputs().holders().analog);
+        analogOutputs_[channel]->setObstacle(replay_ ? tr("This is a replay: go back to live first.")
+                                             : stale ? tr("No data from the robot.")
+                                                     : session_.outputs().holders().analog);
     }
     registers_->show(robot, stale);
 }

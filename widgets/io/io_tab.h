@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "robot/core/clock.h"
+#include "widgets/session/replay_moment.h"
 #include "widgets/session/robot_session.h"
 
 class QLabel;
@@ -25,6 +26,7 @@ class IoChannel;
 class NothingFound;
 class NoticeBar;
 class RegisterPanel;
+class ReplayBand;
 
 class IoTab : public QWidget {
     Q_OBJECT
@@ -44,6 +46,8 @@ public:
     AnalogRow* analogInput(int channel) const { return analogInputs_[channel]; }
     AnalogRow* analogOutput(int channel) const { return analogOutputs_[channel]; }
     RegisterPanel* registers() const { return registers_; }
+    /// Shows what inputs and outputs were in a moment, and says so; nothing can be switched then. Nothing: live.
+    void setReplay(const Replay& moment);
     /// Shows only what has this in its terminal or name.
     void search(const QString& text);
     void focusSearch();
@@ -62,6 +66,8 @@ public:
 
 Q_SIGNALS:
     void namesChanged();
+    /// From a replay back to what is live.
+    void liveWanted();
 
 private:
     QWidget* buildColumn(bool output);
@@ -80,6 +86,8 @@ private:
     const Clock* clock_ = &SteadyClock::shared();
     SessionState state_;
     receive::Sample sample_;  ///< the one state_ was made from
+    Replay replay_;
+    ReplayBand* replayBand_ = nullptr;
     QTimer refreshTimer_;
     QVector<IoChannel*> inputs_;
     QVector<IoChannel*> outputs_;

@@ -58,6 +58,19 @@ void LogModel::append(const QDateTime& time, Severity severity, const QString& t
     endInsertRows();
 }
 
+void LogModel::clear() {
+    beginResetModel();
+    entries_.clear();
+    endResetModel();
+}
+
+int LogModel::rowAt(const QDateTime& time) const {
+    const auto after =
+        std::upper_bound(entries_.begin(), entries_.end(), time,
+                         [](const QDateTime& at, const Entry& entry) { return at < entry.first; });
+    return static_cast<int>(after - entries_.begin()) - 1;
+}
+
 QString LogModel::shown(const Entry& entry, const QString& clock) const {
     return entry.count == 1
                ? entry.text
@@ -106,14 +119,26 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return index.column() == Time             ? entry.first.toString(kClock)
                    : index.column() == SeverityColumn ? severityWord(entry.severity)
+                   : index.column() == Open           ? (entry.recording.isEmpty() ? QString() : tr("Open"))
                                                       : shown(entry, kClock);
         case Qt::ToolTipRole:
+            if (index.column() == Open && !entry.recording.isEmpty()) {
+                return tr("Open the recording of this incident, at the moment of the stop");
+            }
             return details(index.row());
         case Qt::FontRole:
+            if (index.column() == Open) {
+                QFont font = textFont(13);
+                font.setUnderline(true);
+                return font;
+            }
             return index.column() == Time ? figureFont(13) : textFont(14);
         case Qt::ForegroundRole:
             if (index.column() == SeverityColumn && entry.severity != Severity::Info) {
                 return entry.severity == Severity::Error ? Theme::current().alarm : Theme::current().warning;
+            }
+            if (index.column() == Open) {
+                return Theme::current().text;
             }
             return index.column() == Text ? QVariant() : QVariant(Theme::current().secondary);
         case Qt::AccessibleTextRole:
@@ -139,7 +164,10 @@ QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role
     if (role != Qt::DisplayRole) {
         return {};
     }
-    return section == Time ? tr("Time") : section == SeverityColumn ? tr("Severity") : tr("What happened");
+    return section == Time             ? tr("Time")
+           : section == SeverityColumn ? tr("Severity")
+           : section == Open           ? QString()
+                                       : tr("What happened");
 }
 
 void LogFilter::setLeastSeverity(Severity severity) {

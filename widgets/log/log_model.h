@@ -18,7 +18,7 @@ class LogModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Time, SeverityColumn, Text, ColumnCount };
+    enum Column { Time, SeverityColumn, Open, Text, ColumnCount };
     enum Role { SeverityRole = Qt::UserRole, TextRole, RecordingRole };
     static constexpr int kCapacity = 5000;
 
@@ -27,6 +27,9 @@ public:
     /// recording  a file that shows what the row tells of; empty: none
     void append(const QDateTime& time, Severity severity, const QString& text, Origin origin = Origin::Tiller,
                 const QString& detail = {}, const QString& recording = {});
+    void clear();
+    /// The last row that began at or before this time; -1: none did.
+    int rowAt(const QDateTime& time) const;
     /// All there is to say about a row, for people: when, how often, from whom, what it means, what to do.
     QString details(int row) const;
     /// Row as text, fields separated by tabs: date and time (the first), severity, text with its count and

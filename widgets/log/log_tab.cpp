@@ -15,21 +15,32 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "widgets/common/density.h"
 #include "widgets/common/list_typing.h"
 #include "widgets/common/nothing_found.h"
+#include "widgets/common/replay_band.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/log/log_model.h"
 #include "widgets/session/texts.h"
 
 namespace tiller {
 
+namespace {
+
+constexpr int kOpenWidth = 56;  // [px]
+constexpr double kMsPerSecond = 1e3;
+
+}  // namespace
+
 LogTab::LogTab(RobotSession& session, QWidget* parent)
     : QWidget(parent)
     , now_([] { return QDateTime::currentDateTime(); })
     , model_(new LogModel(this))
+    , replayModel_(new LogModel(this))
     , filter_(new LogFilter(this))
+    , band_(new ReplayBand(QStringLiteral("log.replay")))
     , severity_(new SegmentedControl({tr("All"), tr("Warnings"), tr("Errors")}))
     , search_(new QLineEdit)
     , open_(nullptr)
@@ -89,10 +100,13 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->setColumnWidth(LogModel::Time, 92);
     table_->setColumnWidth(LogModel::SeverityColumn, 108);
+    table_->setColumnWidth(LogModel::Open, kOpenWidth);
+    table_->setColumnHidden(LogModel::Open, true);  // until there is something to open
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(band_);
     layout->addLayout(tools);
     layout->addWidget(table_, 1);
     details_->setObjectName(QStringLiteral("log.details"));
@@ -118,6 +132,8 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     connect(copyAction, &QAction::triggered, this, &LogTab::copy);
     connect(open_, &QToolButton::clicked, this, &LogTab::openRecording);
     connect(table_, &QTableView::activated, this, &LogTab::openRecording);
+    connect(table_, &QTableView::clicked, this, &LogTab::clicked);
+    connect(band_, &ReplayBand::liveWanted, this, &LogTab::liveWanted);
     connect(copyKey, &QToolButton::clicked, this, &LogTab::copy);
     connect(exportKey, &QToolButton::clicked, this, &LogTab::exportToFile);
     connect(severity_, &SegmentedControl::currentChanged, this,
@@ -148,13 +164,74 @@ void LogTab::openRecording() {
     }
 }
 
+void LogTab::clicked(const QModelIndex& index) {
+    if (index.column() == LogModel::Open) {
+        openRecording();
+    }
+}
+
+void LogTab::fillReplay(const ReplayMoment& moment) {
+    if (replayed_ == moment.events) {
+        return;
+    }
+    replayed_ = moment.events;
+    replayModel_->clear();
+    const QDateTime begin = moment.wallTime.addMSecs(-std::llround(moment.seconds * kMsPerSecond));
+    for (const recording::RecordedEvent& event : *moment.events) {
+        const Severity severity = event.level >= 40   ? Severity::Error
+                                  : event.level >= 30 ? Severity::Warning
+                                                      : Severity::Info;
+        const Origin origin = event.source == QLatin1String("operator")     ? Origin::Operator
+                              : event.source == QLatin1String("controller") ? Origin::Robot
+                                                                            : Origin::Tiller;
+        replayModel_->append(begin.addMSecs(std::llround(event.seconds * kMsPerSecond)), severity, event.text,
+                             origin);
+    }
+}
+
+void LogTab::select(int row) {
+    const QModelIndex index =
+        row < 0 ? QModelIndex() : filter_->mapFromSource(shownModel().index(row, LogModel::Text));
+    if (index.isValid()) {
+        table_->setCurrentIndex(index);
+        table_->scrollTo(index, QAbstractItemView::PositionAtCenter);
+    } else {
+        table_->clearSelection();
+        table_->setCurrentIndex({});
+    }
+}
+
+void LogTab::setReplay(const Replay& moment) {
+    const bool wasReplay = band_->isVisibleTo(this);
+    band_->tell(moment ? moment->words() : QString());
+    const bool own = moment && moment->events && moment->wallTime.isValid();
+    if (own) {
+        fillReplay(*moment);
+    }
+    if (own != replay_) {
+        replay_ = own;
+        table_->clearSelection();
+        filter_->setSourceModel(own ? replayModel_ : model_);
+    }
+    if (moment) {
+        select(moment->wallTime.isValid() ? shownModel().rowAt(moment->wallTime) : -1);
+    } else if (wasReplay) {
+        select(-1);
+        table_->scrollToBottom();
+    }
+    showNothingFound();
+}
+
 void LogTab::add(Severity severity, const QString& text, Origin origin, const QString& detail,
                  const QString& recording) {
     // Follows the newest line unless the reader has scrolled back.
     const QScrollBar* bar = table_->verticalScrollBar();
     const bool follow = bar->value() == bar->maximum();
     model_->append(now_(), severity, text, origin, detail, recording);
-    if (follow) {
+    if (!recording.isEmpty()) {
+        table_->setColumnHidden(LogModel::Open, false);
+    }
+    if (follow && !band_->isVisibleTo(this)) {
         table_->scrollToBottom();
     }
 }
@@ -178,18 +255,19 @@ void LogTab::showDetails() {
     details_->setVisible(current.isValid());
     open_->setVisible(!current.data(LogModel::RecordingRole).toString().isEmpty());
     if (current.isValid()) {
-        details_->setText(model_->details(filter_->mapToSource(current).row()));
+        details_->setText(shownModel().details(filter_->mapToSource(current).row()));
     }
 }
 
 void LogTab::showNothingFound() {
-    nothing_->tell(filter_->rowCount() == 0 && model_->rowCount() > 0, search_->text());
+    nothing_->tell(filter_->rowCount() == 0 && shownModel().rowCount() > 0, search_->text());
 }
 
 QString LogTab::textOf(const QList<int>& rows) const {
     QString result;
     for (const int row : rows) {
-        result += model_->rowText(filter_->mapToSource(filter_->index(row, 0)).row()) + QLatin1Char('\n');
+        result +=
+            shownModel().rowText(filter_->mapToSource(filter_->index(row, 0)).row()) + QLatin1Char('\n');
     }
     return result;
 }

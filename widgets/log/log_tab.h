@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "robot/core/result.h"
+#include "widgets/session/replay_moment.h"
 #include "widgets/session/robot_session.h"
 
 class QLabel;
@@ -22,6 +23,7 @@ namespace tiller {
 class LogFilter;
 class LogModel;
 class NothingFound;
+class ReplayBand;
 class SegmentedControl;
 
 class LogTab : public QWidget {
@@ -32,6 +34,9 @@ public:
     ~LogTab() override;
 
     LogModel& model() { return *model_; }
+    /// Shows the log of a moment, its row selected, and says so: a recording's own, or for the history the rows of this
+    /// log. Nothing: live.
+    void setReplay(const Replay& moment);
     /// For tests.
     void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }
     /// The rows that are shown, one a line, fields separated by tabs.
@@ -61,6 +66,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// A row's recording is to be opened.
     void recordingWanted(const QString& path);
+    /// From a replay back to what is live.
+    void liveWanted();
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -68,6 +75,10 @@ protected:
 
 private:
     void showDetails();
+    void clicked(const QModelIndex& index);
+    const LogModel& shownModel() const { return replay_ ? *replayModel_ : *model_; }
+    void fillReplay(const ReplayMoment& moment);
+    void select(int row);
     void showNothingFound();
     void add(Severity severity, const QString& text, Origin origin, const QString& detail,
              const QString& recording);
@@ -75,7 +86,11 @@ private:
 
     std::function<QDateTime()> now_;
     LogModel* model_;
+    LogModel* replayModel_;  ///< the log of the recording that is replayed
+    std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< what is in it
+    bool replay_ = false;                                                    ///< it is shown
     LogFilter* filter_;
+    ReplayBand* band_;
     SegmentedControl* severity_;
     QLineEdit* search_;
     QToolButton* open_;

@@ -22,21 +22,25 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "robot/recording/formats/open_recording.h"
+#include "robot/recording/incident.h"
 #include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/lane_text.h"
+#include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_export.h"
 #include "widgets/plots/plot_feed.h"
 #include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_picture.h"
+#include "widgets/plots/plot_replay.h"
 #include "widgets/plots/plot_values.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/plots/state_lane.h"
@@ -53,6 +57,7 @@ constexpr int kLeastReadout = 1;  // [px]
 constexpr int kLeastSide = 150;
 constexpr int kUsualSide = 230;
 constexpr int kFramesPerHistoryText = 60;
+constexpr int kFramesPerAnalysis = 30;
 
 struct SpanChoice {
     double seconds;
@@ -157,6 +162,9 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     beneath->setChildrenCollapsible(false);
     beneath->addWidget(pages_);
     beneath->addWidget(values_);
+    analysis_ = new PlotAnalysis(*store_);
+    analysis_->hide();
+    beneath->addWidget(analysis_);
     beneath->setStretchFactor(0, 1);
     splitter->addWidget(beneath);
     splitter->setStretchFactor(1, 1);
@@ -164,10 +172,18 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     setContent(splitter);
     buildHeader();
 
-    connect(pages_, &PlotPages::windowChanged, this, &PlotDock::updateHeader);
+    replay_ = std::make_unique<PlotReplay>(*store_, *pages_);
+    pages_->setClock([this](double time) { return replay_->clockAt(time); });
+    connect(replay_.get(), &PlotReplay::changed, this, &PlotDock::replayChanged);
+    connect(pages_, &PlotPages::windowChanged, this, [this] {
+        updateHeader();
+        replay_->follow();
+    });
     connect(pages_, &PlotPages::readoutChanged, this, [this] {
         updateHeader();
+        replay_->follow();
         values_->follow(view());
+        analysis_->follow(&view());
     });
     connect(pages_, &PlotPages::noteWanted, this, &PlotDock::askForNote);
     connect(marks_.get(), &PlotMarks::thresholdsChanged, this, &PlotDock::arrangementChanged);
@@ -181,6 +197,8 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
         sayWhatIsShown();
         updateHeader();
         values_->follow(view());
+        analysis_->follow(&view());
+        replay_->follow();
         Q_EMIT arrangementChanged();
     });
     connect(pages_, &PlotPages::tooManySignals, this,
@@ -277,6 +295,15 @@ void PlotDock::askForNote(double time) {
     }
 }
 
+void PlotDock::setAnalysisShown(bool shown) {
+    analysis_->follow(&view());
+    analysis_->setVisible(shown);
+}
+
+void PlotDock::setTimeAxis(TimeAxis axis) {
+    pages_->setTimeAxis(axis);
+}
+
 void PlotDock::copyPicture() {
     QApplication::clipboard()->setImage(pages_->grab().toImage());
     Q_EMIT session_.message(Severity::Info, tr("The plots are in the clipboard as a picture."),
@@ -315,10 +342,24 @@ void PlotDock::buildPagesMenu() {
     addSwitch("plots.layout.signals", tr("List of signals"), !side_->isHidden(), &PlotDock::setSignalsShown);
     addSwitch("plots.layout.values", tr("Values at the cursors"), !values_->isHidden(),
               &PlotDock::setValuesShown);
+    addSwitch("plots.layout.analysis", tr("Spectrum and XY"), !analysis_->isHidden(),
+              &PlotDock::setAnalysisShown);
     addSwitch("plots.layout.zero", tr("Zero the force shown"), view().isForceZeroed(),
               &PlotDock::setForceZeroed);
     menu->addAction(tr("Export the shown range…"), this, &PlotDock::askExport)
         ->setObjectName(QStringLiteral("plots.layout.export"));
+    QMenu* axes = menu->addMenu(tr("Time axis"));
+    axes->setObjectName(QStringLiteral("plots.layout.time"));
+    for (const auto& [axis, text] : {std::pair{TimeAxis::Relative, tr("Before the newest sample")},
+                                     {TimeAxis::Controller, tr("Controller time")},
+                                     {TimeAxis::Clock, tr("Time of the day")}}) {
+        QAction* action = axes->addAction(text);
+        action->setObjectName(QStringLiteral("plots.layout.time.choice"));
+        action->setCheckable(true);
+        action->setChecked(axis == pages_->timeAxis());
+        action->setData(static_cast<int>(axis));
+        connect(action, &QAction::triggered, this, [this, axis = axis] { setTimeAxis(axis); });
+    }
     menu->addSeparator();
     const auto add = [this](QMenu* into, const char* name, const QString& text, auto todo) {
         QAction* action = into->addAction(text);
@@ -382,12 +423,20 @@ Result<void> PlotDock::openArrangement(const QString& path) {
 }
 
 void PlotDock::openRecording(const QString& path) {
+    if (isOpen(path)) {
+        return;
+    }
     files_.post(this, [this, path](const CancelToken&) {
-        auto opened =
-            std::make_shared<Result<std::unique_ptr<recording::Recording>>>(recording::openRecording(path));
-        return std::function<void()>([this, opened] {
+        using File = std::unique_ptr<recording::Recording>;
+        auto opened = std::make_shared<Result<File>>(recording::openRecording(path));
+        std::optional<double> incident;
+        if (*opened) {
+            const auto moment = recording::incidentMoment(***opened);
+            incident = moment ? *moment : std::nullopt;
+        }
+        return std::function<void()>([this, opened, incident] {
             if (*opened) {
-                showRecording(std::move(**opened));
+                showRecording(std::move(**opened), incident);
             } else {
                 Q_EMIT session_.message(Severity::Error, texts::errorText(opened->error()));
             }
@@ -395,27 +444,47 @@ void PlotDock::openRecording(const QString& path) {
     });
 }
 
-void PlotDock::showRecording(std::unique_ptr<recording::Recording> file) {
-    const QStringList problems = file->problems();
-    const std::uint64_t rows = file->rows();
-    const Result<std::vector<double>> last =
-        rows == 0 ? Result<std::vector<double>>(std::vector<double>()) : file->times({rows - 1, 1});
-    const double length = last && !last->empty() ? last->front() : 0;
-    const double begin =
-        view().cursor(PlotView::Cursor::A).value_or(history().isEmpty() ? 0 : history().lastTime() - length);
-    const Result<QString> opened = store_->open(std::move(file), begin);
-    if (!opened) {
-        Q_EMIT session_.message(Severity::Error, texts::errorText(opened.error()));
-        return;
+bool PlotDock::isOpen(const QString& path) {
+    // Only an incident's file stays what it was: another one may have been recorded anew.
+    for (auto known = incidents_.constBegin(); known != incidents_.constEnd(); ++known) {
+        const recording::Recording* file = store_->recorded(known.key());
+        if (file != nullptr && file->path() == path) {
+            return turnTo(known.key());
+        }
     }
+    return false;
+}
+
+double PlotDock::placeOf(const recording::Recording& file, double length,
+                         std::optional<double> incident) const {
+    const double newest = history().isEmpty() ? 0 : history().lastTime();
+    if (!incident) {
+        return pages_->view().cursor(PlotView::Cursor::A).value_or(history().isEmpty() ? 0 : newest - length);
+    }
+    const auto robot = file.facts().find("robot");
+    const auto column = file.indexOf("timestamp");
+    const auto row = file.rowAt(*incident);
+    if (robot != file.facts().end() && robot->second == session_.address().host.toStdString() && column &&
+        row) {
+        const auto stamp = file.read(std::array{*column}, {*row, 1});
+        const double begin =
+            stamp && !stamp->front().empty() ? feed_->plotTime(stamp->front().front()) - *incident : newest;
+        if (begin + length > history().firstTime() && begin < newest) {
+            return begin;
+        }
+    }
+    return newest - length;
+}
+
+PageLayout PlotDock::pageFor(const QString& recording) const {
     // The standard plots of it where it has them, or else what comes first.
     PageLayout page;
-    page.name = *opened;
+    page.name = recording;
     const QVector<PaneLayout> standard = PageLayout::standard().panes;
     for (const PaneLayout& pane : standard) {
         PaneLayout own{{}, {}, pane.column, pane.share};
         for (const QString& key : pane.shown) {
-            const QString recorded = *opened + QLatin1Char('/') + key;
+            const QString recorded = recording + QLatin1Char('/') + key;
             own.shown << (store_->find(recorded) >= 0 ? QStringList(recorded) : QStringList());
         }
         if (!own.shown.isEmpty()) {
@@ -425,15 +494,56 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file) {
     if (page.panes.isEmpty()) {
         constexpr qsizetype kFirst = 4;
         page.panes.append(PaneLayout{});
-        for (const int signal : store_->signalsOf(*opened)) {
+        for (const int signal : store_->signalsOf(recording)) {
             const SignalInfo& info = store_->info(signal);
             if (!info.isState() && !isTime(info.field) && page.panes[0].shown.size() < kFirst) {
                 page.panes[0].shown.append(info.key);
             }
         }
     }
-    pages_->addPage(page);
-    view().showRange(begin, begin + std::max(length, TimeWindow::kShortest));
+    return page;
+}
+
+bool PlotDock::turnTo(const QString& recording) {
+    if (const int page = pages_->pageOf(recording); page >= 0) {
+        pages_->setCurrent(page);
+    } else if (!pages_->addPage(pageFor(recording))) {
+        Q_EMIT session_.message(Severity::Warning,
+                                tr("There are as many pages of plots as there may be: take one away first."));
+        return true;
+    }
+    const SeriesBuffer& times = *store_->timesOf(recording);
+    const auto incident = incidents_.constFind(recording);
+    if (incident == incidents_.constEnd()) {
+        view().showRange(times.firstTime(),
+                         std::max(times.lastTime(), times.firstTime() + TimeWindow::kShortest));
+        return true;
+    }
+    constexpr double kBefore = 10;  // [s]
+    constexpr double kAfter = 5;
+    view().showRange(std::max(times.firstTime(), *incident - kBefore),
+                     std::min(times.lastTime(), *incident + kAfter));
+    view().setCursor(PlotView::Cursor::B, std::nullopt);
+    view().setCursor(PlotView::Cursor::A, *incident);
+    return true;
+}
+
+void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident) {
+    const QStringList problems = file->problems();
+    const std::uint64_t rows = file->rows();
+    const Result<std::vector<double>> last =
+        rows == 0 ? Result<std::vector<double>>(std::vector<double>()) : file->times({rows - 1, 1});
+    const double length = last && !last->empty() ? last->front() : 0;
+    const double begin = placeOf(*file, length, incident);
+    const Result<QString> opened = store_->open(std::move(file), begin);
+    if (!opened) {
+        Q_EMIT session_.message(Severity::Error, texts::errorText(opened.error()));
+        return;
+    }
+    if (incident) {
+        incidents_[*opened] = begin + *incident;
+    }
+    turnTo(*opened);
     Q_EMIT session_.message(problems.isEmpty() ? Severity::Info : Severity::Warning,
                             tr("Opened the recording %1").arg(*opened), Origin::Operator,
                             problems.join(QLatin1Char(' ')));
@@ -441,8 +551,23 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file) {
 
 void PlotDock::closeRecordings() {
     pages_->dropRecordings();
+    incidents_.clear();
     store_->closeRecordings();
     sayWhatIsShown();
+    replay_->follow();
+}
+
+const Replay& PlotDock::replay() const {
+    return replay_->moment();
+}
+
+void PlotDock::endReplay() {
+    view().setCursor(PlotView::Cursor::A, std::nullopt);
+    if (const int live = pages_->livePage(); live >= 0) {
+        pages_->setCurrent(live);
+    }
+    view().follow();
+    replay_->follow();
 }
 
 void PlotDock::askForRecording() {
@@ -572,8 +697,6 @@ void PlotDock::buildHeader() {
     export_->setToolTip(tr("Save what is shown as a picture (PNG) or as values (CSV)"));
     connect(export_, &QToolButton::clicked, this, &PlotDock::askExport);
     record_ = quietButton(QStringLiteral("plots.record"), tr("Record to a CSV file"), this);
-    record_->setToolTip(
-        tr("Record what the robot sends to a CSV file; the key beside it says what and where"));
     connect(record_, &QToolButton::clicked, this, &PlotDock::toggleRecording);
 
     addHeaderWidget(readout_);
@@ -626,6 +749,9 @@ void PlotDock::setJogLabel(const QString& label) {
 void PlotDock::take(const SampleBatch& batch) {
     feed_->take(batch);
     marks_->check();
+    if (!history().isEmpty()) {
+        replay_->noteFrame(history().lastTime(), QDateTime::currentDateTime());
+    }
     const LaneEntry none = noDataEntry();
     for (const PlotFeed::Silence& silence : feed_->takeSilences()) {
         lane_->add(silence.from, none.kind, none.label);
@@ -657,6 +783,7 @@ void PlotDock::onState(const SessionState& state) {
     if (!history().isEmpty()) {
         lane_->forgetBefore(history().firstTime());
         marks_->forgetBefore(history().firstTime());
+        replay_->forgetBefore(history().firstTime());
     }
     pages_->refresh(RobotSession::kFrameMs / 1000.0);
     if (side_->isVisible() && --framesToHistoryText_ <= 0) {
@@ -664,6 +791,10 @@ void PlotDock::onState(const SessionState& state) {
         if (const QString text = historyText(); historyLabel_->text() != text) {
             historyLabel_->setText(text);
         }
+    }
+    if (analysis_->isVisible() && view().window().follows() && --framesToAnalysis_ <= 0) {
+        framesToAnalysis_ = kFramesPerAnalysis;
+        analysis_->follow(&view());
     }
     if (state.recording.active != recording_ || recording_) {
         recording_ = state.recording.active;
@@ -706,11 +837,25 @@ void PlotDock::updateHeader() {
     const QString record =
         recording_ ? tr("● REC %1").arg(format::duration(recordingSeconds_)) : tr("● Record");
     setTextIfNew(record_, record);
-    record_->setAccessibleName(recording_ ? tr("Stop recording") : tr("Record to a CSV file"));
+    const bool mcap = choice_.format == RecordingChoice::Format::Mcap;
+    record_->setAccessibleName(recording_ ? tr("Stop recording")
+                               : mcap     ? tr("Record to an MCAP file")
+                                          : tr("Record to a CSV file"));
+    record_->setToolTip(
+        recording_ ? recordingText(session_.state().recording)
+        : mcap     ? tr("Record what the robot sends to an MCAP file; the key beside it says what and where")
+                   : tr("Record what the robot sends to a CSV file; the key beside it says what and where"));
     if (record_->property("recording").toBool() != recording_) {
         record_->setProperty("recording", recording_);
         styleHeader();
     }
+}
+
+QString PlotDock::recordingText(const RecordingState& recording) {
+    const double rate = recording.seconds > 0 ? static_cast<double>(recording.bytes) / recording.seconds : 0;
+    return tr("%1 · %2 a second · %3 free · %n packet(s) lost", nullptr, static_cast<int>(recording.lost))
+        .arg(format::bytes(recording.bytes), format::bytes(std::llround(rate)),
+             format::bytes(recording.freeBytes));
 }
 
 void PlotDock::styleHeader() {
@@ -839,11 +984,17 @@ void PlotDock::toggleRecording() {
     }
     const QString path = recordingPath(choice_, session_.state().robotName, QDateTime::currentDateTime());
     QDir().mkpath(QFileInfo(path).absolutePath());
-    session_.recording().start(path, choice_.fields, choice_.every);
+    constexpr std::int64_t kBytesPerMegabyte = 1'000'000;
+    session_.recording().start({.path = path,
+                                .fields = choice_.fields,
+                                .every = choice_.every,
+                                .format = choice_.format,
+                                .keepFree = choice_.keepFree * kBytesPerMegabyte});
 }
 
 void PlotDock::setRecordingChoice(const RecordingChoice& choice) {
     choice_ = choice.sane();
+    updateHeader();
 }
 
 void PlotDock::buildRecordMenu() {
@@ -862,6 +1013,12 @@ void PlotDock::buildRecordMenu() {
 void PlotDock::showRecordMenu() {
     QMenu* menu = recordMenu_->menu();
     menu->clear();
+    if (recording_) {
+        QAction* progress = menu->addAction(recordingText(session_.state().recording));
+        progress->setObjectName(QStringLiteral("plots.record.progress"));
+        progress->setEnabled(false);
+        menu->addSeparator();
+    }
     const auto add = [menu](const char* name, const QString& text) {
         QAction* action = menu->addAction(text);
         action->setObjectName(QLatin1String(name));
@@ -881,6 +1038,20 @@ void PlotDock::showRecordMenu() {
         action->setData(every);
         connect(action, &QAction::triggered, this, [this, every] {
             choice_.every = every;
+            Q_EMIT recordingChosen(choice_);
+        });
+    }
+    menu->addSeparator();
+    for (const auto& [format, text] :
+         {std::pair{RecordingChoice::Format::Csv, tr("CSV: text, for pandas and spreadsheets")},
+          {RecordingChoice::Format::Mcap, tr("MCAP: every field, the log and the project, for ROS tools")}}) {
+        QAction* action = add("plots.record.format", text);
+        action->setCheckable(true);
+        action->setChecked(format == choice_.format);
+        action->setData(formatName(format));
+        connect(action, &QAction::triggered, this, [this, format = format] {
+            choice_.format = format;
+            updateHeader();
             Q_EMIT recordingChosen(choice_);
         });
     }

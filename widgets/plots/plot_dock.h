@@ -5,6 +5,7 @@
 // controls in its title bar. It takes from the session, once a frame, every sample since the last one and the state.
 
 #include <QByteArray>
+#include <QHash>
 #include <QString>
 #include <QVector>
 #include <memory>
@@ -13,7 +14,9 @@
 #include "robot/core/result.h"
 #include "robot/recording/recording.h"
 #include "widgets/common/panel.h"
+#include "widgets/plots/plot_layout.h"
 #include "widgets/session/recording_choice.h"
+#include "widgets/session/replay_moment.h"
 #include "widgets/session/session_state.h"
 #include "widgets/session/session_worker.h"
 
@@ -23,9 +26,11 @@ class QToolButton;
 namespace tiller {
 
 class ElidedLabel;
+class PlotAnalysis;
 class PlotFeed;
 class PlotMarks;
 class PlotPages;
+class PlotReplay;
 class PlotValues;
 class PlotView;
 class RobotSession;
@@ -60,8 +65,12 @@ public:
     bool exportTo(const QString& path);
 
     /// Opens a recording of any format on a page of its own, beside what is live: it ends where the history does, or
-    /// begins at the cursor A where there is one. Reads the file elsewhere; tells the operator how it went.
+    /// begins at the cursor A where there is one. That of an incident stands where it happened if the history of its
+    /// robot still reaches there, with the cursor A at the moment of the stop. Reads the file elsewhere; tells the
+    /// operator how it went.
     void openRecording(const QString& path);
+    /// The moment that cursor A stands on, while it is one of a recording or of a history that is held still.
+    const Replay& replay() const;
     void closeRecordings();
     /// Into and from a file of its own; tells nobody.
     Result<void> saveArrangement(const QString& path) const;
@@ -93,6 +102,9 @@ public Q_SLOTS:
     void addPage();
     /// The table of what lies at the cursors and between them.
     void setValuesShown(bool shown);
+    /// Spectrum of a signal, or one over another.
+    void setAnalysisShown(bool shown);
+    void setTimeAxis(tiller::TimeAxis axis);
     /// Asks for the words of a note at this moment of the plots' time.
     void askForNote(double time);
     void addNote(double time, const QString& text);
@@ -102,12 +114,16 @@ public Q_SLOTS:
     void toggleRecording();
     /// Asks where the shown range shall be saved.
     void askExport();
+    /// Ends a replay: takes cursor A away and shows the newest samples.
+    void endReplay();
 
 Q_SIGNALS:
     /// Chosen in the menu of the Record key.
     void recordingChosen(const tiller::RecordingChoice& choice);
     /// What the menu has no room for is to be shown: signals, folder, file name.
     void recordingOptionsWanted();
+    /// Another moment is replayed; nothing: all is live again.
+    void replayChanged(const tiller::Replay& moment);
     /// Pages, plots, their signals or the budget are others.
     void arrangementChanged();
 
@@ -122,10 +138,16 @@ private:
     void followAbsent();
     void buildPagesMenu();
     void sayWhatIsShown();
+    /// "12.3 MB · 145 kB a second · 40 GB free · 0 packets lost"
+    static QString recordingText(const RecordingState& recording);
     QString picturesTitle() const;
     QString historyText() const;
     void askForRecording();
-    void showRecording(std::unique_ptr<recording::Recording> file);
+    void showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident);
+    double placeOf(const recording::Recording& file, double length, std::optional<double> incident) const;
+    PageLayout pageFor(const QString& recording) const;
+    bool turnTo(const QString& recording);
+    bool isOpen(const QString& path);
     void askToSaveArrangement();
     void askToOpenArrangement();
     void onState(const SessionState& state);
@@ -141,9 +163,12 @@ private:
     std::unique_ptr<StateLane> lane_;
     std::unique_ptr<PlotMarks> marks_;
     std::unique_ptr<PlotFeed> feed_;
+    std::unique_ptr<PlotReplay> replay_;
+    QHash<QString, double> incidents_;  ///< opened ones: when their stops are on the plots' time axis [s]
     PlotPages* pages_ = nullptr;
     SignalTree* tree_ = nullptr;
     PlotValues* values_ = nullptr;
+    PlotAnalysis* analysis_ = nullptr;
     QToolButton* valuesKey_ = nullptr;
     QLabel* historyLabel_ = nullptr;
     QWidget* side_ = nullptr;  // the list and what stands under it
@@ -162,6 +187,7 @@ private:
     bool recording_ = false;
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;
+    int framesToAnalysis_ = 0;
     SessionWorker files_;  // last: its jobs end before the rest
 };
 

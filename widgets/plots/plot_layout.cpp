@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tiller {
@@ -16,6 +17,8 @@ constexpr qsizetype kLongestName = 60;
 constexpr qsizetype kLongestKey = 400;
 constexpr double kLeastShare = 0.05;
 constexpr double kMostShare = 20;
+
+constexpr std::array<const char*, 3> kTimeAxes = {"relative", "controller", "clock"};
 
 QStringList keys(const char* field, int count) {
     QStringList all;
@@ -89,8 +92,12 @@ QByteArray PlotLayout::toJson() const {
         limits.append(
             QJsonObject{{"signal", threshold.key}, {"limit", threshold.limit}, {"above", threshold.above}});
     }
-    const QJsonObject root{
-        {"version", 1}, {"pages", all}, {"current", current}, {"span", span}, {"thresholds", limits}};
+    const QJsonObject root{{"version", 1},
+                           {"pages", all},
+                           {"current", current},
+                           {"span", span},
+                           {"time", QLatin1String(kTimeAxes[static_cast<std::size_t>(time)])},
+                           {"thresholds", limits}};
     return QJsonDocument(root).toJson(QJsonDocument::Compact);
 }
 
@@ -120,6 +127,11 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray& json) {
                                       limit["above"].toBool(true)});
         }
     }
+    const auto axis = std::find_if(kTimeAxes.begin(), kTimeAxes.end(), [&](const char* name) {
+        return document.object()["time"].toString() == QLatin1String(name);
+    });
+    layout.time =
+        axis == kTimeAxes.end() ? TimeAxis::Relative : static_cast<TimeAxis>(axis - kTimeAxes.begin());
     layout.span = within(document.object()["span"], 0.05, 86400, 30);
     return layout;
 }

@@ -33,10 +33,18 @@ struct PageLayout {
     friend bool operator==(const PageLayout&, const PageLayout&) = default;
 };
 
+/// What the labels under the plots count.
+enum class TimeAxis {
+    Relative,    ///< seconds before the newest sample
+    Controller,  ///< the controller's time stamps
+    Clock,       ///< the time of the day
+};
+
 struct PlotLayout {
     QVector<PageLayout> pages{PageLayout::standard()};
     int current = 0;
     double span = 30;  ///< [s]
+    TimeAxis time = TimeAxis::Relative;
     QVector<Threshold> thresholds{};
 
     QByteArray toJson() const;

@@ -62,6 +62,7 @@ int PlotPages::current() const {
 
 PlotView& PlotPages::addView() {
     auto* view = new PlotView(store_, lane_, marks_);
+    view->setTimeAxis(timeAxis_, clock_);
     views_.push_back(view);
     stack_->addWidget(view);
     {
@@ -118,14 +119,43 @@ void PlotPages::dropRecordings() {
     }
 }
 
-void PlotPages::addPage(const PageLayout& page) {
+int PlotPages::pageOf(const QString& recording) const {
+    for (int page = 0; page < count(); ++page) {
+        const QSet<int> shown = views_[static_cast<std::size_t>(page)]->signalsShown();
+        if (std::any_of(shown.begin(), shown.end(),
+                        [&](int signal) { return store_.recordingOf(signal) == recording; })) {
+            return page;
+        }
+    }
+    return -1;
+}
+
+int PlotPages::livePage() const {
+    const auto isLive = [this](int page) {
+        const QSet<int> shown = views_[static_cast<std::size_t>(page)]->signalsShown();
+        return std::none_of(shown.begin(), shown.end(),
+                            [this](int signal) { return store_.isRecorded(signal); });
+    };
+    if (isLive(shown_)) {
+        return shown_;
+    }
+    for (int page = 0; page < count(); ++page) {
+        if (isLive(page)) {
+            return page;
+        }
+    }
+    return -1;
+}
+
+bool PlotPages::addPage(const PageLayout& page) {
     if (count() >= PlotLayout::kMostPages) {
-        return;
+        return false;
     }
     addView().setPage(page);
     nameTabs();
     setCurrent(count() - 1);
     Q_EMIT arrangementChanged();
+    return true;
 }
 
 void PlotPages::removePage(int page) {
@@ -173,6 +203,24 @@ void PlotPages::nameTabs() {
     tabs_->setVisible(count() > 1);
 }
 
+void PlotPages::setTimeAxis(TimeAxis axis) {
+    if (axis == timeAxis_) {
+        return;
+    }
+    timeAxis_ = axis;
+    for (PlotView* view : views_) {
+        view->setTimeAxis(timeAxis_, clock_);
+    }
+    Q_EMIT arrangementChanged();
+}
+
+void PlotPages::setClock(std::function<QDateTime(double)> clock) {
+    clock_ = std::move(clock);
+    for (PlotView* view : views_) {
+        view->setTimeAxis(timeAxis_, clock_);
+    }
+}
+
 PlotLayout PlotPages::arrangement() const {
     PlotLayout layout;
     layout.pages.clear();
@@ -181,6 +229,7 @@ PlotLayout PlotPages::arrangement() const {
     }
     layout.current = shown_;
     layout.span = view().window().span();
+    layout.time = timeAxis_;
     layout.thresholds = marks_.thresholds();
     return layout;
 }
@@ -197,6 +246,7 @@ void PlotPages::arrange(const PlotLayout& layout) {
         views_[static_cast<std::size_t>(page)]->setPage(layout.pages.value(page, PageLayout::standard()));
     }
     marks_.setThresholds(layout.thresholds);
+    setTimeAxis(layout.time);
     nameTabs();
     setCurrent(std::clamp(layout.current, 0, wanted - 1));
     view().setSpan(layout.span);

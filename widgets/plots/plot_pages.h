@@ -4,7 +4,9 @@
 // The pages of plots behind their tabs. All show the same stretch of time and the same cursors: whoever turns a page
 // goes on where the other one was.
 
+#include <QDateTime>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 #include "widgets/plots/plot_layout.h"
@@ -31,13 +33,23 @@ public:
     void setCurrent(int page);
     /// An empty page behind the others, and turns to it.
     void addPage();
-    void addPage(const PageLayout& page);
+    /// Returns  false, and adds none, where there are as many as there may be
+    bool addPage(const PageLayout& page);
     /// Takes everything away that the robot does not send: nobody shows a recording any more.
     void dropRecordings();
     /// The last one stays, with the standard plots.
     void removePage(int page);
     void rename(int page, const QString& name);
     QString nameOf(int page) const;
+    /// The page that shows signals of this recording; -1: there is none.
+    int pageOf(const QString& recording) const;
+    /// The one in front, or else the first one, that shows no recording; -1: all do.
+    int livePage() const;
+
+    TimeAxis timeAxis() const { return timeAxis_; }
+    void setTimeAxis(TimeAxis axis);
+    /// Who knows the time of the day of a moment on the time axis.
+    void setClock(std::function<QDateTime(double)> clock);
 
     PlotLayout arrangement() const;
     void arrange(const PlotLayout& layout);
@@ -69,6 +81,8 @@ private:
     QStackedWidget* stack_;
     std::vector<PlotView*> views_;
     int shown_ = 0;
+    TimeAxis timeAxis_ = TimeAxis::Relative;
+    std::function<QDateTime(double)> clock_;
 };
 
 }  // namespace tiller

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plot_pane.h"
 
-#include <QCategoryAxis>
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
@@ -16,6 +15,7 @@
 
 #include "widgets/common/format.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/axis_labels.h"
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_look.h"
 #include "widgets/plots/curve_sheet.h"
@@ -28,26 +28,11 @@ namespace {
 constexpr int kLabelPixels = 13;
 constexpr int kLegendPixels = 12;
 constexpr double kPixelsPerLine = 28;
-
-QCategoryAxis* makeAxis(QChart& chart, Qt::Alignment side) {
-    auto* axis = new QCategoryAxis(&chart);
-    axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-    axis->setLineVisible(false);
-    axis->setTruncateLabels(false);
-    chart.addAxis(axis, side);
-    return axis;
-}
-
-void setTicks(QCategoryAxis& axis, double from, double to, const std::vector<AxisTick>& ticks) {
-    for (const QString& label : axis.categoriesLabels()) {
-        axis.remove(label);
-    }
-    axis.setRange(from, to);
-    axis.setStartValue(from);
-    for (const AxisTick& tick : ticks) {
-        axis.append(tick.label, tick.value);
-    }
-}
+// The boxes of the labels; a text goes beyond its box rather than being cut. [px]
+constexpr double kLabelWidth = 80;
+constexpr double kLabelHeight = 18;
+constexpr double kTimeGap = 3;
+constexpr double kValueGap = 6;
 
 /// The finest grid that does justice to all of them.
 double finestStep(const SignalStore& store, const std::vector<int>& shown) {
@@ -65,8 +50,8 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
     , shown_(std::move(shown))
     , chart_(std::make_unique<QChart>())
     , grid_(new QValueAxis(chart_.get()))
-    , values_(makeAxis(*chart_, Qt::AlignLeft))
-    , times_(makeAxis(*chart_, Qt::AlignBottom))
+    , values_(new AxisLabels(Qt::AlignRight | Qt::AlignVCenter, chart_.get()))
+    , times_(new AxisLabels(Qt::AlignHCenter | Qt::AlignTop, chart_.get()))
     , range_(finestStep(store, shown_))
     , emphasis_(shown_.empty() ? -1 : shown_.back()) {
     chart_->setObjectName(QStringLiteral("plots.pane"));
@@ -80,14 +65,11 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
     grid_->setLabelsVisible(false);
     grid_->setLineVisible(false);
     chart_->addAxis(grid_, Qt::AlignLeft);
-    values_->setGridLineVisible(false);
-    times_->setGridLineVisible(false);
     for (const int signal : shown_) {
         auto* series = new QLineSeries(chart_.get());
         series->setName(curveLabel(store_, shown_, signal));
         chart_->addSeries(series);
         series->attachAxis(grid_);
-        series->attachAxis(times_);
         legend_.push_back(series);
         curves_.push_back(std::make_unique<Curve>(signal));
     }
@@ -105,10 +87,8 @@ PlotPane::~PlotPane() = default;
 
 void PlotPane::applyTheme() {
     const Theme& theme = Theme::current();
-    for (QCategoryAxis* axis : {values_, times_}) {
-        axis->setLabelsFont(textFont(axis == values_ ? kLabelPixels : kLegendPixels));
-        axis->setLabelsColor(theme.secondary);
-    }
+    values_->setLook(textFont(kLabelPixels), theme.secondary);
+    times_->setLook(textFont(kLegendPixels), theme.secondary);
     // Half way between surface and border: there when looked for, silent otherwise.
     grid_->setGridLineColor(QColor((theme.panel.red() + theme.border.red()) / 2,
                                    (theme.panel.green() + theme.border.green()) / 2,
@@ -267,6 +247,7 @@ void PlotPane::setArea(const QRectF& area) {
     chart_->setPlotArea(area);
     range_.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 3, 4));
     placeLegend();
+    updateValueAxis();
 }
 
 void PlotPane::placeLegend() {
@@ -276,12 +257,17 @@ void PlotPane::placeLegend() {
 }
 
 void PlotPane::setTimeTicks(double from, double to, const std::vector<AxisTick>& ticks) {
-    setTicks(*times_, from, to, ticks);
-    times_->setLabelsVisible(!ticks.empty());
+    std::vector<AxisLabels::Label> labels;
+    for (const AxisTick& tick : ticks) {
+        const double x = area_.left() + (tick.value - from) / (to - from) * area_.width();
+        labels.push_back(
+            {{x - kLabelWidth / 2, area_.bottom() + kTimeGap, kLabelWidth, kLabelHeight}, tick.label});
+    }
+    times_->setLabels(std::move(labels));
 }
 
 void PlotPane::updateValueAxis() {
-    std::vector<AxisTick> ticks;
+    std::vector<AxisLabels::Label> labels;
     const double step = range_.step();
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(range_.min() / step));
@@ -293,11 +279,16 @@ void PlotPane::updateValueAxis() {
                 label += QLatin1Char(' ') + unit;
             }
         }
-        ticks.push_back({static_cast<double>(i) * step, label});
+        const double y = yAt(static_cast<double>(i) * step);
+        labels.push_back(
+            {{area_.left() - kValueGap - kLabelWidth, y - kLabelHeight / 2, kLabelWidth, kLabelHeight},
+             label});
     }
-    grid_->setTickInterval(step);
+    values_->setLabels(std::move(labels));
+    if (grid_->tickInterval() != step) {
+        grid_->setTickInterval(step);
+    }
     grid_->setRange(range_.min(), range_.max());
-    setTicks(*values_, range_.min(), range_.max(), ticks);
 }
 
 void PlotPane::show(const GridOf& grids, double t0, double t1, double seconds) {

@@ -17,7 +17,6 @@ class QGraphicsItem;
 class QGraphicsScene;
 
 QT_BEGIN_NAMESPACE
-class QCategoryAxis;
 class QChart;
 class QLineSeries;
 class QValueAxis;
@@ -25,6 +24,7 @@ QT_END_NAMESPACE
 
 namespace tiller {
 
+class AxisLabels;
 class Curve;
 class CurveSheet;
 class SignalStore;
@@ -111,9 +111,9 @@ private:
     int column_ = 0;
     double share_ = 1;
     std::unique_ptr<QChart> chart_;
-    QValueAxis* grid_;       // the lines
-    QCategoryAxis* values_;  // their labels: only this axis takes texts, but it draws lines at its ends too
-    QCategoryAxis* times_;
+    QValueAxis* grid_;  // the lines
+    AxisLabels* values_;
+    AxisLabels* times_;
     std::vector<QLineSeries*> legend_;  // without points: the chart's legend wants a series for each entry
     std::vector<std::unique_ptr<Curve>> curves_;
     CurveSheet* sheet_;

@@ -487,8 +487,26 @@ void PlotView::show(double seconds) {
     placeCursors();
 }
 
+void PlotView::setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock) {
+    timeAxis_ = axis;
+    clock_ = std::move(clock);
+    tickSpan_ = -1;
+    placeTicks();
+    viewport()->update();
+}
+
 void PlotView::placeTicks() {
-    const double end = window_.end() - reference_;
+    // What the labels count from; the time of the day counts from midnight, so that its ticks are round.
+    double reference = timeAxis_ == TimeAxis::Relative ? reference_ : 0;
+    QDateTime midnight;
+    if (timeAxis_ == TimeAxis::Clock) {
+        if (const QDateTime now = clock_ ? clock_(window_.end()) : QDateTime(); now.isValid()) {
+            constexpr double kMsPerSecond = 1e3;
+            midnight = now.date().startOfDay();
+            reference = window_.end() - static_cast<double>(midnight.msecsTo(now)) / kMsPerSecond;
+        }
+    }
+    const double end = window_.end() - reference;
     if (tickSpan_ == window_.span() && std::abs(tickEnd_ - end) < 1e-9) {
         return;
     }
@@ -497,18 +515,28 @@ void PlotView::placeTicks() {
     const double start = end - tickSpan_;
     const double width = panes_.front()->area().width();
     const double step = niceTickStep(tickSpan_, width);
-    const bool minutes = step >= 60;
+    const bool minutes = step >= 60 && timeAxis_ != TimeAxis::Controller;
     const double unit = minutes ? 60 : 1;
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step / unit) - 1e-9)));
+    const auto label = [&](double value) {
+        if (midnight.isValid()) {
+            const QDateTime then = midnight.addMSecs(std::llround(value * 1e3));
+            return then.toString(step < 1 ? QStringLiteral("HH:mm:ss.zzz") : QStringLiteral("HH:mm:ss"));
+        }
+        return format::number(value / unit, digits) + (minutes ? tr(" min") : tr(" s"));
+    };
     std::vector<AxisTick> ticks;
+    timeLabels_.clear();
     for (auto i = std::llround(std::ceil(start / step)); i <= std::llround(std::floor(end / step)); ++i) {
         const double value = static_cast<double>(i) * step;
         // A label at the very edge would be cut off.
         const double room = (value - start) / tickSpan_ * width;
-        if (i == 0 || room < 24 || (end - value) / tickSpan_ * width < 24) {
+        const bool isNow = i == 0 && timeAxis_ == TimeAxis::Relative;
+        if (isNow || room < 24 || (end - value) / tickSpan_ * width < 24) {
             continue;
         }
-        ticks.push_back({value, format::number(value / unit, digits) + (minutes ? tr(" min") : tr(" s"))});
+        ticks.push_back({value, label(value)});
+        timeLabels_ << ticks.back().label;
     }
     for (const auto& pane : panes_) {
         const bool lowest = std::none_of(panes_.begin(), panes_.end(), [&pane](const auto& other) {

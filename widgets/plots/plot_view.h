@@ -4,9 +4,12 @@
 // One page of plots: charts stacked in columns, lanes of states under them, and two cursors over one time axis.
 // Dragging and the wheel move through time, signals are dropped onto it; nothing done here reaches the robot.
 
+#include <QDateTime>
 #include <QGraphicsView>
 #include <QHash>
+#include <QStringList>
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -62,6 +65,11 @@ public:
     QSet<int> signalsShown() const;
 
     const TimeWindow& window() const { return window_; }
+    /// clock  the time of the day of a moment on the time axis, if somebody knows
+    void setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock);
+    TimeAxis timeAxis() const { return timeAxis_; }
+    /// What stands under the plots, from left to right.
+    QStringList timeLabels() const { return timeLabels_; }
     void setSpan(double seconds);
     void pause();
     /// Back to the newest samples.
@@ -199,6 +207,9 @@ private:
     double shownNewest_ = 0;
     double sinceShown_ = 0;  // [s]
     double reference_ = 0;   // what the time labels count from [s]
+    TimeAxis timeAxis_ = TimeAxis::Relative;
+    std::function<QDateTime(double)> clock_;
+    QStringList timeLabels_;
     double tickSpan_ = -1;
     double tickEnd_ = 0;
     QHash<int, double> offsets_;  // by signal; empty: none is zeroed

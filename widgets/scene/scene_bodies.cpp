@@ -17,6 +17,7 @@ QColor between(const QColor& a, const QColor& b, double share) {
 }
 
 constexpr double kGhostOpacity = 0.58;
+constexpr double kReplayOpacity = 0.4;
 
 }  // namespace
 
@@ -53,6 +54,12 @@ BodyColors ArmColors::secondGhost(const Theme& theme) {
     return colors;
 }
 
+BodyColors ArmColors::replay(const Theme& theme) {
+    const QColor color = between(theme.panel, theme.text, 0.55);
+    const QColor lid = between(theme.panel, theme.text, 0.8);
+    return {{color, color, lid, lid, color, color, color}, kReplayOpacity, 0};
+}
+
 BodyColors ArmColors::border(const Theme& theme) {
     BodyColors colors;
     colors.materials.fill(between(theme.panel, theme.operatorNeeded, 0.8));
@@ -85,6 +92,11 @@ void SceneBodies::setGhost(const std::optional<JointPositions>& q) {
 void SceneBodies::setSecondGhost(const std::optional<JointPositions>& q) {
     changed_ = changed_ || q != second_;
     second_ = q;
+}
+
+void SceneBodies::setReplay(const std::optional<JointPositions>& q) {
+    changed_ = changed_ || q != replay_;
+    replay_ = q;
 }
 
 void SceneBodies::setTool(const collision::ToolBody& tool) {
@@ -153,6 +165,9 @@ QRect SceneBodies::update(const Camera& camera, const QSize& size, double scale,
     }
     if (second_) {
         addArm(*second_, ArmColors::secondGhost(theme));
+    }
+    if (replay_) {
+        addArm(*replay_, ArmColors::replay(theme));
     }
     const QRect before = std::exchange(covered_, raster_->covered());
     picture_ = &raster_->render(before | covered_);

@@ -27,6 +27,7 @@ struct ArmColors {
     static BodyColors stale(const Theme& theme);
     static BodyColors ghost(const Theme& theme);
     static BodyColors secondGhost(const Theme& theme);
+    static BodyColors replay(const Theme& theme);  ///< as it stood
     static BodyColors border(const Theme& theme);  ///< a plane nothing may pass
 };
 
@@ -41,6 +42,7 @@ public:
     void setGhost(const std::optional<JointPositions>& q);
     /// Beside the first, of another colour.
     void setSecondGhost(const std::optional<JointPositions>& q);
+    void setReplay(const std::optional<JointPositions>& q);
     /// Without a radius a thin rod leads to the TCP.
     void setTool(const collision::ToolBody& tool);
     /// Boxes and planes; a floor, which has no name, is not drawn here.
@@ -66,6 +68,7 @@ private:
     std::optional<JointPositions> q_;
     std::optional<JointPositions> ghost_;
     std::optional<JointPositions> second_;
+    std::optional<JointPositions> replay_;
     bool stale_ = false;
     bool changed_ = true;
     std::unique_ptr<Rasterizer> raster_;

@@ -1,19 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/scene_dock.h"
 
+#include <QVBoxLayout>
+
+#include "robot/receive/robot_state.h"
+#include "widgets/common/replay_band.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller {
 
 SceneDock::SceneDock(RobotSession& session, QWidget* parent)
-    : Panel(QString(), parent), view_(new SceneView) {
+    : Panel(QString(), parent), band_(new ReplayBand(QStringLiteral("view.replay"))), view_(new SceneView) {
     setObjectName(QStringLiteral("view"));
     setTitle(tr("View"));
-    setContent(view_);
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(band_);
+    layout->addWidget(view_, 1);
+    setContent(content);
+    connect(band_, &ReplayBand::liveWanted, this, &SceneDock::liveWanted);
     connect(view_, &SceneView::ghostTextChanged, this, &Panel::setHint);
     connect(&session, &RobotSession::stateChanged, view_, &SceneView::setState);
     view_->setState(session.state());
+}
+
+void SceneDock::setReplay(const Replay& moment) {
+    band_->tell(moment ? moment->words() : QString());
+    std::optional<ReplayMark> mark;
+    if (moment) {
+        mark = ReplayMark{JointPositions(), moment->words()};
+        mark->q.values.setConstant(receive::kAbsent);
+        if (!moment->sample.isEmpty()) {
+            mark->q = receive::RobotState(moment->sample).q();
+        }
+    }
+    view_->setReplay(mark);
 }
 
 }  // namespace tiller

@@ -4,9 +4,11 @@
 // The panel "View": the scene, fed by the session, with the ghost's figures in the title bar.
 
 #include "widgets/common/panel.h"
+#include "widgets/session/replay_moment.h"
 
 namespace tiller {
 
+class ReplayBand;
 class RobotSession;
 class SceneView;
 
@@ -17,8 +19,15 @@ public:
     explicit SceneDock(RobotSession& session, QWidget* parent = nullptr);
 
     SceneView& view() { return *view_; }
+    /// Shows besides how the arm stood in a moment, and says so above the picture. Nothing: live.
+    void setReplay(const Replay& moment);
+
+Q_SIGNALS:
+    /// From a replay back to what is live.
+    void liveWanted();
 
 private:
+    ReplayBand* band_;
     SceneView* view_;
 };
 

@@ -137,6 +137,13 @@ void SceneView::setSecondGhost(const std::optional<Ghost>& ghost) {
     }
 }
 
+void SceneView::setReplay(const std::optional<ReplayMark>& replay) {
+    if (replay != replay_) {
+        replay_ = replay;
+        changed();
+    }
+}
+
 void SceneView::setWaypoints(const std::vector<WaypointMark>& waypoints) {
     waypoints_ = waypoints;
     changed();
@@ -298,6 +305,9 @@ std::vector<Camera::Ball> SceneView::inSight() const {
     }
     if (secondGhost_ && haveJoints_) {
         add(secondGhost_->q);
+    }
+    if (replay_ && replay_->q.allFinite()) {
+        add(replay_->q);
     }
     // What was taught for another robot may be far away: the arm must not become a dot for it.
     const auto addPlace = [&](const Eigen::Vector3d& place, double radius) {
@@ -514,6 +524,8 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     bodies_->setArm(haveJoints_ ? std::optional(q_) : std::nullopt, stale_);
     bodies_->setGhost(showsGhost ? std::optional(ghost_->q) : std::nullopt);
     bodies_->setSecondGhost(secondGhost_ && haveJoints_ ? std::optional(secondGhost_->q) : std::nullopt);
+    const bool showsReplay = replay_ && replay_->q.allFinite();
+    bodies_->setReplay(showsReplay ? std::optional(replay_->q) : std::nullopt);
     bodies_->update(camera_, size.toSize(), painter.device()->devicePixelRatioF(), theme);
     bodies_->paint(painter);
     drawPaths(scene);
@@ -527,6 +539,11 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
         scene.axes(frame.T_base_frame.transform(), kFrameAxes * reach / 0.85, !frame.selected);
     }
     drawNames(scene, size, arrowName);
+    if (replay_) {
+        const double height = size.height() * 0.16;
+        const double below = std::min(coveredBelow_, size.height() / 4);
+        scene.headline(QRectF(0, size.height() - below - height, size.width(), height), tr("REPLAY"));
+    }
     if (stale_ && !staleWord_.isEmpty()) {
         scene.headline(QRectF(QPointF(0, 0), QSizeF(size.width(), size.height() * 0.24)), staleWord_);
     }

@@ -55,6 +55,9 @@ public:
     /// Beside the ghost, of another colour: what would take its place. The two are told apart by words too.
     void setSecondGhost(const std::optional<Ghost>& ghost);
     const std::optional<Ghost>& secondGhost() const { return secondGhost_; }
+    /// Shows besides how the arm stood, with a word over the picture that this is a replay. Nothing: it is not.
+    void setReplay(const std::optional<ReplayMark>& replay);
+    const std::optional<ReplayMark>& replay() const { return replay_; }
     void setWaypoints(const std::vector<WaypointMark>& waypoints);
     void setFrames(const std::vector<FrameMark>& frames);
     const std::vector<FrameMark>& frames() const { return frames_; }
@@ -150,6 +153,7 @@ private:
     Pose tcpOffset_;
     std::optional<Ghost> ghost_;
     std::optional<Ghost> secondGhost_;
+    std::optional<ReplayMark> replay_;
     collision::Surroundings surroundings_;
     double toolRadius_ = 0;
     std::optional<collision::CollisionCheck> check_;  ///< nothing: to be made anew

@@ -1,40 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/incident_watch.h"
 
-#include <QDateTime>
 #include <QDir>
 
+#include "robot/dashboard/robot_identity.h"
+#include "widgets/session/recorded_note.h"
 #include "widgets/session/texts.h"
 
 namespace tiller {
 
 namespace {
 
-constexpr std::int64_t kNsPerMillisecond = 1'000'000;
-
-int levelOf(Severity severity) {
-    switch (severity) {
-        case Severity::Info:
-            return 20;
-        case Severity::Warning:
-            return 30;
-        case Severity::Error:
-            return 40;
-    }
-    return 20;
-}
-
-const char* sourceOf(Origin origin) {
-    switch (origin) {
-        case Origin::Operator:
-            return "operator";
-        case Origin::Robot:
-            return "controller";
-        case Origin::Tiller:
-            return "tiller";
-    }
-    return "tiller";
-}
+constexpr std::chrono::seconds kIdentityPatience{5};
 
 QString reasonText(const std::string& reason) {
     if (reason == "protective-stop") {
@@ -57,15 +34,10 @@ QString reasonText(const std::string& reason) {
 IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObject* parent)
     : QObject(parent), session_(session), folder_(folder) {
     connect(&session, &RobotSession::linkBegan, this, &IncidentWatch::restart);
-    connect(&session, &RobotSession::connected, this, [this] {
-        if (const receive::Receiver* receiver = session_.receiver()) {
-            box_.setFact("software", toString(receiver->version()));
-        }
-    });
+    connect(&session, &RobotSession::connected, this, &IncidentWatch::learnIdentity);
     connect(&session, &RobotSession::message, this,
             [this](Severity severity, const QString& text, Origin origin) {
-                box_.note({QDateTime::currentMSecsSinceEpoch() * kNsPerMillisecond, levelOf(severity),
-                           Text(sourceOf(origin)), text});
+                box_.note(recordedNote(severity, text, origin));
             });
 }
 
@@ -96,6 +68,22 @@ void IncidentWatch::restart() {
                 box_.setFact("software", toString(now->version()));
             }
         });
+    });
+}
+
+void IncidentWatch::learnIdentity() {
+    const receive::Receiver* receiver = session_.receiver();
+    if (receiver == nullptr) {
+        return;
+    }
+    const SoftwareVersion version = receiver->version();
+    box_.setFact("software", toString(version));
+    worker_.post(this, [this, version, robot = session_.address()](const CancelToken& cancel) {
+        const auto identity = dashboard::askIdentity(robot.host, robot.portOffset, version.isCb3(),
+                                                     Deadline::after(kIdentityPatience, cancel));
+        box_.setFact("model", identity.model.toStdString());
+        box_.setFact("serial_number", identity.serialNumber.toStdString());
+        return std::function<void()>();
     });
 }
 

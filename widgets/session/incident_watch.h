@@ -34,6 +34,7 @@ Q_SIGNALS:
 
 private:
     void restart();
+    void learnIdentity();
     void tell(const recording::Incident& incident);
 
     RobotSession& session_;

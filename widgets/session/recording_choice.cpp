@@ -20,7 +20,7 @@ struct RecordingChoiceText {
 
 constexpr qsizetype kLongestName = 120;
 constexpr int kMostNumber = 99'999;
-const QString kEnding = QStringLiteral(".csv");
+constexpr RecordingChoice::Format kFormats[] = {RecordingChoice::Format::Csv, RecordingChoice::Format::Mcap};
 const QString kNumber = QStringLiteral("{number}");
 
 /// What some file system takes for something else.
@@ -30,7 +30,13 @@ bool isForbidden(QChar c) {
 
 QString withoutEnding(const QString& pattern) {
     const QString trimmed = pattern.trimmed();
-    return trimmed.endsWith(kEnding, Qt::CaseInsensitive) ? trimmed.chopped(kEnding.size()) : trimmed;
+    for (const RecordingChoice::Format format : kFormats) {
+        const QString ending = QLatin1Char('.') + formatName(format);
+        if (trimmed.endsWith(ending, Qt::CaseInsensitive)) {
+            return trimmed.chopped(ending.size());
+        }
+    }
+    return trimmed;
 }
 
 QString nameOf(const QString& pattern, const QString& robot, const QDateTime& now) {
@@ -59,6 +65,15 @@ QSet<QString> namesIn(const QDir& folder) {
 }
 
 }  // namespace
+
+QString formatName(RecordingChoice::Format format) {
+    return format == RecordingChoice::Format::Mcap ? QStringLiteral("mcap") : QStringLiteral("csv");
+}
+
+RecordingChoice::Format formatByName(const QString& name) {
+    return name == formatName(RecordingChoice::Format::Mcap) ? RecordingChoice::Format::Mcap
+                                                             : RecordingChoice::Format::Csv;
+}
 
 QStringList recordableFields() {
     QStringList fields;
@@ -91,6 +106,7 @@ RecordingChoice RecordingChoice::sane() const {
     RecordingChoice out = *this;
     out.folder = folder.trimmed();
     out.every = std::clamp(every, 1, kMostSparse);
+    out.keepFree = std::clamp(keepFree, 0, kMostKeptFree);
     if (!patternProblem(pattern).isEmpty()) {
         out.pattern = defaultPattern();
     }
@@ -107,6 +123,7 @@ QString recordingPath(const RecordingChoice& choice, const QString& robot, const
     const RecordingChoice sane = choice.sane();
     const QDir folder(sane.folder.isEmpty() ? recordingFolder() : sane.folder);
     const QString name = nameOf(sane.pattern, robot, now);
+    const QString ending = QLatin1Char('.') + formatName(sane.format);
     const auto free = [taken = namesIn(folder)](const QString& file) {
         return !taken.contains(file.toLower());
     };
@@ -114,15 +131,15 @@ QString recordingPath(const RecordingChoice& choice, const QString& robot, const
         for (int number = 1; number <= kMostNumber; ++number) {
             const QString counted =
                 QString(name).replace(kNumber, QStringLiteral("%1").arg(number, 3, 10, QLatin1Char('0'))) +
-                kEnding;
+                ending;
             if (free(counted)) {
                 return folder.filePath(counted);
             }
         }
     }
-    QString file = name + kEnding;
+    QString file = name + ending;
     for (int more = 2; !free(file); ++more) {
-        file = QStringLiteral("%1_%2%3").arg(name).arg(more).arg(kEnding);
+        file = QStringLiteral("%1_%2%3").arg(name).arg(more).arg(ending);
     }
     return folder.filePath(file);
 }

@@ -11,12 +11,19 @@
 namespace tiller {
 
 struct RecordingChoice {
+    enum class Format {
+        Csv,   ///< a row a packet, for everything that reads text
+        Mcap,  ///< every field with its type, the log and the project inside
+    };
     QString folder{};                    ///< empty: recordingFolder()
     QString pattern = defaultPattern();  ///< of the file name; see recordingPath()
     QStringList fields{};                ///< by their RTDE names; empty: all of recordableFields()
     int every = 1;                       ///< every n-th packet becomes a row
+    Format format = Format::Csv;
+    int keepFree = 200;  ///< ends in order when less is free on the disk [MB]
 
     static constexpr int kMostSparse = 500;
+    static constexpr int kMostKeptFree = 100'000;  ///< [MB]
     static QString defaultPattern() { return QStringLiteral("{date}_{time}"); }
 
     /// The nearest one that can be recorded.
@@ -25,6 +32,10 @@ struct RecordingChoice {
     friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
 };
 
+/// "csv", "mcap": the ending of the file's name, and what settings call it.
+QString formatName(RecordingChoice::Format format);
+/// CSV when there is none of that name.
+RecordingChoice::Format formatByName(const QString& name);
 /// What can be recorded from every robot.
 QStringList recordableFields();
 /// "Tiller" in the user's documents.

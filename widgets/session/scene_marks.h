@@ -22,6 +22,13 @@ struct Ghost {
     double acceleration = 1.4;  ///< [rad/s2], or [m/s2]
 };
 
+/// The arm as it stood in a moment that is replayed: never where it is now.
+struct ReplayMark {
+    JointPositions q;
+    QString words;  ///< of which moment
+    friend bool operator==(const ReplayMark&, const ReplayMark&) = default;
+};
+
 /// A waypoint's place.
 struct WaypointMark {
     QString name;

@@ -183,6 +183,8 @@ void SessionBackend::readRecording() {
     state.recording.active = progress.state == recording::RecorderState::Recording;
     state.recording.rows = progress.rows;
     state.recording.seconds = progress.seconds;
+    state.recording.bytes = progress.bytes;
+    state.recording.lost = progress.lost;
     state.recording.freeBytes = progress.freeBytes;
     state.recording.path = recorder.path();
     state.recording.error =

@@ -1,29 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/session_recording.h"
 
+#include "robot/dashboard/robot_identity.h"
+#include "robot/recording/mcap/mcap_format.h"
+#include "widgets/session/recorded_note.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/session_backend.h"
 #include "widgets/session/texts.h"
 
 namespace tiller {
 
-void SessionRecording::start(const QString& path, const QStringList& fields, int every) {
+namespace {
+
+constexpr std::chrono::seconds kIdentityWait{2};
+
+}  // namespace
+
+SessionRecording::SessionRecording(RobotSession& session, SessionBackend& backend)
+    : session_(session), d_(backend) {
+    QObject::connect(&session, &RobotSession::message, &session,
+                     [this](Severity severity, const QString& text, Origin origin) {
+                         if (d_.recorder.progress().state == recording::RecorderState::Recording) {
+                             d_.recorder.note(recordedNote(severity, text, origin));
+                         }
+                     });
+}
+
+void SessionRecording::setProject(const QString& name, const QByteArray& content) {
+    projectName_ = name;
+    project_ = content;
+}
+
+void SessionRecording::start(const RecordingOrder& order) {
     if (!d_.link) {
         Q_EMIT session_.message(Severity::Warning, tr("Nothing is recorded: connect to a robot first."));
         return;
     }
-    // A file system may take its time: the file is opened and closed by the worker for files.
     const receive::Receiver& receiver = *d_.link->receiver;
-    d_.files.post(&session_, [this, path, fields, every, stream = receiver.subscribe(),
-                              layout = receiver.layout()](const CancelToken&) {
-        recording::RecorderOptions options;
-        options.path = path;
-        for (const QString& field : fields) {
-            options.fields.push_back(field.toStdString());
+    recording::RecorderOptions options;
+    options.path = order.path;
+    options.every = order.every;
+    options.keepFree = order.keepFree;
+    for (const QString& field : order.fields) {
+        options.fields.push_back(field.toStdString());
+    }
+    recording::McapFormatOptions mcap;
+    mcap.facts["robot"] = d_.address.host.toStdString();
+    mcap.facts["software"] = toString(receiver.version());
+    mcap.facts["written_by"] = "tiller " + QCoreApplication::applicationVersion().toStdString();
+    mcap.attachmentName = projectName_.toStdString();
+    mcap.attachment = project_.toStdString();
+    const bool isMcap = order.format == RecordingChoice::Format::Mcap;
+    if (isMcap && options.fields.empty()) {
+        for (const auto& entry : receiver.layout()->entries()) {
+            options.fields.push_back(entry.name);
         }
-        options.every = every;
-        const Result<void> result = d_.recorder.start(options, stream, layout);
-        return std::function<void()>([this, path, result] {
+    }
+    // A file system may take its time: the file is opened and closed by the worker for files. What comes meanwhile
+    // waits in the subscription.
+    d_.files.post(&session_, [this, options, mcap, isMcap, robot = d_.address,
+                              isCb3 = receiver.version().isCb3(), stream = receiver.subscribe(),
+                              layout = receiver.layout()](const CancelToken& cancel) {
+        recording::RecorderOptions chosen = options;
+        if (isMcap) {
+            recording::McapFormatOptions format = mcap;
+            const auto identity = dashboard::askIdentity(robot.host, robot.portOffset, isCb3,
+                                                         Deadline::after(kIdentityWait, cancel));
+            format.facts["model"] = identity.model.toStdString();
+            format.facts["serial_number"] = identity.serialNumber.toStdString();
+            chosen.format = recording::mcapFormat(std::move(format));
+        }
+        const Result<void> result = d_.recorder.start(chosen, stream, layout);
+        return std::function<void()>([this, path = options.path, result] {
             if (result) {
                 wasRecording_ = true;
                 Q_EMIT session_.message(Severity::Info, tr("Recording to %1").arg(path), Origin::Operator);

@@ -54,8 +54,10 @@ struct RecordingState {
     QString path;
     std::uint64_t rows = 0;
     double seconds = 0;
-    std::int64_t freeBytes = 0;
-    QString error;  ///< why the last recording ended, empty if by request
+    std::int64_t bytes = 0;      ///< size of the file
+    std::uint64_t lost = 0;      ///< packets missing in it, by whatever cause
+    std::int64_t freeBytes = 0;  ///< on its disk
+    QString error;               ///< why the last recording ended, empty if by request
 };
 
 struct SessionState {

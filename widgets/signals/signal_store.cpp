@@ -31,6 +31,7 @@ SignalStore::SignalStore(const HistoryLimits& limits, QObject* parent) : QObject
     for (const std::string& field : receive::defaultFields()) {
         addField(kLive, QString::fromStdString(field));
     }
+    tables_[kLive].layout = std::make_shared<const receive::SampleLayout>(receive::defaultFields());
     share();
 }
 
@@ -71,17 +72,25 @@ double SignalStore::value(int signal, std::int64_t sample) const {
     return static_cast<double>(static_cast<std::uint64_t>(value) >> bit & 1);
 }
 
-std::optional<double> SignalStore::valueAt(int signal, double time) const {
-    const SeriesBuffer* buffer = this->buffer(signal);
-    const std::int64_t at = buffer == nullptr ? -1 : buffer->lastBefore(time);
+std::optional<std::int64_t> SignalStore::heldAt(const SeriesBuffer& buffer, double time) {
+    const std::int64_t at = buffer.lastBefore(time);
     if (at < 0) {
         return std::nullopt;
     }
-    const bool isLast = at + 1 == buffer->end();
-    if (isLast ? time > buffer->lastTime() + kHolds : buffer->time(at) != time && buffer->gapBefore(at + 1)) {
+    const bool isLast = at + 1 == buffer.end();
+    if (isLast ? time > buffer.lastTime() + kHolds : buffer.time(at) != time && buffer.gapBefore(at + 1)) {
         return std::nullopt;
     }
-    const double value = this->value(signal, at);
+    return at;
+}
+
+std::optional<double> SignalStore::valueAt(int signal, double time) const {
+    const SeriesBuffer* buffer = this->buffer(signal);
+    const auto at = buffer == nullptr ? std::nullopt : heldAt(*buffer, time);
+    if (!at) {
+        return std::nullopt;
+    }
+    const double value = this->value(signal, *at);
     return std::isnan(value) ? std::nullopt : std::optional<double>(value);
 }
 
@@ -304,6 +313,7 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
         }
     }
     table.file = std::move(file);
+    prepareSamples(table);
     Q_EMIT signalAdded(count() - 1);
     return name;
 }
@@ -356,6 +366,69 @@ bool SignalStore::load(int signal) {
         problem_ = failure;  // what can be read is shown
     }
     return true;
+}
+
+QString SignalStore::recordingOf(int signal) const {
+    const int table = signals_[static_cast<std::size_t>(signal)].table;
+    return table < kFirstRecording ? QString() : tables_[static_cast<std::size_t>(table)].name;
+}
+
+const SignalStore::Table* SignalStore::tableOf(const QString& recording) const {
+    const auto found = std::find_if(tables_.begin() + kFirstRecording, tables_.end(),
+                                    [&](const Table& table) { return table.name == recording; });
+    return found == tables_.end() ? nullptr : &*found;
+}
+
+const recording::Recording* SignalStore::recorded(const QString& recording) const {
+    const Table* table = tableOf(recording);
+    return table == nullptr ? nullptr : table->file.get();
+}
+
+const SeriesBuffer* SignalStore::timesOf(const QString& recording) const {
+    const Table* table = tableOf(recording);
+    return table == nullptr ? nullptr : table->buffer.get();
+}
+
+void SignalStore::prepareSamples(Table& table) {
+    std::vector<std::string> fields;
+    for (const receive::FieldInfo& field : receive::fieldInfos()) {
+        if (table.file->indexOf(field.componentName(0))) {
+            fields.emplace_back(field.name);
+        }
+    }
+    table.layout = std::make_shared<const receive::SampleLayout>(fields);
+    for (std::size_t place = 0; place < table.layout->size(); ++place) {
+        if (const auto column = table.file->indexOf(table.layout->componentNames()[place])) {
+            table.places.push_back(place);
+            table.fileColumns.push_back(*column);
+        }
+    }
+}
+
+receive::Sample SignalStore::sampleAt(const QString& recording, double time) const {
+    const Table* table = recording.isEmpty() ? &tables_[kLive] : tableOf(recording);
+    const auto at = table == nullptr ? std::nullopt : heldAt(*table->buffer, time);
+    if (!at) {
+        return {};
+    }
+    receive::Sample sample(table->layout);
+    sample.sequence = static_cast<std::uint64_t>(*at) + 1;
+    if (!table->file) {
+        for (std::size_t column = 0; column < table->columns.size(); ++column) {
+            if (const auto place = table->layout->indexOfComponent(table->columns[column]);
+                place && table->derived[column] < 0) {
+                sample.values[*place] = table->buffer->value(static_cast<int>(column), *at);
+            }
+        }
+        return sample;
+    }
+    const auto read = table->file->read(table->fileColumns, {static_cast<std::uint64_t>(*at), 1});
+    for (std::size_t i = 0; read && i < read->size(); ++i) {
+        if (!(*read)[i].empty()) {
+            sample.values[table->places[i]] = (*read)[i].front();
+        }
+    }
+    return sample;
 }
 
 std::vector<int> SignalStore::signalsOf(const QString& recording) const {

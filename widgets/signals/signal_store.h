@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "robot/receive/sample.h"
 #include "robot/recording/recording.h"
 #include "widgets/signals/derivation.h"
 #include "widgets/signals/series_buffer.h"
@@ -66,6 +67,15 @@ public:
     /// Returns  its name, which is the file's
     /// Errors   those of Recording; InvalidArgument when there is no row in it
     Result<QString> open(std::unique_ptr<recording::Recording> file, double begin);
+    /// The recording a signal is of; empty: it is live.
+    QString recordingOf(int signal) const;
+    /// Of an opened recording: null when there is none of that name.
+    const recording::Recording* recorded(const QString& recording) const;
+    /// When its rows are on the plots' time axis: samples without values. Null when there is none of that name.
+    const SeriesBuffer* timesOf(const QString& recording) const;
+    /// What the robot sent last at this time, whole: of a recording, or, with no name, of what is live. Empty in a gap
+    /// and where there are no data.
+    receive::Sample sampleAt(const QString& recording, double time) const;
     /// The signals of an opened recording.
     std::vector<int> signalsOf(const QString& recording) const;
     /// Lets go of all recordings. Nobody may show them any more.
@@ -114,6 +124,10 @@ private:
         std::vector<int> derived;  ///< the signal whose column it is; -1: it is the robot's
         QString name{};            ///< of a recording
         std::unique_ptr<recording::Recording> file{};
+        /// What sampleAt() makes of it.
+        std::shared_ptr<const receive::SampleLayout> layout{};
+        std::vector<std::size_t> places{};  ///< of the file's columns in a sample
+        std::vector<std::size_t> fileColumns{};
     };
     struct Signal {
         SignalInfo info;
@@ -124,6 +138,10 @@ private:
         std::vector<int> inputColumns;  ///< of the same table
     };
 
+    /// The sample whose values hold at this time; nothing in a gap or where there are no data.
+    static std::optional<std::int64_t> heldAt(const SeriesBuffer& buffer, double time);
+    static void prepareSamples(Table& table);
+    const Table* tableOf(const QString& recording) const;
     /// Gives every component of the field a column.
     void addField(int table, const QString& field);
     double derivedAt(const SeriesBuffer& history, int signal, std::int64_t sample) {

@@ -3,6 +3,7 @@
 // The plot panel with real mouse, wheel and key events, fed with samples of the test's own.
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -11,6 +12,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTabBar>
@@ -27,9 +29,12 @@
 
 #include "tests/support/sample_stream.h"
 #include "widgets/common/elided_label.h"
+#include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/analysis_canvas.h"
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_overlay.h"
@@ -152,6 +157,12 @@ struct Bench {
         QVERIFY2(wanted != nullptr, action);
         wanted->trigger();
         delete menu;
+    }
+    /// An entry of the menu Layout, filled anew.
+    QAction* menu(const char* name) {
+        QMenu* layout = button("plots.layout")->menu();
+        Q_EMIT layout->aboutToShow();
+        return layout->findChild<QAction*>(QLatin1String(name), Qt::FindDirectChildrenOnly);
     }
     QToolButton* button(const char* name) { return dock.findChild<QToolButton*>(QLatin1String(name)); }
     QString readout() { return dock.findChild<ElidedLabel*>(QStringLiteral("plots.readout"))->fullText(); }
@@ -654,6 +665,91 @@ private Q_SLOTS:
         find("plots.record.signals")->trigger();
         find("plots.record.pattern")->trigger();
         QCOMPARE(wanted.count(), 2);
+    }
+
+    // ---- spectrum, XY, time axis
+    void theSpectrumSaysItsWindowAndResolution() {
+        Bench b;
+        b.menu("plots.layout.analysis")->trigger();
+        auto* analysis = b.dock.findChild<PlotAnalysis*>();
+        QVERIFY(analysis->isVisible());
+        b.view().addSignals({"actual_q_1"});
+        b.view().setCursor(PlotView::Cursor::A, 10);
+        b.view().setCursor(PlotView::Cursor::B, 50);
+        auto* box = analysis->findChild<QComboBox*>("plots.analysis.signal");
+        QTRY_VERIFY(box->findData(b.id("actual_q_1")) >= 0);
+        box->setCurrentIndex(box->findData(b.id("actual_q_1")));
+        Q_EMIT box->activated(box->currentIndex());
+        QVERIFY2(analysis->title().contains("Hann window of 8192") && analysis->title().contains("0.061 Hz"),
+                 qPrintable(analysis->title()));
+        QVERIFY(analysis->title().contains("10.000") && analysis->title().contains("50.000"));
+        // Its swing takes 2 pi seconds.
+        const QVector<QPointF>& lines = analysis->canvas().points();
+        const auto top = std::max_element(lines.begin(), lines.end(),
+                                          [](const QPointF& a, const QPointF& c) { return a.y() < c.y(); });
+        QVERIFY(std::abs(top->x() - 1 / 6.2832) < 0.061);
+        QVERIFY(top->y() > 0.7 && top->y() < 1.01);
+        QCOMPARE(analysis->canvas().xAxis().title, QString("Frequency [Hz]"));
+        // Too short a range says what to do.
+        b.view().setCursor(PlotView::Cursor::B, 10.01);
+        QTRY_VERIFY(analysis->canvas().points().isEmpty());
+        QVERIFY(analysis->canvas().message().contains("longer"));
+    }
+
+    void oneSignalOverAnother() {
+        Bench b;
+        b.menu("plots.layout.analysis")->trigger();
+        auto* analysis = b.dock.findChild<PlotAnalysis*>();
+        b.view().addSignals({"actual_q_1"});
+        b.view().setCursor(PlotView::Cursor::A, 19.999);
+        b.view().setCursor(PlotView::Cursor::B, 21.999);
+        auto* over = analysis->findChild<QComboBox*>("plots.analysis.over");
+        QVERIFY(!over->isVisible());
+        QCoreApplication::processEvents();  // what has just come gets its place
+        auto* kind = analysis->findChild<SegmentedControl*>("plots.analysis.kind");
+        QTest::mouseClick(kind->segment(1), Qt::LeftButton);
+        QVERIFY(over->isVisible());
+        auto* signal = analysis->findChild<QComboBox*>("plots.analysis.signal");
+        QTRY_VERIFY(over->findData(b.id("actual_q_1")) >= 0);
+        over->setCurrentIndex(over->findData(b.id("actual_q_1")));
+        signal->setCurrentIndex(signal->findData(b.id("actual_TCP_force_2")));
+        Q_EMIT signal->activated(signal->currentIndex());
+        const QVector<QPointF>& points = analysis->canvas().points();
+        QCOMPARE(points.size(), qsizetype(1000));
+        for (const QPointF& point : points) {
+            QVERIFY(std::abs(point.x() - std::sin(point.y())) < 1e-5);
+        }
+        QVERIFY2(analysis->title().contains("1000"), qPrintable(analysis->title()));
+    }
+
+    void theTimeAxisCountsWhatIsChosen() {
+        Bench b;
+        const auto choose = [&](TimeAxis axis) {
+            b.menu("plots.layout.save");
+            for (QAction* action : b.dock.findChild<QMenu*>("plots.layout.time")->actions()) {
+                if (action->data().toInt() == static_cast<int>(axis)) {
+                    action->trigger();
+                    return;
+                }
+            }
+        };
+        b.view().showRange(20, 50);
+        for (const QString& label : b.view().timeLabels()) {
+            QVERIFY2(label.startsWith(QChar(0x2212)) || label.startsWith('-'), qPrintable(label));
+        }
+        choose(TimeAxis::Controller);
+        QVERIFY2(b.view().timeLabels().contains("30 s"), qPrintable(b.view().timeLabels().join('|')));
+        choose(TimeAxis::Clock);
+        static const QRegularExpression kClock("^\\d\\d:\\d\\d:\\d\\d$");
+        QVERIFY(!b.view().timeLabels().isEmpty());
+        for (const QString& label : b.view().timeLabels()) {
+            QVERIFY2(kClock.match(label).hasMatch(), qPrintable(label));
+        }
+        // Remembered with the arrangement.
+        const QByteArray kept = b.dock.arrangement();
+        choose(TimeAxis::Relative);
+        b.dock.arrange(kept);
+        QVERIFY(b.view().timeAxis() == TimeAxis::Clock);
     }
 
     // ---- signals

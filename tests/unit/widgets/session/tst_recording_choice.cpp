@@ -38,6 +38,17 @@ private Q_SLOTS:
         QCOMPARE(name("{robot}", "../cell 7: \"left\""), QString("_.._cell 7_ _left_.csv"));
     }
 
+    void theFormatIsItsEnding() {
+        RecordingChoice choice{.folder = folder_.path(), .pattern = "weld.csv"};
+        choice.format = RecordingChoice::Format::Mcap;
+        QCOMPARE(QFileInfo(recordingPath(choice, {}, kNow)).fileName(), QString("weld.mcap"));
+        choice.pattern = "weld.MCAP";
+        QCOMPARE(QFileInfo(recordingPath(choice, {}, kNow)).fileName(), QString("weld.mcap"));
+        QVERIFY(formatByName(formatName(choice.format)) == choice.format);
+        QVERIFY(formatByName("of another time") == RecordingChoice::Format::Csv);
+        QCOMPARE((RecordingChoice{.keepFree = -1}.sane().keepFree), 0);
+    }
+
     void noNameIsHidden() {
         QCOMPARE(name("{robot}", ""), QString("_.csv"));
         QCOMPARE(name("{robot}", ".."), QString("_...csv"));

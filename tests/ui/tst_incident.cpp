@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A protective stop, opened with one click from its line in the log, and the one scrubber: plots, view, inputs and
+// outputs, and log show the same moment while live data and a recording go on. The real window, real events, real
+// sockets, the simulated robot in virtual time.
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QMenu>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+#include <functional>
+#include <memory>
+
+#include "resources/resources.h"
+#include "robot/core/spatial.h"
+#include "robot/script/script_client.h"
+#include "tests/support/window_bench.h"
+#include "widgets/common/replay_band.h"
+#include "widgets/io/io_channel.h"
+#include "widgets/io/io_tab.h"
+#include "widgets/log/log_model.h"
+#include "widgets/log/log_tab.h"
+#include "widgets/plots/plot_dock.h"
+#include "widgets/plots/plot_pages.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/scene/scene_dock.h"
+#include "widgets/scene/scene_view.h"
+#include "widgets/session/incident_watch.h"
+#include "widgets/signals/signal_store.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr int kPatienceMs = 60'000;
+
+struct Bench : WindowBench {
+    std::unique_ptr<script::ScriptClient> pendant;
+
+    Bench() {
+        window.keepIncidentsIn(folder.filePath("Incidents"));
+        show(QSize(1600, 900));
+    }
+    const SessionState& state() { return window.session().state(); }
+    PlotDock& plots() { return find<PlotDock>("plots"); }
+    SceneDock& scene() { return find<SceneDock>("view"); }
+    IoTab& io() { return find<IoTab>("io"); }
+    LogTab& log() { return find<LogTab>("log"); }
+    QTableView& logTable() { return find<QTableView>("log.table"); }
+    IncidentWatch& watch() { return *window.findChild<IncidentWatch*>(); }
+
+    /// Virtual time goes on until it holds.
+    bool within(const std::function<bool()>& condition) {
+        QElapsedTimer patience;
+        patience.start();
+        while (!condition() && patience.elapsed() < kPatienceMs) {
+            cell.advanceMs(16);
+            QTest::qWait(1);
+        }
+        return condition();
+    }
+    /// Goes on until the black box has taken so many packets: its thread is slower than virtual time.
+    bool hasKept(std::uint64_t packets) {
+        QElapsedTimer patience;
+        patience.start();
+        while (watch().packets() < packets && patience.elapsed() < kPatienceMs) {
+            const std::uint64_t before = watch().packets();
+            cell.advanceMs(100);
+            static_cast<void>(
+                QTest::qWaitFor([&] { return watch().packets() >= before + 49; }, before == 0 ? 20 : 5000));
+        }
+        return watch().packets() >= packets;
+    }
+    /// The base of the arm goes from here by so much. [rad]
+    bool move(double by) {
+        pendant = std::make_unique<script::ScriptClient>(
+            cell.robot.listenAddress(), script::kPrimaryPort + cell.robot.options().portOffset);
+        const auto patience = [] { return Deadline::after(std::chrono::seconds(20)); };
+        return pendant->connect(patience()).ok() &&
+               pendant
+                   ->send(QStringLiteral("def others():\nq = get_actual_joint_positions()\nq[0] = q[0] + %1\n"
+                                         "movej(q, a=2, v=0.5)\nend\n")
+                              .arg(by),
+                          patience())
+                   .ok() &&
+               within([this] { return state().moving; });
+    }
+    QPoint at(double time) {
+        PlotView& view = plots().view();
+        return {static_cast<int>(std::lround(view.xAt(time))), 80};
+    }
+    /// Takes cursor A by the mouse and puts it down elsewhere.
+    void dragCursor(double to) {
+        PlotView& view = plots().view();
+        QWidget* viewport = view.viewport();
+        QTest::mousePress(viewport, Qt::LeftButton, {}, at(*view.cursor(PlotView::Cursor::A)));
+        QTest::mouseMove(viewport, at(to) + QPoint(9, 0));
+        QTest::mouseMove(viewport, at(to));
+        QTest::mouseRelease(viewport, Qt::LeftButton, {}, at(to));
+    }
+    /// What a signal of the recording, or with no name of the history, has at cursor A.
+    double valueAtA(const QString& recording, const char* component) {
+        const double time = plots().view().cursor(PlotView::Cursor::A).value();
+        const receive::Sample sample = plots().store().sampleAt(recording, time);
+        const auto place = sample.isEmpty() ? std::nullopt : sample.layout->indexOfComponent(component);
+        return place ? sample.at(*place) : std::numeric_limits<double>::quiet_NaN();
+    }
+};
+
+}  // namespace
+
+class TestIncident : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+    void oneClickOpensItAtTheStop();
+    void theScrubberMovesEverythingTogether();
+};
+
+void TestIncident::oneClickOpensItAtTheStop() {
+    Bench bench;
+    QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+    QVERIFY(bench.hasKept(200));
+    bench.cell.robot.setDigitalInput(3, true);
+    QVERIFY(bench.move(1.0));
+    QVERIFY(bench.hasKept(bench.watch().packets() + 200));
+    bench.cell.robot.protectiveStop();
+    QVERIFY(bench.within([&] { return bench.state().safetyMode == SafetyMode::ProtectiveStop; }));
+    bench.cell.robot.setDigitalInput(3, false);
+    QVERIFY(bench.hasKept(bench.watch().packets() + 5200));  // what comes after belongs to it
+    bench.window.showTab("log");
+    QTableView& table = bench.logTable();
+    int row = -1;
+    QVERIFY(bench.within([&] {
+        for (int i = 0; i < table.model()->rowCount(); ++i) {
+            if (!table.model()->index(i, 0).data(LogModel::RecordingRole).toString().isEmpty()) {
+                row = i;
+            }
+        }
+        return row >= 0;
+    }));
+
+    const QModelIndex open = table.model()->index(row, LogModel::Open);
+    QCOMPARE(open.data().toString(), QString("Open"));
+    const QString name = QFileInfo(open.data(LogModel::RecordingRole).toString()).fileName();
+    table.scrollTo(open);
+    QVERIFY(!table.visualRect(open).isEmpty());
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(open).center());
+    QVERIFY(bench.within([&] { return bench.plots().replay().has_value(); }));
+
+    // The plots: the recording, with cursor A on the very packet of the stop.
+    PlotView& view = bench.plots().view();
+    QCOMPARE(view.page().name, name);
+    const double stop = view.cursor(PlotView::Cursor::A).value();
+    QVERIFY(view.window().start() < stop && stop < view.window().end());
+    QCOMPARE(bench.valueAtA(name, "safety_mode"), 3.0);
+    const double before =
+        bench.plots()
+            .store()
+            .sampleAt(name, stop - 0.001)
+            .at(*bench.plots().store().sampleAt(name, stop).layout->indexOfComponent("safety_mode"));
+    QCOMPARE(before, 1.0);
+    // It stands where it happened: what is live has the same values there.
+    QVERIFY(std::abs(bench.valueAtA({}, "actual_q_0") - bench.valueAtA(name, "actual_q_0")) < 0.01);
+    // The view: the arm as it stood, said to be a replay.
+    const Replay& moment = bench.plots().replay();
+    QCOMPARE(moment->source, name);
+    QVERIFY(bench.scene().view().replay().has_value());
+    QCOMPARE(bench.scene().view().replay()->q[0], bench.valueAtA(name, "actual_q_0"));
+    auto& band = bench.find<ReplayBand>("view.replay");
+    QVERIFY(band.isVisible() && band.words().contains("REPLAY") && band.words().contains(name));
+    // Inputs: this one has been switched off since.
+    QCOMPARE(bench.io().input(3)->state(), IoChannel::State::On);
+    // The log: what the file has, at the line of the stop.
+    QVERIFY(bench.find<ReplayBand>("log.replay").isVisible());
+    QVERIFY2(table.currentIndex().isValid(), qPrintable(bench.log().shownText()));
+
+    // The same click again turns to it, and opens nothing twice.
+    const int pages = bench.plots().pages().count();
+    bench.plots().endReplay();
+    QVERIFY(!bench.plots().replay());
+    QVERIFY(!bench.find<ReplayBand>("log.replay").isVisible());
+    QCOMPARE(bench.io().input(3)->state(), IoChannel::State::Off);
+    const QModelIndex again = table.model()->index(row, LogModel::Open);
+    table.scrollTo(again);
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(again).center());
+    QVERIFY(bench.within([&] { return bench.plots().replay().has_value(); }));
+    QCOMPARE(bench.plots().pages().count(), pages);
+    QCOMPARE(bench.plots().view().cursor(PlotView::Cursor::A), std::optional(stop));
+}
+
+void TestIncident::theScrubberMovesEverythingTogether() {
+    Bench bench;
+    QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+    Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("before all"), Origin::Operator);
+    bench.cell.advanceMs(1000);
+    const double early = bench.plots().history().lastTime();
+    bench.cell.robot.setDigitalInput(2, true);
+    bench.cell.advanceMs(100);
+    Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("input is on"), Origin::Operator);
+    QVERIFY(bench.move(0.4));
+    QVERIFY(bench.within([&] { return !bench.state().moving; }));
+    bench.cell.robot.setDigitalInput(2, false);
+    bench.cell.advanceMs(1000);
+    const double now = bench.plots().history().lastTime();
+
+    // A recording goes on through all of it.
+    auto& record = bench.find<QToolButton>("plots.record");
+    RecordingChoice choice;
+    choice.folder = bench.folder.filePath("recorded");
+    bench.plots().setRecordingChoice(choice);
+    QTest::mouseClick(&record, Qt::LeftButton);
+    QVERIFY(bench.within([&] { return bench.state().recording.active; }));
+
+    // A cursor on what is live and moves is no replay; one on what is held still is.
+    bench.window.showTab("io");
+    PlotView& view = bench.plots().view();
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_A);
+    QVERIFY(!bench.plots().replay());
+    QTest::mouseClick(&bench.find<QToolButton>("plots.pause"), Qt::LeftButton);
+    QVERIFY(bench.plots().replay().has_value());
+    QVERIFY(bench.find<ReplayBand>("io.replay").isVisible());
+
+    bench.dragCursor(early);
+    QCOMPARE(bench.plots().replay()->time, view.cursor(PlotView::Cursor::A).value());
+    const double q0 = bench.scene().view().replay()->q[0];
+    QVERIFY2(std::abs(q0 - bench.state().q[0]) > 0.3, "the arm of the replay stands where it stood");
+    QCOMPARE(bench.io().input(2)->state(), IoChannel::State::Off);
+    bench.window.showTab("log");
+    const auto textAtCursor = [&] {
+        const QModelIndex index = bench.logTable().currentIndex();
+        return index.siblingAtColumn(LogModel::Text).data().toString();
+    };
+    const QString atFirst = textAtCursor();
+
+    // Until the input is on: arrow keys move it, too.
+    QElapsedTimer patience;
+    patience.start();
+    view.setFocus();
+    while (bench.io().input(2)->state() != IoChannel::State::On && patience.elapsed() < kPatienceMs) {
+        QTest::keyClick(&view, Qt::Key_Right);
+    }
+    QCOMPARE(bench.valueAtA({}, "actual_digital_input_bits"), 4.0);
+    bench.dragCursor(now - 1.5);
+    QVERIFY(std::abs(bench.scene().view().replay()->q[0] - q0) > 0.1);
+    QVERIFY2(textAtCursor() != atFirst, qPrintable(atFirst));
+
+    // Nothing can be switched meanwhile: a click on an output asks the robot for nothing.
+    bench.window.showTab("io");
+    const std::uint64_t outputs = bench.state().digitalOutputs;
+    QTest::mouseClick(bench.io().output(0), Qt::LeftButton);
+    bench.cell.advanceMs(200);
+    QCOMPARE(bench.state().digitalOutputs, outputs);
+
+    // What is live has gone on.
+    const std::uint64_t rows = bench.state().recording.rows;
+    QVERIFY(bench.within([&] { return bench.state().recording.rows > rows; }));
+    QVERIFY(bench.plots().history().lastTime() > now);
+    QVERIFY(bench.plots().replay().has_value());
+
+    QTest::mouseClick(&bench.find<QToolButton>("io.replay.live"), Qt::LeftButton);
+    QVERIFY(!bench.plots().replay());
+    QVERIFY(view.window().follows());
+    QVERIFY(!bench.scene().view().replay());
+    QVERIFY(!bench.find<ReplayBand>("io.replay").isVisible());
+    QTest::mouseClick(&record, Qt::LeftButton);
+    QVERIFY(bench.within([&] { return !bench.state().recording.active; }));
+}
+
+QTEST_MAIN(TestIncident)
+#include "tst_incident.moc"

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/replay_band.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+#include "widgets/common/elided_label.h"
+#include "widgets/common/theme.h"
+
+namespace tiller {
+
+ReplayBand::ReplayBand(const QString& name, QWidget* parent)
+    : QFrame(parent), words_(new ElidedLabel({}, this)), live_(new QToolButton) {
+    setObjectName(name);
+    setAccessibleName(tr("Replay"));
+    words_->setObjectName(name + QStringLiteral(".words"));
+    words_->setFont(textFont(14, QFont::Bold));
+    words_->setElideMode(Qt::ElideRight);
+    live_->setObjectName(name + QStringLiteral(".live"));
+    live_->setText(tr("Back to live"));
+    live_->setAccessibleName(live_->text());
+    live_->setToolTip(tr("Show what the robot does now; a recording stays open in the plots"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 4, 8, 4);
+    layout->addWidget(words_, 1);
+    layout->addWidget(live_);
+    connect(live_, &QToolButton::clicked, this, &ReplayBand::liveWanted);
+    style();
+    hide();
+}
+
+void ReplayBand::tell(const QString& words) {
+    if (words_->fullText() != words) {
+        words_->setFullText(words);
+        setAccessibleDescription(words);
+    }
+    setVisible(!words.isEmpty());
+}
+
+QString ReplayBand::words() const {
+    return words_->fullText();
+}
+
+void ReplayBand::style() {
+    const Theme& theme = Theme::current();
+    styling_ = true;
+    // The colours of what is selected, turned round: no part that is live looks like it.
+    setStyleSheet(QStringLiteral("tiller--ReplayBand { background: %1; } tiller--ElidedLabel { color: %2; }")
+                      .arg(theme.inverse.name(), theme.inverseText.name()));
+    styling_ = false;
+}
+
+void ReplayBand::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && !styling_ && live_ != nullptr) {
+        style();
+    }
+}
+
+}  // namespace tiller
+
+#include "moc_replay_band.cpp"

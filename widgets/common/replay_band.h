@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The line over a part of the window that shows what was, not what is: says of when, and leads back to what is live.
+
+#include <QFrame>
+
+class QToolButton;
+
+namespace tiller {
+
+class ElidedLabel;
+
+class ReplayBand : public QFrame {
+    Q_OBJECT
+
+public:
+    /// name  of the object; its key is "<name>.live"
+    explicit ReplayBand(const QString& name, QWidget* parent = nullptr);
+
+    /// Empty: what is shown is live, there is no band.
+    void tell(const QString& words);
+    QString words() const;
+
+Q_SIGNALS:
+    /// Back to what is live.
+    void liveWanted();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void style();
+
+    ElidedLabel* words_;
+    QToolButton* live_;
+    bool styling_ = false;
+};
+
+}  // namespace tiller

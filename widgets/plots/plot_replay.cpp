@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_replay.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/core/clock.h"
+#include "widgets/plots/plot_pages.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/signals/signal_store.h"
+
+namespace tiller {
+
+namespace {
+
+/// The recording that a page is about: that of the signal the cursors read, or else of any; empty: it is live.
+QString recordingOn(const PlotView& view, const SignalStore& store) {
+    const QSet<int> shown = view.signalsShown();
+    if (shown.contains(view.readoutSignal())) {
+        return store.recordingOf(view.readoutSignal());
+    }
+    const auto recorded =
+        std::find_if(shown.begin(), shown.end(), [&](int signal) { return store.isRecorded(signal); });
+    return recorded == shown.end() ? QString() : store.recordingOf(*recorded);
+}
+
+}  // namespace
+
+PlotReplay::PlotReplay(const SignalStore& store, const PlotPages& pages, QObject* parent)
+    : QObject(parent), store_(store), pages_(pages) {}
+
+void PlotReplay::noteFrame(double newest, const QDateTime& now) {
+    if (frames_.empty() || newest > frames_.back().newest) {
+        frames_.push_back({newest, now.toMSecsSinceEpoch()});
+    }
+}
+
+void PlotReplay::forgetBefore(double time) {
+    while (frames_.size() > 1 && frames_[1].newest < time) {
+        frames_.pop_front();
+    }
+}
+
+QDateTime PlotReplay::wallTimeOf(double time) const {
+    const auto frame = std::lower_bound(frames_.begin(), frames_.end(), time,
+                                        [](const Frame& each, double at) { return each.newest < at; });
+    if (frame == frames_.end()) {
+        return {};
+    }
+    // What was said until the next frame belongs to this one.
+    const auto next = frame + 1;
+    const std::int64_t last =
+        next == frames_.end() ? frame->wallMs : std::max(frame->wallMs, next->wallMs - 1);
+    return QDateTime::fromMSecsSinceEpoch(last);
+}
+
+QDateTime PlotReplay::clockAt(double time) const {
+    constexpr double kMsPerSecond = 1e3;
+    if (const QString source = recordingOn(pages_.view(), store_); !source.isEmpty()) {
+        const auto start = store_.recorded(source)->startUtcNs();
+        const double since = time - store_.timesOf(source)->firstTime();
+        return start ? QDateTime::fromMSecsSinceEpoch(*start / kNsPerMs + std::llround(since * kMsPerSecond))
+                     : QDateTime();
+    }
+    if (frames_.empty()) {
+        return {};
+    }
+    // Of the frame it came in, or as far from the first or last one as it is.
+    auto frame = std::lower_bound(frames_.begin(), frames_.end(), time,
+                                  [](const Frame& each, double at) { return each.newest < at; });
+    frame = frame == frames_.end() ? frame - 1 : frame;
+    return QDateTime::fromMSecsSinceEpoch(frame->wallMs +
+                                          std::llround((time - frame->newest) * kMsPerSecond));
+}
+
+Replay PlotReplay::momentNow() const {
+    const PlotView& view = pages_.view();
+    const auto time = view.cursor(PlotView::Cursor::A);
+    const QString source = recordingOn(view, store_);
+    if (!time || (source.isEmpty() && view.window().follows())) {
+        return {};
+    }
+    ReplayMoment moment;
+    moment.source = source;
+    moment.time = *time;
+    // The same sample is read once.
+    const bool same =
+        moment_ && moment_->source == source && moment_->time == *time && !moment_->sample.isEmpty();
+    moment.sample = same ? moment_->sample : store_.sampleAt(source, *time);
+    if (source.isEmpty()) {
+        moment.wallTime = wallTimeOf(*time);
+        return moment;
+    }
+    const recording::Recording& file = *store_.recorded(source);
+    moment.seconds = *time - store_.timesOf(source)->firstTime();
+    moment.events = same || (moment_ && moment_->source == source)
+                        ? moment_->events
+                        : std::make_shared<const std::vector<recording::RecordedEvent>>(file.events());
+    moment.wallTime = clockAt(*time);
+    return moment;
+}
+
+void PlotReplay::follow() {
+    Replay now = momentNow();
+    const bool same = now.has_value() == moment_.has_value() &&
+                      (!now || (now->source == moment_->source && now->time == moment_->time &&
+                                now->sample.isEmpty() == moment_->sample.isEmpty()));
+    if (!same) {
+        moment_ = std::move(now);
+        Q_EMIT changed(moment_);
+    }
+}
+
+}  // namespace tiller
+
+#include "moc_plot_replay.cpp"
