@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+//
+// A link that drops one packet in a hundred, a disk that fills and files that end anywhere: every gap stands in the
+// file with its length, nothing is out of order, and what a file ends behind can be read.
+
+#include <QDir>
+#include <QFile>
+#include <QScopeGuard>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <map>
+#include <random>
+#ifdef __linux__
+#include <sys/mount.h>
+#endif
+
+#include "robot/recording/formats/open_recording.h"
+#include "robot/recording/mcap/mcap_format.h"
+#include "robot/recording/recorder.h"
+#include "tests/support/rtde_peer.h"
+#include "tests/support/waiting.h"
+
+using namespace tiller;
+using namespace tiller::recording;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr int kPatienceMs = 100'000;
+constexpr double kPeriod = 0.002;
+constexpr std::uint64_t kHalfASecond = 250;  // packets
+
+struct Bench {
+    Bench() : receiver(options()) { receiver.start().value(); }
+    receive::ReceiverOptions options() const {
+        receive::ReceiverOptions to;
+        to.host = QStringLiteral("127.0.0.1");
+        to.port = peer.port();
+        to.priority = 0;
+        to.connectTimeout = 1h;
+        to.silenceLimit = 1h;
+        return to;
+    }
+    /// Sends the packets from number to number, but for those the link drops, and waits until they have come.
+    /// Returns  false when they have not
+    bool send(int from, int to, std::mt19937* drops) {
+        std::bernoulli_distribution isDropped(0.01);
+        std::uniform_int_distribution<int> burst(1, 4);
+        int rest = 0;
+        for (int i = from; i <= to; ++i) {
+            if (drops != nullptr && rest == 0 && i != from && i != to && isDropped(*drops)) {
+                rest = burst(*drops);
+            }
+            if (rest > 0 && i != to) {
+                --rest;
+                ++missing;
+                continue;
+            }
+            rest = 0;
+            if (missing > 0) {
+                gaps[sent.size()] = static_cast<std::uint64_t>(std::exchange(missing, 0));
+            }
+            sent.push_back(i * kPeriod);
+            peer.send(sent.back());
+        }
+        return QTest::qWaitFor([&] { return receiver.counters().packets == sent.size(); }, kPatienceMs);
+    }
+
+    test::RtdePeer peer;
+    receive::Receiver receiver;
+    QTemporaryDir folder;
+    std::vector<double> sent;                   ///< their time stamps
+    std::map<std::size_t, std::uint64_t> gaps;  ///< by the row after each: how many packets are missing
+    int missing = 0;
+};
+
+std::vector<double> column(const Recording& recording, const char* name) {
+    return recording.read(std::vector{recording.indexOf(name).value()}, {0, recording.rows()})
+        .value()
+        .front();
+}
+
+std::shared_ptr<const RecordingFormat> formatOf(const QString& name) {
+    return name == QLatin1String("mcap") ? mcapFormat({.ros = false}) : csvFormat();
+}
+
+/// The rows are those that were sent, from the first on, and their gaps those that were.
+void verifyBeginningOf(const Bench& bench, const Recording& recording) {
+    QVERIFY(recording.rows() <= bench.sent.size());
+    const std::vector<double> stamps = column(recording, "timestamp");
+    for (std::size_t row = 0; row < stamps.size(); ++row) {
+        QCOMPARE(stamps[row], bench.sent[row]);
+    }
+    std::map<std::size_t, std::uint64_t> found;
+    for (const RecordedGap& gap : recording.gaps()) {
+        found[gap.row] = gap.packets;
+        QVERIFY(gap.seconds > 0);
+    }
+    std::map<std::size_t, std::uint64_t> expected = bench.gaps;
+    expected.erase(expected.lower_bound(stamps.size()), expected.end());
+    QCOMPARE(found, expected);
+}
+
+}  // namespace
+
+class TestLossyLink : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyGapIsInTheFileWithItsLength_data();
+    void everyGapIsInTheFileWithItsLength();
+    void aFullDiskKeepsWhatWasWritten_data();
+    void aFullDiskKeepsWhatWasWritten();
+};
+
+void TestLossyLink::everyGapIsInTheFileWithItsLength_data() {
+    QTest::addColumn<QString>("format");
+    QTest::newRow("csv") << QStringLiteral("csv");
+    QTest::newRow("mcap") << QStringLiteral("mcap");
+}
+
+void TestLossyLink::everyGapIsInTheFileWithItsLength() {
+    QFETCH(QString, format);
+    Bench bench;
+    Recorder recorder;
+    RecorderOptions options;
+    options.path = bench.folder.filePath("all." + format);
+    options.fields = {"actual_q", "robot_mode"};
+    options.format = formatOf(format);
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    std::mt19937 random(19);
+    for (int from = 1; from < 10'000; from += 500) {
+        QVERIFY(bench.send(from, from + 499, &random));
+        // The ring holds some 4000: whoever sends faster than a robot waits for the file.
+        const std::uint64_t due = bench.sent.size() < 1500 ? 0 : bench.sent.size() - 1500;
+        QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows >= due, kPatienceMs);
+    }
+    QVERIFY(bench.gaps.size() > 20);
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Finished);
+    QCOMPARE(recorder.progress().rows, static_cast<std::uint64_t>(bench.sent.size()));
+    {
+        const auto whole = openRecording(options.path).value();
+        QVERIFY2(whole->problems().isEmpty(), qPrintable(whole->problems().join('\n')));
+        QCOMPARE(whole->rows(), static_cast<std::uint64_t>(bench.sent.size()));
+        verifyBeginningOf(bench, *whole);
+    }
+    // And of every beginning of the file, as a power failure leaves it.
+    QFile file(options.path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    std::uint64_t before = 0;
+    for (int part = 1; part <= 40; ++part) {
+        const auto size = bytes.size() * part / 41 + static_cast<qsizetype>(random() % 100);
+        QFile cut(bench.folder.filePath("cut." + format));
+        QVERIFY(cut.open(QIODevice::WriteOnly));
+        QCOMPARE(cut.write(bytes.left(size)), size);
+        cut.close();
+        const auto opened = openRecording(cut.fileName());
+        if (!opened.ok()) {
+            QVERIFY2(part == 1, qPrintable(opened.error().toString()));  // not a whole row yet
+            continue;
+        }
+        QVERIFY((*opened)->rows() >= before);
+        before = (*opened)->rows();
+        verifyBeginningOf(bench, **opened);
+    }
+    QVERIFY(before > 0);
+}
+
+void TestLossyLink::aFullDiskKeepsWhatWasWritten_data() {
+    everyGapIsInTheFileWithItsLength_data();
+}
+
+void TestLossyLink::aFullDiskKeepsWhatWasWritten() {
+#ifdef __linux__
+    QFETCH(QString, format);
+    // A real file system of 128 kB, which only root can make.
+    const QTemporaryDir folder;
+    const QByteArray where = folder.path().toLocal8Bit();
+    if (::mount("tmpfs", where.constData(), "tmpfs", 0, "size=128k") != 0) {
+        QSKIP("needs the right to mount a small file system");
+    }
+    const auto unmount = qScopeGuard([&] { ::umount2(where.constData(), MNT_DETACH); });
+    Bench bench;
+    Recorder recorder;
+    RecorderOptions options;
+    options.path = folder.filePath("all." + format);
+    options.format = formatOf(format);
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    int at = 0;
+    while (recorder.progress().state == RecorderState::Recording && at < 200'000) {
+        QVERIFY(bench.send(at + 1, at + 50, nullptr));
+        at += 50;
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kPatienceMs);
+    QCOMPARE(recorder.error().code, ErrorCode::DiskFull);
+    const auto opened = openRecording(options.path);
+    QVERIFY2(opened.ok(), qPrintable(opened.error().toString()));
+    QVERIFY((*opened)->rows() > 0);
+    // As many as it says; no more than half a second of what had been written is lost.
+    QVERIFY((*opened)->rows() + kHalfASecond >= recorder.progress().rows);
+    verifyBeginningOf(bench, **opened);
+#else
+    QSKIP("needs a small file system");
+#endif
+}
+
+QTEST_GUILESS_MAIN(TestLossyLink)
+#include "tst_lossy_link.moc"
