@@ -65,7 +65,8 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndTold() {
     QVERIFY(hasSeen(watch, cell, watch.packets() + 4000));  // 8 s
     QCOMPARE(told.count(), 0);                              // what comes after belongs to it
     QVERIFY(!QDir(folder.filePath("Incidents")).exists());
-    QVERIFY(hasSeen(watch, cell, watch.packets() + 1500));
+    // At the stop the box may have been half a second behind: its 4000 packets began before it.
+    QVERIFY(hasSeen(watch, cell, watch.packets() + 2000));
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMs);
     QCOMPARE(told.front()[0].value<Severity>(), Severity::Warning);
     QVERIFY(told.front()[1].toString().contains("protective stop"));
