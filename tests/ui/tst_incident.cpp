@@ -179,6 +179,11 @@ void TestIncident::oneClickOpensItAtTheStop() {
     QVERIFY(bench.find<ReplayBand>("log.replay").isVisible());
     QVERIFY2(table.currentIndex().isValid(), qPrintable(bench.log().shownText()));
 
+    // What is of a file is not remembered with the arrangement.
+    const PlotLayout kept = PlotLayout::fromJson(bench.plots().arrangement()).value();
+    QCOMPARE(kept.pages.size(), qsizetype(bench.plots().pages().count() - 1));
+    QCOMPARE(kept.current, 0);
+
     // The same click again turns to it, and opens nothing twice.
     const int pages = bench.plots().pages().count();
     bench.plots().endReplay();

@@ -34,6 +34,7 @@ void ReplayBand::tell(const QString& words) {
     if (words_->fullText() != words) {
         words_->setFullText(words);
         setAccessibleDescription(words);
+        words_->setToolTip(words);
     }
     setVisible(!words.isEmpty());
 }

@@ -185,6 +185,10 @@ void IoTab::sayNothingChosen() {
 }
 
 int IoTab::chosenOutput() {
+    if (replay_) {
+        Q_EMIT session_.message(Severity::Warning, tr("This is a replay: go back to live first."));
+        return -1;
+    }
     for (int channel = 0; channel < kChannels; ++channel) {
         const IoChannel* row = outputs_[channel];
         // Of the window, not of the application: a palette may still stand in front of it.
@@ -267,7 +271,6 @@ void IoTab::refresh() {
     const std::uint64_t inputs = replay_ && known ? then.digitalInputs().value_or(0) : state_.digitalInputs;
     const std::uint64_t outputs =
         replay_ && known ? then.digitalOutputs().value_or(0) : state_.digitalOutputs;
-    const QString notNow = tr("This is a replay: go back to live first.");
     for (int channel = 0; channel < kChannels; ++channel) {
         IoChannel* in = inputs_[channel];
         in->setStale(stale);
@@ -288,9 +291,7 @@ void IoTab::refresh() {
                           tr("Another program or the installation may own it."));
         }
         out->setStale(stale);
-        out->setObstacle(replay_ ? notNow
-                         : stale ? QString()
-                                 : session_.outputs().holders().digital(channel));
+        out->setObstacle(stale ? QString() : session_.outputs().holders().digital(channel));
         out->setState(!known    ? State::Unknown
                       : pending ? (on ? State::PendingOff : State::PendingOn)
                       : on      ? State::On

@@ -23,6 +23,10 @@ QString LogModel::severityWord(Severity severity) {
     return {};
 }
 
+QString LogModel::openWord() {
+    return tr("Open");
+}
+
 QString LogModel::originWord(Origin origin) {
     switch (origin) {
         case Origin::Tiller:
@@ -119,7 +123,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return index.column() == Time             ? entry.first.toString(kClock)
                    : index.column() == SeverityColumn ? severityWord(entry.severity)
-                   : index.column() == Open           ? (entry.recording.isEmpty() ? QString() : tr("Open"))
+                   : index.column() == Open           ? (entry.recording.isEmpty() ? QString() : openWord())
                                                       : shown(entry, kClock);
         case Qt::ToolTipRole:
             if (index.column() == Open && !entry.recording.isEmpty()) {

@@ -37,6 +37,7 @@ public:
     QString rowText(int row) const;
 
     static QString severityWord(Severity severity);
+    static QString openWord();  ///< Of the column Open, where there is a recording.
     /// "the robot", "the operator", "Tiller"
     static QString originWord(Origin origin);
 

@@ -29,7 +29,7 @@ namespace tiller {
 
 namespace {
 
-constexpr int kOpenWidth = 56;  // [px]
+constexpr int kCellPadding = 32;  // [px]
 constexpr double kMsPerSecond = 1e3;
 
 }  // namespace
@@ -100,7 +100,8 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->setColumnWidth(LogModel::Time, 92);
     table_->setColumnWidth(LogModel::SeverityColumn, 108);
-    table_->setColumnWidth(LogModel::Open, kOpenWidth);
+    const int openWidth = QFontMetrics(textFont(13)).horizontalAdvance(LogModel::openWord()) + kCellPadding;
+    table_->setColumnWidth(LogModel::Open, openWidth);
     table_->setColumnHidden(LogModel::Open, true);  // until there is something to open
 
     auto* layout = new QVBoxLayout(this);

@@ -68,6 +68,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     connect(&soon_, &QTimer::timeout, this, &PlotAnalysis::fill);
     connect(kind_, &SegmentedControl::currentChanged, this, &PlotAnalysis::fill);
     for (ChoiceBox* box : {x_, y_}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         connect(box, &QComboBox::activated, this, &PlotAnalysis::fill);
     }
 }
@@ -229,12 +230,13 @@ void PlotAnalysis::showXy(int x, int y, const Range& range) {
             }
         }
     }
-    title_->setText(
-        points.isEmpty()
-            ? QString()
-            : tr("%n sample(s), each %1 of them · %2 … %3 s", nullptr, static_cast<int>(points.size()))
-                  .arg(every)
-                  .arg(format::number(range.from, kSecondDigits), format::number(range.to, kSecondDigits)));
+    const auto count = static_cast<int>(points.size());
+    const QString samples = every == 1 ? tr("%n sample(s)", nullptr, count)
+                                       : tr("%n sample(s), one in %1", nullptr, count).arg(every);
+    title_->setText(points.isEmpty() ? QString()
+                                     : tr("%1 · %2 … %3 s")
+                                           .arg(samples, format::number(range.from, kSecondDigits),
+                                                format::number(range.to, kSecondDigits)));
     canvas_->show(points, nameOf(x), nameOf(y), tr("There are no samples in this range."));
 }
 

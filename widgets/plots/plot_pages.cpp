@@ -102,19 +102,27 @@ void PlotPages::addPage() {
     addPage(page);
 }
 
-void PlotPages::dropRecordings() {
-    const auto keep = [this](QStringList& keys) {
-        keys.removeIf([this](const QString& key) {
+bool PlotPages::takeRecordingsFrom(PageLayout& page) const {
+    bool any = false;
+    const auto keep = [&](QStringList& keys) {
+        any = keys.removeIf([this](const QString& key) {
             const int signal = store_.find(key);
             return signal < 0 || store_.isRecorded(signal);
-        });
+        }) > 0 ||
+              any;
     };
+    for (PaneLayout& pane : page.panes) {
+        keep(pane.shown);
+        keep(pane.hidden);
+    }
+    keep(page.lanes);
+    return any;
+}
+
+void PlotPages::dropRecordings() {
     for (PlotView* view : views_) {
         PageLayout page = view->page();
-        for (PaneLayout& pane : page.panes) {
-            keep(pane.shown);
-        }
-        keep(page.lanes);
+        takeRecordingsFrom(page);
         view->setPage(page);
     }
 }
@@ -224,10 +232,22 @@ void PlotPages::setClock(std::function<QDateTime(double)> clock) {
 PlotLayout PlotPages::arrangement() const {
     PlotLayout layout;
     layout.pages.clear();
-    for (const PlotView* view : views_) {
-        layout.pages.append(view->page());
+    for (int i = 0; i < count(); ++i) {
+        const PlotView& view = *views_[static_cast<std::size_t>(i)];
+        PageLayout page = view.page();
+        // What is of a file is not remembered: nobody knows whether the file is still there the next time.
+        const bool had = takeRecordingsFrom(page);
+        const bool any = !page.lanes.isEmpty() ||
+                         std::any_of(page.panes.begin(), page.panes.end(),
+                                     [](const PaneLayout& pane) { return !pane.shown.isEmpty(); });
+        if (!had || any) {
+            layout.current = i <= shown_ ? static_cast<int>(layout.pages.size()) : layout.current;
+            layout.pages.append(page);
+        }
     }
-    layout.current = shown_;
+    if (layout.pages.isEmpty()) {
+        layout.pages.append(PageLayout::standard());
+    }
     layout.span = view().window().span();
     layout.time = timeAxis_;
     layout.thresholds = marks_.thresholds();

@@ -71,6 +71,8 @@ protected:
 
 private:
     PlotView& addView();
+    /// Returns  whether there was anything of a recording on the page
+    bool takeRecordingsFrom(PageLayout& page) const;
     void turnedTo(int page);
     void nameTabs();
 

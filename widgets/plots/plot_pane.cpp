@@ -31,6 +31,7 @@ constexpr double kPixelsPerLine = 28;
 // The boxes of the labels; a text goes beyond its box rather than being cut. [px]
 constexpr double kLabelWidth = 80;
 constexpr double kLabelHeight = 18;
+constexpr double kLeastPitch = 14;
 constexpr double kTimeGap = 3;
 constexpr double kValueGap = 6;
 
@@ -272,7 +273,13 @@ void PlotPane::updateValueAxis() {
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(range_.min() / step));
     const auto last = std::llround(std::floor(range_.max() / step));
+    // In a low plot only the uppermost label has room, or every other one.
+    const double pitch = step / (range_.max() - range_.min()) * area_.height();
+    const auto every = std::max(1LL, static_cast<long long>(std::ceil(kLeastPitch / std::max(pitch, 0.1))));
     for (auto i = first; i <= last; ++i) {
+        if ((last - i) % every != 0) {
+            continue;
+        }
         QString label = format::number(static_cast<double>(i) * step, digits);
         if (i == last) {
             if (const QString unit = this->unit(); !unit.isEmpty()) {

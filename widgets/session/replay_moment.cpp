@@ -17,15 +17,16 @@ struct ReplayText {
 }  // namespace
 
 QString ReplayMoment::words() const {
-    QStringList parts{source.isEmpty()
-                          ? ReplayText::tr("REPLAY · history at %1 s").arg(format::number(time, 3))
-                          : ReplayText::tr("REPLAY · %1 at %2 s").arg(source, format::number(seconds, 3))};
+    // Where there is little room the name of the file is what is cut.
+    QStringList parts{ReplayText::tr("REPLAY")};
     if (wallTime.isValid()) {
         parts << wallTime.toString(QStringLiteral("HH:mm:ss.zzz"));
     }
     if (sample.isEmpty()) {
         parts << ReplayText::tr("no data");
     }
+    parts << (source.isEmpty() ? ReplayText::tr("history at %1 s").arg(format::number(time, 3))
+                               : ReplayText::tr("at %1 s of %2").arg(format::number(seconds, 3), source));
     return parts.join(QStringLiteral(" · "));
 }
 

@@ -24,7 +24,7 @@ struct ReplayMoment {
     /// The recording's log; null: this is the history, whose log the window has.
     std::shared_ptr<const std::vector<recording::RecordedEvent>> events;
 
-    /// "REPLAY · incident_….mcap at 12.350 s · 14:02:11.250": what every part that shows it says.
+    /// "REPLAY · 14:02:11.250 · at 12.350 s of incident_….mcap": what every part that shows it says.
     QString words() const;
 };
 
