@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>ActionStep</name>
+    <message>
+        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <translation>Dieser Roboter hat hier keinen Greifer. Wählen Sie ihn unter E/A, Greifer.</translation>
+    </message>
+    <message>
+        <source>Go through</source>
+        <translation>Durchfahren</translation>
+    </message>
+    <message>
+        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1 ging nicht innerhalb von %2 s an. Sehen Sie nach, worauf gewartet wird, und drücken Sie erneut.</translation>
+    </message>
+    <message>
+        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1 ging nicht innerhalb von %2 s aus. Sehen Sie nach, worauf gewartet wird, und drücken Sie erneut.</translation>
+    </message>
+    <message>
+        <source>%1 was not done. %2</source>
+        <translation>%1 wurde nicht ausgeführt. %2</translation>
+    </message>
+    <message>
+        <source>The gripper did not come to rest within %1 s.</source>
+        <translation>Der Greifer kam nicht innerhalb von %1 s zur Ruhe.</translation>
+    </message>
+</context>
+<context>
     <name>ActionTable</name>
     <message>
         <source>Robot</source>
@@ -62,6 +89,69 @@
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>ActionWords</name>
+    <message>
+        <source>%1 on</source>
+        <translation>%1 an</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 aus</translation>
+    </message>
+    <message>
+        <source>%1 on for %2 s</source>
+        <translation>%1 an für %2 s</translation>
+    </message>
+    <message>
+        <source>%1 off for %2 s</source>
+        <translation>%1 aus für %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on, at most %2 s</source>
+        <translation>Warten, bis %1 an ist, höchstens %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off, at most %2 s</source>
+        <translation>Warten, bis %1 aus ist, höchstens %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on</source>
+        <translation>Warten, bis %1 an ist</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off</source>
+        <translation>Warten, bis %1 aus ist</translation>
+    </message>
+    <message>
+        <source>Wait %1 s</source>
+        <translation>%1 s warten</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>Den Greifer öffnen</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>Den Greifer schließen</translation>
+    </message>
+    <message>
+        <source>Set an output</source>
+        <translation>Einen Ausgang setzen</translation>
+    </message>
+    <message>
+        <source>Pulse an output</source>
+        <translation>Einen Ausgang pulsen</translation>
+    </message>
+    <message>
+        <source>Wait for an input</source>
+        <translation>Auf einen Eingang warten</translation>
+    </message>
+    <message>
+        <source>Wait a while</source>
+        <translation>Eine Zeit lang warten</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1994,13 @@
     </message>
 </context>
 <context>
+    <name>ProblemReport</name>
+    <message>
+        <source>write %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2022,6 +2119,25 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>Replay</name>
+    <message>
+        <source>REPLAY</source>
+        <translation>WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>keine Daten</translation>
+    </message>
+    <message>
+        <source>history at %1 s</source>
+        <translation>Verlauf bei %1 s</translation>
+    </message>
+    <message>
+        <source>at %1 s of %2</source>
+        <translation>bei %1 s von %2</translation>
     </message>
 </context>
 <context>
@@ -2834,6 +2950,25 @@
     </message>
 </context>
 <context>
+    <name>Spectrum</name>
+    <message>
+        <source>compute a spectrum</source>
+        <translation>ein Spektrum berechnen</translation>
+    </message>
+    <message>
+        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <translation>Es sind weniger als %1 Messwerte: Wählen Sie einen längeren Bereich.</translation>
+    </message>
+    <message>
+        <source>Values are missing in this range: choose one without a gap.</source>
+        <translation>In diesem Bereich fehlen Werte: Wählen Sie einen ohne Lücke.</translation>
+    </message>
+    <message>
+        <source>There is too little memory.</source>
+        <translation>Der Speicher reicht nicht.</translation>
+    </message>
+</context>
+<context>
     <name>StartProject</name>
     <message>
         <source>The project worked in last is not there any more: %1</source>
@@ -3302,6 +3437,100 @@
     <message>
         <source>Line %1: a quotation mark is not closed</source>
         <translation>Zeile %1: Ein Anführungszeichen ist nicht geschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ActionsDialog</name>
+    <message>
+        <source>Actions at “%1”</source>
+        <translation>Aktionen an „%1“</translation>
+    </message>
+    <message numerus="yes">
+        <source>Actions at %n waypoints</source>
+        <translation>
+            <numerusform>Aktionen an einem Wegpunkt</numerusform>
+            <numerusform>Aktionen an %n Wegpunkten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <translation>In dieser Reihenfolge ausgeführt, wenn „Durchfahren“ den Arm dorthin gebracht hat, und nur solange die Taste gehalten wird.</translation>
+    </message>
+    <message>
+        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <translation>Diese Wegpunkte haben verschiedene Aktionen. „Ändern“ gibt allen die untenstehenden.</translation>
+    </message>
+    <message>
+        <source>Actions in their order</source>
+        <translation>Aktionen in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an action after the chosen one</source>
+        <translation>Eine Aktion hinter der gewählten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen action</source>
+        <translation>Die gewählte Aktion entfernen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Do the chosen action earlier</source>
+        <translation>Die gewählte Aktion früher ausführen</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Do the chosen action later</source>
+        <translation>Die gewählte Aktion später ausführen</translation>
+    </message>
+    <message>
+        <source>What is done</source>
+        <translation>Was getan wird</translation>
+    </message>
+    <message>
+        <source>Which terminal</source>
+        <translation>Welche Klemme</translation>
+    </message>
+    <message>
+        <source>On or off</source>
+        <translation>An oder aus</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>At most, seconds</source>
+        <translation>Höchstens, Sekunden</translation>
+    </message>
+    <message>
+        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <translation>Dann endet es und sagt es. 0: solange die Taste gehalten wird, höchstens eine Stunde</translation>
     </message>
 </context>
 <context>
@@ -3957,24 +4186,12 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Abfahren, halten</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
-        <translation>Fährt von Wegpunkt zu Wegpunkt, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit. Loslassen pausiert; der nächste Druck fährt zum kommenden Wegpunkt weiter.</translation>
-    </message>
-    <message>
-        <source>‹ Step</source>
-        <translation>‹ Schritt</translation>
-    </message>
-    <message>
         <source>One waypoint back, hold</source>
         <translation>Einen Wegpunkt zurück, halten</translation>
     </message>
     <message>
         <source>Goes back to the waypoint before while the key is held</source>
         <translation>Fährt zum vorigen Wegpunkt zurück, solange die Taste gehalten wird</translation>
-    </message>
-    <message>
-        <source>Step ›</source>
-        <translation>Schritt ›</translation>
     </message>
     <message>
         <source>One waypoint on, hold</source>
@@ -4046,6 +4263,14 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>Fährt von Wegpunkt zu Wegpunkt, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit, und führt an jedem aus, was dort zu tun ist. Loslassen hält an; der nächste Druck fährt zum kommenden Wegpunkt weiter.</translation>
+    </message>
+    <message>
+        <source>At %1: %2</source>
+        <translation>An %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4321,6 +4546,14 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <source>Sends the fingers to this opening.</source>
         <translation>Schickt die Finger auf diese Öffnung.</translation>
     </message>
+    <message>
+        <source>Its speed or its force is no figure it takes.</source>
+        <translation>Geschwindigkeit oder Kraft ist keine, die er annimmt.</translation>
+    </message>
+    <message>
+        <source>The gripper did not take the command.</source>
+        <translation>Der Greifer nahm den Befehl nicht an.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HeaderBar</name>
@@ -4589,6 +4822,10 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     <message>
         <source>No data from the robot.</source>
         <translation>Keine Daten vom Roboter.</translation>
+    </message>
+    <message>
+        <source>This is a replay: go back to live first.</source>
+        <translation>Dies ist eine Wiedergabe: Gehen Sie zuerst zurück zu Live.</translation>
     </message>
 </context>
 <context>
@@ -4909,6 +5146,14 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <source>What happened</source>
         <translation>Was geschah</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open the recording of this incident, at the moment of the stop</source>
+        <translation>Die Aufzeichnung dieses Vorfalls im Augenblick des Stopps öffnen</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -5161,10 +5406,6 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Was bis dahin aufgezeichnet wurde, bleibt.</translation>
     </message>
     <message>
-        <source>○ Record path</source>
-        <translation>○ Bahn aufzeichnen</translation>
-    </message>
-    <message>
         <source>End the recording of the path</source>
         <translation>Die Aufzeichnung der Bahn beenden</translation>
     </message>
@@ -5210,6 +5451,10 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     <message>
         <source>Import a demonstration</source>
         <translation>Eine Vorführung importieren</translation>
+    </message>
+    <message>
+        <source>○ Path</source>
+        <translation>○ Bahn</translation>
     </message>
 </context>
 <context>
@@ -5750,6 +5995,79 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
 </context>
 <context>
+    <name>tiller::PlotAnalysis</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation>XY</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>Spektrum und XY</translation>
+    </message>
+    <message>
+        <source>Kind of analysis</source>
+        <translation>Art der Auswertung</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Over this signal</source>
+        <translation>Über diesem Signal</translation>
+    </message>
+    <message>
+        <source>Put a signal onto the plots first.</source>
+        <translation>Bringen Sie zuerst ein Signal in die Diagramme.</translation>
+    </message>
+    <message>
+        <source>There are no samples in this range.</source>
+        <translation>In diesem Bereich gibt es keine Messwerte.</translation>
+    </message>
+    <message>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <translation>In diesem Bereich fehlen Messwerte: Setzen Sie die Cursor A und B so, dass keine Lücke dazwischen liegt.</translation>
+    </message>
+    <message>
+        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <translation>Hann-Fenster von %1 Werten · %2 Hz je Linie · Mittel von %3 · %4 … %5 s</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>Amplitude of %1</source>
+        <translation>Amplitude von %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n Messwert</numerusform>
+            <numerusform>%n Messwerte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s), one in %1</source>
+        <translation>
+            <numerusform>%n Messwert, einer von %1</numerusform>
+            <numerusform>%n Messwerte, einer von %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 … %3 s</source>
+        <translation>%1 · %2 … %3 s</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6108,6 +6426,57 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     <message>
         <source>read an arrangement of plots</source>
         <translation>eine Anordnung der Diagramme lesen</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>Spektrum und XY</translation>
+    </message>
+    <message>
+        <source>Export the shown range…</source>
+        <translation>Gezeigten Bereich exportieren…</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>Zeitachse</translation>
+    </message>
+    <message>
+        <source>Before the newest sample</source>
+        <translation>Vor dem neuesten Messwert</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>Zeit der Steuerung</translation>
+    </message>
+    <message>
+        <source>Time of the day</source>
+        <translation>Uhrzeit</translation>
+    </message>
+    <message>
+        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <translation>Es gibt so viele Diagrammseiten, wie es geben darf: Nehmen Sie zuerst eine weg.</translation>
+    </message>
+    <message>
+        <source>Record to an MCAP file</source>
+        <translation>In eine MCAP-Datei aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <translation>Aufzeichnen, was der Roboter sendet, in eine MCAP-Datei; die Taste daneben sagt, was und wohin</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2 je Sekunde · %3 frei · %n Paket verloren</numerusform>
+            <numerusform>%1 · %2 je Sekunde · %3 frei · %n Pakete verloren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV: Text, für pandas und Tabellenprogramme</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP: jedes Feld, Log und Projekt, für ROS-Werkzeuge</translation>
     </message>
 </context>
 <context>
@@ -6848,6 +7217,21 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ReplayBand</name>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation>Zurück zu Live</translation>
+    </message>
+    <message>
+        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <translation>Zeigen, was der Roboter jetzt tut; eine Aufzeichnung bleibt in den Diagrammen offen</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RobotPopup</name>
     <message>
         <source>Error</source>
@@ -7165,6 +7549,18 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     <message>
         <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
         <translation>Vorschau „%1“ · %2 · größte Drehung %3 %4 · %5 s bei %6</translation>
+    </message>
+    <message>
+        <source>“%1” as it will be</source>
+        <translation>„%1“, wie er sein wird</translation>
+    </message>
+    <message>
+        <source>“%1” as it was</source>
+        <translation>„%1“, wie er war</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>WIEDERGABE</translation>
     </message>
 </context>
 <context>
@@ -7865,6 +8261,17 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
             <numerusform>%n Wegpunkte nach %1 geschrieben</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Select waypoints where something is to be done.</source>
+        <translation>Wählen Sie Wegpunkte, an denen etwas zu tun ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the actions at %n waypoints</source>
+        <translation>
+            <numerusform>Die Aktionen an %n Wegpunkt ändern</numerusform>
+            <numerusform>Die Aktionen an %n Wegpunkten ändern</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -8155,6 +8562,21 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     <message>
         <source>Name %1, the coming one</source>
         <translation>Name %1, der kommende</translation>
+    </message>
+    <message>
+        <source>Done there: %1</source>
+        <translation>Dort ausgeführt: %1</translation>
+    </message>
+    <message>
+        <source>Name %1</source>
+        <translation>Name %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n actions</source>
+        <translation>
+            <numerusform>%n Aktion</numerusform>
+            <numerusform>%n Aktionen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8516,6 +8938,10 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     <message>
         <source>Delete the pattern and its waypoints</source>
         <translation>Das Muster und seine Wegpunkte löschen</translation>
+    </message>
+    <message>
+        <source>Actions there…</source>
+        <translation>Aktionen dort…</translation>
     </message>
 </context>
 <context>
@@ -9214,6 +9640,33 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
+    <message numerus="yes">
+        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <translation>
+            <numerusform>%n Quader oder Ebene der Zelle kennt der simulierte Roboter nicht: Er hat keinen Platz für mehr.</numerusform>
+            <numerusform>%n Quader oder Ebenen der Zelle kennt der simulierte Roboter nicht: Er hat keinen Platz für mehr.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Problem melden…</translation>
+    </message>
+    <message>
+        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <translation>Eine Datei mit Versionen, Log und Einstellungen für den, der hilft; zeigt zuerst, was darin ist.</translation>
+    </message>
+    <message>
+        <source>Report saved: %1</source>
+        <translation>Bericht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Tiller ended unexpectedly the last time</source>
+        <translation>Tiller endete das letzte Mal unerwartet</translation>
+    </message>
+    <message>
+        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <translation>Was dabei geschah, wurde aufgehoben. Speichern Sie es als Bericht für den, der Ihnen hilft.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -9468,6 +9921,89 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
             <numerusform>%n Paket je Zeile: %1 Zeilen je Sekunde von einem Roboter, der 500 Pakete je Sekunde sendet.</numerusform>
             <numerusform>%n Pakete je Zeile: %1 Zeilen je Sekunde von einem Roboter, der 500 Pakete je Sekunde sendet.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Format of a recording</source>
+        <translation>Format einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV: Text, für pandas und Tabellenprogramme</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP: jedes Feld, Log und Projekt, für ROS-Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Megabytes of the disk that stay free</source>
+        <translation>Megabyte der Festplatte, die frei bleiben</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <translation>Eine Aufzeichnung endet ordentlich und ist vollständig, bevor weniger auf der Festplatte frei ist.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Keep free</source>
+        <translation>Frei halten</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ReportDialog</name>
+    <message>
+        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <translation>Mit Namen und Adressen von Robotern, Ein- und Ausgängen und Dateien</translation>
+    </message>
+    <message>
+        <source>Report a problem</source>
+        <translation>Problem melden</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>What did you do, what did you expect, what happened?</source>
+        <translation>Was haben Sie getan, was haben Sie erwartet, was ist geschehen?</translation>
+    </message>
+    <message>
+        <source>Files of the report</source>
+        <translation>Dateien des Berichts</translation>
+    </message>
+    <message>
+        <source>What this file says</source>
+        <translation>Was diese Datei sagt</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>Bericht speichern…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <translation>Eine Datei mit dem, was jemand wissen muss, der Ihnen hilft. Unten steht alles, was darin sein wird. Sie wird gespeichert, wo Sie wollen; Tiller sendet sie nirgendwohin.</translation>
+    </message>
+    <message>
+        <source>Tiller report %1.zip</source>
+        <translation>Tiller-Bericht %1.zip</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Zip archives (*.zip)</source>
+        <translation>Zip-Archive (*.zip)</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>ActionStep</name>
+    <message>
+        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not done. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper did not come to rest within %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ActionTable</name>
     <message>
         <source>Robot</source>
@@ -61,6 +88,69 @@
     </message>
     <message>
         <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ActionWords</name>
+    <message>
+        <source>%1 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 on for %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 off for %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for %1 on, at most %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for %1 off, at most %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for %1 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for %1 off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set an output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulse an output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for an input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait a while</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1904,6 +1994,13 @@
     </message>
 </context>
 <context>
+    <name>ProblemReport</name>
+    <message>
+        <source>write %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2021,6 +2118,25 @@
     </message>
     <message>
         <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Replay</name>
+    <message>
+        <source>REPLAY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history at %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 s of %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2834,6 +2950,25 @@
     </message>
 </context>
 <context>
+    <name>Spectrum</name>
+    <message>
+        <source>compute a spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values are missing in this range: choose one without a gap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is too little memory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>StartProject</name>
     <message>
         <source>The project worked in last is not there any more: %1</source>
@@ -3301,6 +3436,100 @@
     <name>WaypointExchange</name>
     <message>
         <source>Line %1: a quotation mark is not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ActionsDialog</name>
+    <message>
+        <source>Actions at “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Actions at %n waypoints</source>
+        <translation>
+            <numerusform>Actions at %n waypoint</numerusform>
+            <numerusform>Actions at %n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actions in their order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add an action after the chosen one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do the chosen action earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do the chosen action later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which terminal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most, seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3962,23 +4191,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>‹ Step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>One waypoint back, hold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Goes back to the waypoint before while the key is held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Step ›</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4043,6 +4260,14 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
     <message>
         <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4319,6 +4544,14 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <source>Sends the fingers to this opening.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Its speed or its force is no figure it takes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper did not take the command.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::HeaderBar</name>
@@ -4584,6 +4817,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Another program or the installation may own it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a replay: go back to live first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4905,6 +5142,14 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>(×%1 until %2) %3</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the recording of this incident, at the moment of the stop</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -5163,10 +5408,6 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>○ Record path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>End the recording of the path</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5204,6 +5445,10 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Import a demonstration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ Path</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5744,6 +5989,79 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
 </context>
 <context>
+    <name>tiller::PlotAnalysis</name>
+    <message>
+        <source>Spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind of analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over this signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put a signal onto the plots first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no samples in this range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplitude of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s), one in %1</source>
+        <translation>
+            <numerusform>%n sample, one in %1</numerusform>
+            <numerusform>%n samples, one in %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 … %3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6101,6 +6419,57 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
     <message>
         <source>read an arrangement of plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the shown range…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before the newest sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of the day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record to an MCAP file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2 a second · %3 free · %n packet lost</numerusform>
+            <numerusform>%1 · %2 a second · %3 free · %n packets lost</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6837,6 +7206,21 @@ Let go of the key and the arm stops.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ReplayBand</name>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::RobotPopup</name>
     <message>
         <source>Error</source>
@@ -7153,6 +7537,18 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” as it will be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7852,6 +8248,17 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
             <numerusform>%n waypoints written to %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Select waypoints where something is to be done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the actions at %n waypoints</source>
+        <translation>
+            <numerusform>Change the actions at %n waypoint</numerusform>
+            <numerusform>Change the actions at %n waypoints</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -8142,6 +8549,21 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
     <message>
         <source>Name %1, the coming one</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done there: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n actions</source>
+        <translation>
+            <numerusform>%n action</numerusform>
+            <numerusform>%n actions</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8501,6 +8923,10 @@ Jog the arm to a place and press Teach here (T).</source>
     </message>
     <message>
         <source>Delete the pattern and its waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actions there…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9199,6 +9625,33 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Tools</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <translation>
+            <numerusform>%n box or plane of the cell is not known to the simulated robot: it has no room for more.</numerusform>
+            <numerusform>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller ended unexpectedly the last time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -9453,6 +9906,89 @@ Jog the arm to a place and press Teach here (T).</source>
             <numerusform>%n packet a row: %1 rows a second from a robot that sends 500 packets a second.</numerusform>
             <numerusform>%n packets a row: %1 rows a second from a robot that sends 500 packets a second.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Format of a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Megabytes of the disk that stay free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep free</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ReportDialog</name>
+    <message>
+        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report a problem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What did you do, what did you expect, what happened?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this file says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller report %1.zip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zip archives (*.zip)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

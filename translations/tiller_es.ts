@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES" sourcelanguage="en">
 <context>
+    <name>ActionStep</name>
+    <message>
+        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <translation>Este robot no tiene aquí ninguna pinza. Elíjala en E/S, Pinza.</translation>
+    </message>
+    <message>
+        <source>Go through</source>
+        <translation>Recorrer</translation>
+    </message>
+    <message>
+        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1 no se activó en %2 s. Compruebe a qué se espera y pulse otra vez.</translation>
+    </message>
+    <message>
+        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1 no se desactivó en %2 s. Compruebe a qué se espera y pulse otra vez.</translation>
+    </message>
+    <message>
+        <source>%1 was not done. %2</source>
+        <translation>%1 no se hizo. %2</translation>
+    </message>
+    <message>
+        <source>The gripper did not come to rest within %1 s.</source>
+        <translation>La pinza no se detuvo en %1 s.</translation>
+    </message>
+</context>
+<context>
     <name>ActionTable</name>
     <message>
         <source>Robot</source>
@@ -62,6 +89,69 @@
     <message>
         <source>Tools</source>
         <translation>Herramientas</translation>
+    </message>
+</context>
+<context>
+    <name>ActionWords</name>
+    <message>
+        <source>%1 on</source>
+        <translation>%1 activada</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 desactivada</translation>
+    </message>
+    <message>
+        <source>%1 on for %2 s</source>
+        <translation>%1 activada %2 s</translation>
+    </message>
+    <message>
+        <source>%1 off for %2 s</source>
+        <translation>%1 desactivada %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on, at most %2 s</source>
+        <translation>Esperar a que %1 se active, como máximo %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off, at most %2 s</source>
+        <translation>Esperar a que %1 se desactive, como máximo %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on</source>
+        <translation>Esperar a que %1 se active</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off</source>
+        <translation>Esperar a que %1 se desactive</translation>
+    </message>
+    <message>
+        <source>Wait %1 s</source>
+        <translation>Esperar %1 s</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>Abrir la pinza</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>Cerrar la pinza</translation>
+    </message>
+    <message>
+        <source>Set an output</source>
+        <translation>Poner una salida</translation>
+    </message>
+    <message>
+        <source>Pulse an output</source>
+        <translation>Dar un pulso a una salida</translation>
+    </message>
+    <message>
+        <source>Wait for an input</source>
+        <translation>Esperar una entrada</translation>
+    </message>
+    <message>
+        <source>Wait a while</source>
+        <translation>Esperar un tiempo</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1994,13 @@
     </message>
 </context>
 <context>
+    <name>ProblemReport</name>
+    <message>
+        <source>write %1</source>
+        <translation>escribir %1</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2022,6 +2119,25 @@
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>Replay</name>
+    <message>
+        <source>REPLAY</source>
+        <translation>REPRODUCCIÓN</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>sin datos</translation>
+    </message>
+    <message>
+        <source>history at %1 s</source>
+        <translation>historial en %1 s</translation>
+    </message>
+    <message>
+        <source>at %1 s of %2</source>
+        <translation>en %1 s de %2</translation>
     </message>
 </context>
 <context>
@@ -2834,6 +2950,25 @@
     </message>
 </context>
 <context>
+    <name>Spectrum</name>
+    <message>
+        <source>compute a spectrum</source>
+        <translation>calcular un espectro</translation>
+    </message>
+    <message>
+        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <translation>Hay menos de %1 muestras: elija un intervalo más largo.</translation>
+    </message>
+    <message>
+        <source>Values are missing in this range: choose one without a gap.</source>
+        <translation>Faltan valores en este intervalo: elija uno sin huecos.</translation>
+    </message>
+    <message>
+        <source>There is too little memory.</source>
+        <translation>No hay memoria suficiente.</translation>
+    </message>
+</context>
+<context>
     <name>StartProject</name>
     <message>
         <source>The project worked in last is not there any more: %1</source>
@@ -3302,6 +3437,100 @@
     <message>
         <source>Line %1: a quotation mark is not closed</source>
         <translation>Línea %1: unas comillas no se cierran</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ActionsDialog</name>
+    <message>
+        <source>Actions at “%1”</source>
+        <translation>Acciones en «%1»</translation>
+    </message>
+    <message numerus="yes">
+        <source>Actions at %n waypoints</source>
+        <translation>
+            <numerusform>Acciones en %n punto de paso</numerusform>
+            <numerusform>Acciones en %n puntos de paso</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <translation>Se hacen en este orden cuando «Recorrer» ha llevado el brazo allí, y solo mientras se mantiene pulsada la tecla.</translation>
+    </message>
+    <message>
+        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <translation>Estos puntos tienen acciones distintas. «Cambiar» da a todos las de abajo.</translation>
+    </message>
+    <message>
+        <source>Actions in their order</source>
+        <translation>Acciones en su orden</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambiar</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Add an action after the chosen one</source>
+        <translation>Añadir una acción tras la elegida</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove the chosen action</source>
+        <translation>Quitar la acción elegida</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Subir</translation>
+    </message>
+    <message>
+        <source>Do the chosen action earlier</source>
+        <translation>Hacer antes la acción elegida</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bajar</translation>
+    </message>
+    <message>
+        <source>Do the chosen action later</source>
+        <translation>Hacer después la acción elegida</translation>
+    </message>
+    <message>
+        <source>What is done</source>
+        <translation>Qué se hace</translation>
+    </message>
+    <message>
+        <source>Which terminal</source>
+        <translation>Qué borne</translation>
+    </message>
+    <message>
+        <source>On or off</source>
+        <translation>Activada o desactivada</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Segundos</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivada</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activada</translation>
+    </message>
+    <message>
+        <source>At most, seconds</source>
+        <translation>Como máximo, segundos</translation>
+    </message>
+    <message>
+        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <translation>Entonces termina y lo dice. 0: mientras se mantenga la tecla, como máximo una hora</translation>
     </message>
 </context>
 <context>
@@ -3957,24 +4186,12 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Recorrer, mantener</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
-        <translation>Va de punto en punto mientras se mantiene la tecla, no más rápido que la velocidad manual. Suelte para pausar; la próxima pulsación sigue al punto siguiente.</translation>
-    </message>
-    <message>
-        <source>‹ Step</source>
-        <translation>‹ Paso</translation>
-    </message>
-    <message>
         <source>One waypoint back, hold</source>
         <translation>Un punto atrás, mantener</translation>
     </message>
     <message>
         <source>Goes back to the waypoint before while the key is held</source>
         <translation>Vuelve al punto anterior mientras se mantiene la tecla</translation>
-    </message>
-    <message>
-        <source>Step ›</source>
-        <translation>Paso ›</translation>
     </message>
     <message>
         <source>One waypoint on, hold</source>
@@ -4046,6 +4263,14 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>Va de punto a punto mientras se mantiene la tecla, no más deprisa que la velocidad de movimiento, y hace en cada uno lo que allí hay que hacer. Al soltar se detiene; la siguiente pulsación sigue hacia el punto que viene.</translation>
+    </message>
+    <message>
+        <source>At %1: %2</source>
+        <translation>En %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4321,6 +4546,14 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <source>Sends the fingers to this opening.</source>
         <translation>Envía los dedos a esta apertura.</translation>
     </message>
+    <message>
+        <source>Its speed or its force is no figure it takes.</source>
+        <translation>Su velocidad o su fuerza no es una que admita.</translation>
+    </message>
+    <message>
+        <source>The gripper did not take the command.</source>
+        <translation>La pinza no aceptó la orden.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HeaderBar</name>
@@ -4589,6 +4822,10 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     <message>
         <source>No data from the robot.</source>
         <translation>Sin datos del robot.</translation>
+    </message>
+    <message>
+        <source>This is a replay: go back to live first.</source>
+        <translation>Esto es una reproducción: vuelva primero a lo actual.</translation>
     </message>
 </context>
 <context>
@@ -4909,6 +5146,14 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <source>What happened</source>
         <translation>Qué ocurrió</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open the recording of this incident, at the moment of the stop</source>
+        <translation>Abrir la grabación de este incidente en el momento de la parada</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -5161,10 +5406,6 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Lo grabado hasta entonces se conserva.</translation>
     </message>
     <message>
-        <source>○ Record path</source>
-        <translation>○ Grabar trayectoria</translation>
-    </message>
-    <message>
         <source>End the recording of the path</source>
         <translation>Terminar la grabación de la trayectoria</translation>
     </message>
@@ -5210,6 +5451,10 @@ Vacíe la búsqueda para verlo todo.</translation>
     <message>
         <source>Import a demonstration</source>
         <translation>Importar una demostración</translation>
+    </message>
+    <message>
+        <source>○ Path</source>
+        <translation>○ Ruta</translation>
     </message>
 </context>
 <context>
@@ -5750,6 +5995,79 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
 </context>
 <context>
+    <name>tiller::PlotAnalysis</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Espectro</translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation>XY</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>respecto a</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>Espectro y XY</translation>
+    </message>
+    <message>
+        <source>Kind of analysis</source>
+        <translation>Tipo de análisis</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>Over this signal</source>
+        <translation>Respecto a esta señal</translation>
+    </message>
+    <message>
+        <source>Put a signal onto the plots first.</source>
+        <translation>Ponga primero una señal en los gráficos.</translation>
+    </message>
+    <message>
+        <source>There are no samples in this range.</source>
+        <translation>No hay muestras en este intervalo.</translation>
+    </message>
+    <message>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <translation>Faltan muestras en este intervalo: ponga los cursores A y B de modo que no haya hueco entre ellos.</translation>
+    </message>
+    <message>
+        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <translation>Ventana de Hann de %1 muestras · %2 Hz por línea · media de %3 · %4 … %5 s</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frecuencia [Hz]</translation>
+    </message>
+    <message>
+        <source>Amplitude of %1</source>
+        <translation>Amplitud de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n muestra</numerusform>
+            <numerusform>%n muestras</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s), one in %1</source>
+        <translation>
+            <numerusform>%n muestra, una de cada %1</numerusform>
+            <numerusform>%n muestras, una de cada %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 … %3 s</source>
+        <translation>%1 · %2 … %3 s</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6108,6 +6426,57 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     <message>
         <source>read an arrangement of plots</source>
         <translation>leer una disposición de gráficos</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>Espectro y XY</translation>
+    </message>
+    <message>
+        <source>Export the shown range…</source>
+        <translation>Exportar el intervalo mostrado…</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>Eje de tiempo</translation>
+    </message>
+    <message>
+        <source>Before the newest sample</source>
+        <translation>Antes de la muestra más reciente</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>Tiempo del controlador</translation>
+    </message>
+    <message>
+        <source>Time of the day</source>
+        <translation>Hora del día</translation>
+    </message>
+    <message>
+        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <translation>Hay tantas páginas de gráficos como puede haber: quite primero una.</translation>
+    </message>
+    <message>
+        <source>Record to an MCAP file</source>
+        <translation>Grabar en un archivo MCAP</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <translation>Graba lo que envía el robot en un archivo MCAP; la tecla de al lado dice qué y dónde</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2 por segundo · %3 libres · %n paquete perdido</numerusform>
+            <numerusform>%1 · %2 por segundo · %3 libres · %n paquetes perdidos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV: texto, para pandas y hojas de cálculo</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP: todos los campos, el registro y el proyecto, para herramientas de ROS</translation>
     </message>
 </context>
 <context>
@@ -6848,6 +7217,21 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ReplayBand</name>
+    <message>
+        <source>Replay</source>
+        <translation>Reproducción</translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation>Volver a lo actual</translation>
+    </message>
+    <message>
+        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <translation>Mostrar lo que el robot hace ahora; una grabación queda abierta en los gráficos</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RobotPopup</name>
     <message>
         <source>Error</source>
@@ -7165,6 +7549,18 @@ Suelte la tecla y el brazo se detiene.</translation>
     <message>
         <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
         <translation>fantasma «%1» · %2 · mayor giro %3 %4 · %5 s a %6</translation>
+    </message>
+    <message>
+        <source>“%1” as it will be</source>
+        <translation>«%1» como quedará</translation>
+    </message>
+    <message>
+        <source>“%1” as it was</source>
+        <translation>«%1» como estaba</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>REPRODUCCIÓN</translation>
     </message>
 </context>
 <context>
@@ -7865,6 +8261,17 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
             <numerusform>%n puntos escritos en %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Select waypoints where something is to be done.</source>
+        <translation>Seleccione puntos donde haya que hacer algo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the actions at %n waypoints</source>
+        <translation>
+            <numerusform>Cambiar las acciones en %n punto</numerusform>
+            <numerusform>Cambiar las acciones en %n puntos</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -8155,6 +8562,21 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     <message>
         <source>Name %1, the coming one</source>
         <translation>Nombre %1, el siguiente</translation>
+    </message>
+    <message>
+        <source>Done there: %1</source>
+        <translation>Se hace allí: %1</translation>
+    </message>
+    <message>
+        <source>Name %1</source>
+        <translation>Nombre %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n actions</source>
+        <translation>
+            <numerusform>%n acción</numerusform>
+            <numerusform>%n acciones</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8516,6 +8938,10 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     <message>
         <source>Delete the pattern and its waypoints</source>
         <translation>Eliminar el patrón y sus puntos</translation>
+    </message>
+    <message>
+        <source>Actions there…</source>
+        <translation>Acciones allí…</translation>
     </message>
 </context>
 <context>
@@ -9214,6 +9640,33 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <source>Tools</source>
         <translation>Herramientas</translation>
     </message>
+    <message numerus="yes">
+        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <translation>
+            <numerusform>El robot simulado no conoce %n caja o plano de la celda: no tiene sitio para más.</numerusform>
+            <numerusform>El robot simulado no conoce %n cajas o planos de la celda: no tiene sitio para más.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Informar de un problema…</translation>
+    </message>
+    <message>
+        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <translation>Un archivo con versiones, registro y ajustes para quien le ayude; antes muestra lo que contiene.</translation>
+    </message>
+    <message>
+        <source>Report saved: %1</source>
+        <translation>Informe guardado: %1</translation>
+    </message>
+    <message>
+        <source>Tiller ended unexpectedly the last time</source>
+        <translation>Tiller terminó de forma inesperada la última vez</translation>
+    </message>
+    <message>
+        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <translation>Se guardó lo que hacía entonces. Guárdelo como informe para quien le ayude.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -9468,6 +9921,89 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
             <numerusform>%n paquete por fila: %1 filas por segundo de un robot que envía 500 paquetes por segundo.</numerusform>
             <numerusform>%n paquetes por fila: %1 filas por segundo de un robot que envía 500 paquetes por segundo.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Format of a recording</source>
+        <translation>Formato de una grabación</translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV: texto, para pandas y hojas de cálculo</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP: todos los campos, el registro y el proyecto, para herramientas de ROS</translation>
+    </message>
+    <message>
+        <source>Megabytes of the disk that stay free</source>
+        <translation>Megabytes del disco que quedan libres</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <translation>Una grabación termina en orden y queda completa antes de que haya menos libre en el disco.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Keep free</source>
+        <translation>Dejar libre</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ReportDialog</name>
+    <message>
+        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <translation>Con nombres y direcciones de robots, entradas, salidas y archivos</translation>
+    </message>
+    <message>
+        <source>Report a problem</source>
+        <translation>Informar de un problema</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Qué ocurrió</translation>
+    </message>
+    <message>
+        <source>What did you do, what did you expect, what happened?</source>
+        <translation>¿Qué hizo, qué esperaba, qué ocurrió?</translation>
+    </message>
+    <message>
+        <source>Files of the report</source>
+        <translation>Archivos del informe</translation>
+    </message>
+    <message>
+        <source>What this file says</source>
+        <translation>Lo que dice este archivo</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>Guardar informe…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <translation>Un archivo con lo que necesita saber quien le ayude. Abajo está todo lo que contendrá. Se guarda donde usted elija; Tiller no lo envía a ningún sitio.</translation>
+    </message>
+    <message>
+        <source>Tiller report %1.zip</source>
+        <translation>Informe de Tiller %1.zip</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Guardar informe</translation>
+    </message>
+    <message>
+        <source>Zip archives (*.zip)</source>
+        <translation>Archivos zip (*.zip)</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
+    <name>ActionStep</name>
+    <message>
+        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <translation>Ce robot n’a pas de pince ici. Choisissez-la sous E/S, Pince.</translation>
+    </message>
+    <message>
+        <source>Go through</source>
+        <translation>Parcourir</translation>
+    </message>
+    <message>
+        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1 ne s’est pas activé en %2 s. Vérifiez ce qui est attendu, puis appuyez de nouveau.</translation>
+    </message>
+    <message>
+        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1 ne s’est pas désactivé en %2 s. Vérifiez ce qui est attendu, puis appuyez de nouveau.</translation>
+    </message>
+    <message>
+        <source>%1 was not done. %2</source>
+        <translation>%1 n’a pas été fait. %2</translation>
+    </message>
+    <message>
+        <source>The gripper did not come to rest within %1 s.</source>
+        <translation>La pince ne s’est pas arrêtée en %1 s.</translation>
+    </message>
+</context>
+<context>
     <name>ActionTable</name>
     <message>
         <source>Robot</source>
@@ -62,6 +89,69 @@
     <message>
         <source>Tools</source>
         <translation>Outils</translation>
+    </message>
+</context>
+<context>
+    <name>ActionWords</name>
+    <message>
+        <source>%1 on</source>
+        <translation>%1 activée</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 désactivée</translation>
+    </message>
+    <message>
+        <source>%1 on for %2 s</source>
+        <translation>%1 activée %2 s</translation>
+    </message>
+    <message>
+        <source>%1 off for %2 s</source>
+        <translation>%1 désactivée %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on, at most %2 s</source>
+        <translation>Attendre que %1 s’active, au plus %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off, at most %2 s</source>
+        <translation>Attendre que %1 se désactive, au plus %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on</source>
+        <translation>Attendre que %1 s’active</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off</source>
+        <translation>Attendre que %1 se désactive</translation>
+    </message>
+    <message>
+        <source>Wait %1 s</source>
+        <translation>Attendre %1 s</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>Ouvrir la pince</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>Fermer la pince</translation>
+    </message>
+    <message>
+        <source>Set an output</source>
+        <translation>Régler une sortie</translation>
+    </message>
+    <message>
+        <source>Pulse an output</source>
+        <translation>Impulsion sur une sortie</translation>
+    </message>
+    <message>
+        <source>Wait for an input</source>
+        <translation>Attendre une entrée</translation>
+    </message>
+    <message>
+        <source>Wait a while</source>
+        <translation>Attendre un temps</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1994,13 @@
     </message>
 </context>
 <context>
+    <name>ProblemReport</name>
+    <message>
+        <source>write %1</source>
+        <translation>écrire %1</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2022,6 +2119,25 @@
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>Replay</name>
+    <message>
+        <source>REPLAY</source>
+        <translation>RELECTURE</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>sans données</translation>
+    </message>
+    <message>
+        <source>history at %1 s</source>
+        <translation>historique à %1 s</translation>
+    </message>
+    <message>
+        <source>at %1 s of %2</source>
+        <translation>à %1 s de %2</translation>
     </message>
 </context>
 <context>
@@ -2834,6 +2950,25 @@
     </message>
 </context>
 <context>
+    <name>Spectrum</name>
+    <message>
+        <source>compute a spectrum</source>
+        <translation>calculer un spectre</translation>
+    </message>
+    <message>
+        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <translation>Il y a moins de %1 échantillons : choisissez une plage plus longue.</translation>
+    </message>
+    <message>
+        <source>Values are missing in this range: choose one without a gap.</source>
+        <translation>Des valeurs manquent dans cette plage : choisissez-en une sans lacune.</translation>
+    </message>
+    <message>
+        <source>There is too little memory.</source>
+        <translation>La mémoire ne suffit pas.</translation>
+    </message>
+</context>
+<context>
     <name>StartProject</name>
     <message>
         <source>The project worked in last is not there any more: %1</source>
@@ -3302,6 +3437,100 @@
     <message>
         <source>Line %1: a quotation mark is not closed</source>
         <translation>Ligne %1 : un guillemet n’est pas fermé</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ActionsDialog</name>
+    <message>
+        <source>Actions at “%1”</source>
+        <translation>Actions à « %1 »</translation>
+    </message>
+    <message numerus="yes">
+        <source>Actions at %n waypoints</source>
+        <translation>
+            <numerusform>Actions à %n point de passage</numerusform>
+            <numerusform>Actions à %n points de passage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <translation>Faites dans cet ordre quand « Parcourir » y a amené le bras, et seulement tant que la touche est maintenue.</translation>
+    </message>
+    <message>
+        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <translation>Ces points ont des actions différentes. « Modifier » leur donne à tous celles ci-dessous.</translation>
+    </message>
+    <message>
+        <source>Actions in their order</source>
+        <translation>Actions dans leur ordre</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changer</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Add an action after the chosen one</source>
+        <translation>Ajouter une action après celle choisie</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Remove the chosen action</source>
+        <translation>Retirer l’action choisie</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Monter</translation>
+    </message>
+    <message>
+        <source>Do the chosen action earlier</source>
+        <translation>Faire plus tôt l’action choisie</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Descendre</translation>
+    </message>
+    <message>
+        <source>Do the chosen action later</source>
+        <translation>Faire plus tard l’action choisie</translation>
+    </message>
+    <message>
+        <source>What is done</source>
+        <translation>Ce qui est fait</translation>
+    </message>
+    <message>
+        <source>Which terminal</source>
+        <translation>Quelle borne</translation>
+    </message>
+    <message>
+        <source>On or off</source>
+        <translation>Activée ou désactivée</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Secondes</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivée</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activée</translation>
+    </message>
+    <message>
+        <source>At most, seconds</source>
+        <translation>Au plus, secondes</translation>
+    </message>
+    <message>
+        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <translation>Alors cela finit et le dit. 0 : tant que la touche est maintenue, une heure au plus</translation>
     </message>
 </context>
 <context>
@@ -3957,24 +4186,12 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Parcourir, tenir</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
-        <translation>Va de point en point tant que la touche est tenue, pas plus vite que la vitesse manuelle. Lâchez pour faire pause ; le prochain appui continue vers le point suivant.</translation>
-    </message>
-    <message>
-        <source>‹ Step</source>
-        <translation>‹ Pas</translation>
-    </message>
-    <message>
         <source>One waypoint back, hold</source>
         <translation>Un point en arrière, tenir</translation>
     </message>
     <message>
         <source>Goes back to the waypoint before while the key is held</source>
         <translation>Revient au point précédent tant que la touche est tenue</translation>
-    </message>
-    <message>
-        <source>Step ›</source>
-        <translation>Pas ›</translation>
     </message>
     <message>
         <source>One waypoint on, hold</source>
@@ -4046,6 +4263,14 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>Va de point en point tant que la touche est maintenue, pas plus vite que la vitesse de déplacement, et fait à chacun ce qui doit l’être. Relâcher suspend ; l’appui suivant continue vers le point à venir.</translation>
+    </message>
+    <message>
+        <source>At %1: %2</source>
+        <translation>À %1 : %2</translation>
     </message>
 </context>
 <context>
@@ -4321,6 +4546,14 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <source>Sends the fingers to this opening.</source>
         <translation>Envoie les doigts à cette ouverture.</translation>
     </message>
+    <message>
+        <source>Its speed or its force is no figure it takes.</source>
+        <translation>Sa vitesse ou sa force n’est pas une valeur qu’elle accepte.</translation>
+    </message>
+    <message>
+        <source>The gripper did not take the command.</source>
+        <translation>La pince n’a pas accepté la commande.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HeaderBar</name>
@@ -4589,6 +4822,10 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     <message>
         <source>No data from the robot.</source>
         <translation>Pas de données du robot.</translation>
+    </message>
+    <message>
+        <source>This is a replay: go back to live first.</source>
+        <translation>Ceci est une relecture : revenez d’abord au direct.</translation>
     </message>
 </context>
 <context>
@@ -4909,6 +5146,14 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <source>What happened</source>
         <translation>Ce qui s’est passé</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open the recording of this incident, at the moment of the stop</source>
+        <translation>Ouvrir l’enregistrement de cet incident au moment de l’arrêt</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -5161,10 +5406,6 @@ Videz la recherche pour tout voir.</translation>
         <translation>Ce qui a été enregistré jusque-là est gardé.</translation>
     </message>
     <message>
-        <source>○ Record path</source>
-        <translation>○ Enregistrer trajectoire</translation>
-    </message>
-    <message>
         <source>End the recording of the path</source>
         <translation>Terminer l’enregistrement de la trajectoire</translation>
     </message>
@@ -5210,6 +5451,10 @@ Videz la recherche pour tout voir.</translation>
     <message>
         <source>Import a demonstration</source>
         <translation>Importer une démonstration</translation>
+    </message>
+    <message>
+        <source>○ Path</source>
+        <translation>○ Trajet</translation>
     </message>
 </context>
 <context>
@@ -5750,6 +5995,79 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
 </context>
 <context>
+    <name>tiller::PlotAnalysis</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spectre</translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation>XY</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>selon</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>Spectre et XY</translation>
+    </message>
+    <message>
+        <source>Kind of analysis</source>
+        <translation>Type d’analyse</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Over this signal</source>
+        <translation>Selon ce signal</translation>
+    </message>
+    <message>
+        <source>Put a signal onto the plots first.</source>
+        <translation>Placez d’abord un signal sur les tracés.</translation>
+    </message>
+    <message>
+        <source>There are no samples in this range.</source>
+        <translation>Il n’y a pas d’échantillons dans cette plage.</translation>
+    </message>
+    <message>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <translation>Des échantillons manquent dans cette plage : placez les curseurs A et B sans lacune entre eux.</translation>
+    </message>
+    <message>
+        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <translation>Fenêtre de Hann de %1 échantillons · %2 Hz par raie · moyenne de %3 · %4 … %5 s</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Fréquence [Hz]</translation>
+    </message>
+    <message>
+        <source>Amplitude of %1</source>
+        <translation>Amplitude de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n échantillon</numerusform>
+            <numerusform>%n échantillons</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s), one in %1</source>
+        <translation>
+            <numerusform>%n échantillon, un sur %1</numerusform>
+            <numerusform>%n échantillons, un sur %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 … %3 s</source>
+        <translation>%1 · %2 … %3 s</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6108,6 +6426,57 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     <message>
         <source>read an arrangement of plots</source>
         <translation>lire une disposition de tracés</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>Spectre et XY</translation>
+    </message>
+    <message>
+        <source>Export the shown range…</source>
+        <translation>Exporter la plage affichée…</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>Axe du temps</translation>
+    </message>
+    <message>
+        <source>Before the newest sample</source>
+        <translation>Avant le dernier échantillon</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>Temps du contrôleur</translation>
+    </message>
+    <message>
+        <source>Time of the day</source>
+        <translation>Heure du jour</translation>
+    </message>
+    <message>
+        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <translation>Il y a autant de pages de tracés que possible : retirez-en d’abord une.</translation>
+    </message>
+    <message>
+        <source>Record to an MCAP file</source>
+        <translation>Enregistrer dans un fichier MCAP</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <translation>Enregistre ce que le robot envoie dans un fichier MCAP ; la touche à côté dit quoi et où</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2 par seconde · %3 libres · %n paquet perdu</numerusform>
+            <numerusform>%1 · %2 par seconde · %3 libres · %n paquets perdus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV : texte, pour pandas et tableurs</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP : tous les champs, le journal et le projet, pour les outils ROS</translation>
     </message>
 </context>
 <context>
@@ -6848,6 +7217,21 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ReplayBand</name>
+    <message>
+        <source>Replay</source>
+        <translation>Relecture</translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation>Revenir au direct</translation>
+    </message>
+    <message>
+        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <translation>Montrer ce que le robot fait maintenant ; un enregistrement reste ouvert dans les tracés</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RobotPopup</name>
     <message>
         <source>Error</source>
@@ -7165,6 +7549,18 @@ Lâchez la touche et le bras s’arrête.</translation>
     <message>
         <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
         <translation>fantôme « %1 » · %2 · plus grande rotation %3 %4 · %5 s à %6</translation>
+    </message>
+    <message>
+        <source>“%1” as it will be</source>
+        <translation>« %1 » tel qu’il sera</translation>
+    </message>
+    <message>
+        <source>“%1” as it was</source>
+        <translation>« %1 » tel qu’il était</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>RELECTURE</translation>
     </message>
 </context>
 <context>
@@ -7865,6 +8261,17 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
             <numerusform>%n points écrits dans %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Select waypoints where something is to be done.</source>
+        <translation>Sélectionnez des points où quelque chose est à faire.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the actions at %n waypoints</source>
+        <translation>
+            <numerusform>Modifier les actions à %n point</numerusform>
+            <numerusform>Modifier les actions à %n points</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -8155,6 +8562,21 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     <message>
         <source>Name %1, the coming one</source>
         <translation>Nom %1, le suivant</translation>
+    </message>
+    <message>
+        <source>Done there: %1</source>
+        <translation>Fait à cet endroit : %1</translation>
+    </message>
+    <message>
+        <source>Name %1</source>
+        <translation>Nom %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n actions</source>
+        <translation>
+            <numerusform>%n action</numerusform>
+            <numerusform>%n actions</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8516,6 +8938,10 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     <message>
         <source>Delete the pattern and its waypoints</source>
         <translation>Supprimer le motif et ses points</translation>
+    </message>
+    <message>
+        <source>Actions there…</source>
+        <translation>Actions à cet endroit…</translation>
     </message>
 </context>
 <context>
@@ -9214,6 +9640,33 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <source>Tools</source>
         <translation>Outils</translation>
     </message>
+    <message numerus="yes">
+        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <translation>
+            <numerusform>Le robot simulé ne connaît pas %n boîte ou plan de la cellule : il n’a pas de place pour plus.</numerusform>
+            <numerusform>Le robot simulé ne connaît pas %n boîtes ou plans de la cellule : il n’a pas de place pour plus.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Signaler un problème…</translation>
+    </message>
+    <message>
+        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <translation>Un fichier avec versions, journal et réglages pour qui vous aide ; montre d’abord son contenu.</translation>
+    </message>
+    <message>
+        <source>Report saved: %1</source>
+        <translation>Rapport enregistré : %1</translation>
+    </message>
+    <message>
+        <source>Tiller ended unexpectedly the last time</source>
+        <translation>Tiller s’est arrêté de façon inattendue la dernière fois</translation>
+    </message>
+    <message>
+        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <translation>Ce qu’il faisait alors a été gardé. Enregistrez-le comme rapport pour qui vous aide.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -9468,6 +9921,89 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
             <numerusform>%n paquet par ligne : %1 lignes par seconde d’un robot qui envoie 500 paquets par seconde.</numerusform>
             <numerusform>%n paquets par ligne : %1 lignes par seconde d’un robot qui envoie 500 paquets par seconde.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Format of a recording</source>
+        <translation>Format d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV : texte, pour pandas et tableurs</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP : tous les champs, le journal et le projet, pour les outils ROS</translation>
+    </message>
+    <message>
+        <source>Megabytes of the disk that stay free</source>
+        <translation>Mégaoctets du disque qui restent libres</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> Mo</translation>
+    </message>
+    <message>
+        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <translation>Un enregistrement se termine en ordre, complet, avant que le disque n’ait moins de libre.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Keep free</source>
+        <translation>Garder libre</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ReportDialog</name>
+    <message>
+        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <translation>Avec les noms et adresses des robots, entrées, sorties et fichiers</translation>
+    </message>
+    <message>
+        <source>Report a problem</source>
+        <translation>Signaler un problème</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Ce qui s’est passé</translation>
+    </message>
+    <message>
+        <source>What did you do, what did you expect, what happened?</source>
+        <translation>Qu’avez-vous fait, qu’attendiez-vous, que s’est-il passé ?</translation>
+    </message>
+    <message>
+        <source>Files of the report</source>
+        <translation>Fichiers du rapport</translation>
+    </message>
+    <message>
+        <source>What this file says</source>
+        <translation>Ce que dit ce fichier</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>Enregistrer le rapport…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <translation>Un fichier avec ce que doit savoir qui vous aide. Tout ce qu’il contiendra est ci-dessous. Il est enregistré où vous voulez ; Tiller ne l’envoie nulle part.</translation>
+    </message>
+    <message>
+        <source>Tiller report %1.zip</source>
+        <translation>Rapport Tiller %1.zip</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Zip archives (*.zip)</source>
+        <translation>Archives zip (*.zip)</translation>
     </message>
 </context>
 <context>

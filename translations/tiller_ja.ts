@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja_JP" sourcelanguage="en">
 <context>
+    <name>ActionStep</name>
+    <message>
+        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <translation>このロボットにはグリッパーがありません。I/Oのグリッパーで選んでください。</translation>
+    </message>
+    <message>
+        <source>Go through</source>
+        <translation>通しで移動</translation>
+    </message>
+    <message>
+        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1が%2 s以内にオンになりませんでした。待っている対象を確かめ、もう一度押してください。</translation>
+    </message>
+    <message>
+        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1が%2 s以内にオフになりませんでした。待っている対象を確かめ、もう一度押してください。</translation>
+    </message>
+    <message>
+        <source>%1 was not done. %2</source>
+        <translation>%1は行われませんでした。%2</translation>
+    </message>
+    <message>
+        <source>The gripper did not come to rest within %1 s.</source>
+        <translation>グリッパーが%1 s以内に停止しませんでした。</translation>
+    </message>
+</context>
+<context>
     <name>ActionTable</name>
     <message>
         <source>Robot</source>
@@ -62,6 +89,69 @@
     <message>
         <source>Tools</source>
         <translation>ツール</translation>
+    </message>
+</context>
+<context>
+    <name>ActionWords</name>
+    <message>
+        <source>%1 on</source>
+        <translation>%1をオン</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>%1をオフ</translation>
+    </message>
+    <message>
+        <source>%1 on for %2 s</source>
+        <translation>%1を%2 sオン</translation>
+    </message>
+    <message>
+        <source>%1 off for %2 s</source>
+        <translation>%1を%2 sオフ</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on, at most %2 s</source>
+        <translation>%1のオンを待つ、最大%2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off, at most %2 s</source>
+        <translation>%1のオフを待つ、最大%2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on</source>
+        <translation>%1のオンを待つ</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off</source>
+        <translation>%1のオフを待つ</translation>
+    </message>
+    <message>
+        <source>Wait %1 s</source>
+        <translation>%1 s待つ</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>グリッパーを開く</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>グリッパーを閉じる</translation>
+    </message>
+    <message>
+        <source>Set an output</source>
+        <translation>出力を設定</translation>
+    </message>
+    <message>
+        <source>Pulse an output</source>
+        <translation>出力をパルス</translation>
+    </message>
+    <message>
+        <source>Wait for an input</source>
+        <translation>入力を待つ</translation>
+    </message>
+    <message>
+        <source>Wait a while</source>
+        <translation>一定時間待つ</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1994,13 @@
     </message>
 </context>
 <context>
+    <name>ProblemReport</name>
+    <message>
+        <source>write %1</source>
+        <translation>%1 を書き込む</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2022,6 +2119,25 @@
     <message>
         <source>Close</source>
         <translation>閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>Replay</name>
+    <message>
+        <source>REPLAY</source>
+        <translation>再生中</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>データなし</translation>
+    </message>
+    <message>
+        <source>history at %1 s</source>
+        <translation>履歴の%1 s</translation>
+    </message>
+    <message>
+        <source>at %1 s of %2</source>
+        <translation>%2の%1 s</translation>
     </message>
 </context>
 <context>
@@ -2833,6 +2949,25 @@
     </message>
 </context>
 <context>
+    <name>Spectrum</name>
+    <message>
+        <source>compute a spectrum</source>
+        <translation>スペクトルの計算</translation>
+    </message>
+    <message>
+        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <translation>サンプルが%1個より少なくなっています。範囲を長くしてください。</translation>
+    </message>
+    <message>
+        <source>Values are missing in this range: choose one without a gap.</source>
+        <translation>この範囲には値の欠けがあります。欠けのない範囲を選んでください。</translation>
+    </message>
+    <message>
+        <source>There is too little memory.</source>
+        <translation>メモリが足りません。</translation>
+    </message>
+</context>
+<context>
     <name>StartProject</name>
     <message>
         <source>The project worked in last is not there any more: %1</source>
@@ -3301,6 +3436,99 @@
     <message>
         <source>Line %1: a quotation mark is not closed</source>
         <translation>行 %1：引用符が閉じていません</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ActionsDialog</name>
+    <message>
+        <source>Actions at “%1”</source>
+        <translation>「%1」での動作</translation>
+    </message>
+    <message numerus="yes">
+        <source>Actions at %n waypoints</source>
+        <translation>
+            <numerusform>%n個のウェイポイントでの動作</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <translation>「通しで移動」でアームが着いたとき、キーを押し続けている間だけ、この順に行われます。</translation>
+    </message>
+    <message>
+        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <translation>これらのウェイポイントの動作は異なります。「変更」を押すと、すべてが下の動作になります。</translation>
+    </message>
+    <message>
+        <source>Actions in their order</source>
+        <translation>動作の順序</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変更</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Add an action after the chosen one</source>
+        <translation>選んだ動作の後に動作を追加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Remove the chosen action</source>
+        <translation>選んだ動作を削除</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>Do the chosen action earlier</source>
+        <translation>選んだ動作を先に行う</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下へ</translation>
+    </message>
+    <message>
+        <source>Do the chosen action later</source>
+        <translation>選んだ動作を後に行う</translation>
+    </message>
+    <message>
+        <source>What is done</source>
+        <translation>何を行うか</translation>
+    </message>
+    <message>
+        <source>Which terminal</source>
+        <translation>どの端子か</translation>
+    </message>
+    <message>
+        <source>On or off</source>
+        <translation>オンかオフか</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>At most, seconds</source>
+        <translation>最大、秒</translation>
+    </message>
+    <message>
+        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <translation>その後は終わり、それを知らせます。0: キーを押し続けている間、最大1時間</translation>
     </message>
 </context>
 <context>
@@ -3951,24 +4179,12 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>巡る、押し続ける</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
-        <translation>押している間ウェイポイントを順に巡ります。ジョグ速度を超えません。離すと一時停止、次に押すと次のウェイポイントへ続きます。</translation>
-    </message>
-    <message>
-        <source>‹ Step</source>
-        <translation>‹ ステップ</translation>
-    </message>
-    <message>
         <source>One waypoint back, hold</source>
         <translation>一つ前のウェイポイントへ、押し続ける</translation>
     </message>
     <message>
         <source>Goes back to the waypoint before while the key is held</source>
         <translation>押している間、前のウェイポイントへ戻ります</translation>
-    </message>
-    <message>
-        <source>Step ›</source>
-        <translation>ステップ ›</translation>
     </message>
     <message>
         <source>One waypoint on, hold</source>
@@ -4039,6 +4255,14 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>キーを押し続けている間、ジョグ速度以下でウェイポイントを順に移動し、それぞれで決められた動作を行います。放すと一時停止し、次に押すと次のウェイポイントへ続きます。</translation>
+    </message>
+    <message>
+        <source>At %1: %2</source>
+        <translation>%1で: %2</translation>
     </message>
 </context>
 <context>
@@ -4314,6 +4538,14 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <source>Sends the fingers to this opening.</source>
         <translation>指をこの開きへ送ります。</translation>
     </message>
+    <message>
+        <source>Its speed or its force is no figure it takes.</source>
+        <translation>速度または力が受け付けられる値ではありません。</translation>
+    </message>
+    <message>
+        <source>The gripper did not take the command.</source>
+        <translation>グリッパーが指令を受け付けませんでした。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HeaderBar</name>
@@ -4582,6 +4814,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>No data from the robot.</source>
         <translation>ロボットからのデータなし。</translation>
+    </message>
+    <message>
+        <source>This is a replay: go back to live first.</source>
+        <translation>これは再生です。まずライブに戻ってください。</translation>
     </message>
 </context>
 <context>
@@ -4902,6 +5138,14 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>What happened</source>
         <translation>できごと</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Open the recording of this incident, at the moment of the stop</source>
+        <translation>このインシデントの記録を停止の瞬間で開く</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -5154,10 +5398,6 @@ Clear the search to see everything.</source>
         <translation>それまでの記録は残ります。</translation>
     </message>
     <message>
-        <source>○ Record path</source>
-        <translation>○ 経路を記録</translation>
-    </message>
-    <message>
         <source>End the recording of the path</source>
         <translation>経路の記録を終える</translation>
     </message>
@@ -5202,6 +5442,10 @@ Clear the search to see everything.</source>
     <message>
         <source>Import a demonstration</source>
         <translation>実演を取り込む</translation>
+    </message>
+    <message>
+        <source>○ Path</source>
+        <translation>○ 経路</translation>
     </message>
 </context>
 <context>
@@ -5738,6 +5982,77 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
 </context>
 <context>
+    <name>tiller::PlotAnalysis</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>スペクトル</translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation>XY</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>対</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>スペクトルとXY</translation>
+    </message>
+    <message>
+        <source>Kind of analysis</source>
+        <translation>解析の種類</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Over this signal</source>
+        <translation>この信号に対して</translation>
+    </message>
+    <message>
+        <source>Put a signal onto the plots first.</source>
+        <translation>まずグラフに信号を置いてください。</translation>
+    </message>
+    <message>
+        <source>There are no samples in this range.</source>
+        <translation>この範囲にサンプルはありません。</translation>
+    </message>
+    <message>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <translation>この範囲ではサンプルが欠けています。間に欠けがないようにカーソルAとBを置いてください。</translation>
+    </message>
+    <message>
+        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <translation>%1サンプルのハン窓 · 1線%2 Hz · %3個の平均 · %4 … %5 s</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>周波数 [Hz]</translation>
+    </message>
+    <message>
+        <source>Amplitude of %1</source>
+        <translation>%1の振幅</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%nサンプル</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s), one in %1</source>
+        <translation>
+            <numerusform>%nサンプル、%1個に1個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 … %3 s</source>
+        <translation>%1 · %2 … %3 s</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6094,6 +6409,56 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     <message>
         <source>read an arrangement of plots</source>
         <translation>グラフの配置を読む</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>スペクトルとXY</translation>
+    </message>
+    <message>
+        <source>Export the shown range…</source>
+        <translation>表示範囲をエクスポート…</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>時間軸</translation>
+    </message>
+    <message>
+        <source>Before the newest sample</source>
+        <translation>最新サンプルからの時間</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>コントローラー時刻</translation>
+    </message>
+    <message>
+        <source>Time of the day</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <translation>グラフのページが上限に達しています。まず1つ取り除いてください。</translation>
+    </message>
+    <message>
+        <source>Record to an MCAP file</source>
+        <translation>MCAPファイルに記録</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <translation>ロボットが送るものをMCAPファイルに記録します。隣のキーで内容と場所を選べます</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · 毎秒%2 · 空き%3 · 欠落%nパケット</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV: テキスト、pandasや表計算用</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP: すべてのフィールド、ログ、プロジェクト。ROSツール用</translation>
     </message>
 </context>
 <context>
@@ -6832,6 +7197,21 @@ Let go of the key and the arm stops.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ReplayBand</name>
+    <message>
+        <source>Replay</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation>ライブに戻る</translation>
+    </message>
+    <message>
+        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <translation>ロボットの現在の動きを表示します。記録はグラフに開いたまま残ります</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RobotPopup</name>
     <message>
         <source>Error</source>
@@ -7147,6 +7527,18 @@ Let go of the key and the arm stops.</source>
     <message>
         <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
         <translation>ゴースト「%1」 · %2 · 最大回転 %3 %4 · %6 で %5 s</translation>
+    </message>
+    <message>
+        <source>“%1” as it will be</source>
+        <translation>「%1」変更後</translation>
+    </message>
+    <message>
+        <source>“%1” as it was</source>
+        <translation>「%1」変更前</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>再生中</translation>
     </message>
 </context>
 <context>
@@ -7841,6 +8233,16 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
             <numerusform>%n 個のウェイポイントを %1 に書きました</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Select waypoints where something is to be done.</source>
+        <translation>動作を行うウェイポイントを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the actions at %n waypoints</source>
+        <translation>
+            <numerusform>%n個のウェイポイントの動作を変更</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -8129,6 +8531,20 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
     <message>
         <source>Name %1, the coming one</source>
         <translation>名前 %1、次</translation>
+    </message>
+    <message>
+        <source>Done there: %1</source>
+        <translation>そこで行う動作: %1</translation>
+    </message>
+    <message>
+        <source>Name %1</source>
+        <translation>名前 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n actions</source>
+        <translation>
+            <numerusform>動作%n個</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8486,6 +8902,10 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>Delete the pattern and its waypoints</source>
         <translation>パターンとそのウェイポイントを削除</translation>
+    </message>
+    <message>
+        <source>Actions there…</source>
+        <translation>そこでの動作…</translation>
     </message>
 </context>
 <context>
@@ -9184,6 +9604,32 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Tools</source>
         <translation>ツール</translation>
     </message>
+    <message numerus="yes">
+        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <translation>
+            <numerusform>セルの%n個の箱または平面はシミュレートされたロボットに伝わっていません。これ以上入りません。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>問題を報告…</translation>
+    </message>
+    <message>
+        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <translation>バージョン、ログ、設定を1つのファイルにまとめます。先に内容を表示します。</translation>
+    </message>
+    <message>
+        <source>Report saved: %1</source>
+        <translation>レポートを保存しました: %1</translation>
+    </message>
+    <message>
+        <source>Tiller ended unexpectedly the last time</source>
+        <translation>前回、Tillerが予期せず終了しました</translation>
+    </message>
+    <message>
+        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <translation>そのときの内容は残されています。助けてくれる人のためにレポートとして保存してください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -9437,6 +9883,89 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>
             <numerusform>一行 %n パケット：毎秒 500 パケットを送るロボットで毎秒 %1 行。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Format of a recording</source>
+        <translation>記録の形式</translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV: テキスト、pandasや表計算用</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP: すべてのフィールド、ログ、プロジェクト。ROSツール用</translation>
+    </message>
+    <message>
+        <source>Megabytes of the disk that stay free</source>
+        <translation>ディスクに残しておくメガバイト数</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <translation>空きがこれより少なくなる前に、記録は正しく終わり、完全に残ります。</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>Keep free</source>
+        <translation>空けておく</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ReportDialog</name>
+    <message>
+        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <translation>ロボット、入力、出力、ファイルの名前とアドレスを含める</translation>
+    </message>
+    <message>
+        <source>Report a problem</source>
+        <translation>問題を報告</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>できごと</translation>
+    </message>
+    <message>
+        <source>What did you do, what did you expect, what happened?</source>
+        <translation>何をして、何を期待し、何が起きましたか?</translation>
+    </message>
+    <message>
+        <source>Files of the report</source>
+        <translation>レポートのファイル</translation>
+    </message>
+    <message>
+        <source>What this file says</source>
+        <translation>このファイルの内容</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>レポートを保存…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <translation>助けてくれる人に必要な情報をまとめた1つのファイルです。含まれるものはすべて下に表示されます。選んだ場所に保存され、Tillerがどこかへ送ることはありません。</translation>
+    </message>
+    <message>
+        <source>Tiller report %1.zip</source>
+        <translation>Tillerレポート %1.zip</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>レポートを保存</translation>
+    </message>
+    <message>
+        <source>Zip archives (*.zip)</source>
+        <translation>Zipアーカイブ (*.zip)</translation>
     </message>
 </context>
 <context>

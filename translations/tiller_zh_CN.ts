@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>ActionStep</name>
+    <message>
+        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <translation>此处该机器人没有夹爪。请在 I/O 的夹爪页中选择。</translation>
+    </message>
+    <message>
+        <source>Go through</source>
+        <translation>依次通过</translation>
+    </message>
+    <message>
+        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1 未在 %2 s 内接通。请检查所等待的对象，然后再次按下。</translation>
+    </message>
+    <message>
+        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <translation>%1 未在 %2 s 内断开。请检查所等待的对象，然后再次按下。</translation>
+    </message>
+    <message>
+        <source>%1 was not done. %2</source>
+        <translation>未执行 %1。%2</translation>
+    </message>
+    <message>
+        <source>The gripper did not come to rest within %1 s.</source>
+        <translation>夹爪未在 %1 s 内停下。</translation>
+    </message>
+</context>
+<context>
     <name>ActionTable</name>
     <message>
         <source>Robot</source>
@@ -62,6 +89,69 @@
     <message>
         <source>Tools</source>
         <translation>工具</translation>
+    </message>
+</context>
+<context>
+    <name>ActionWords</name>
+    <message>
+        <source>%1 on</source>
+        <translation>%1 接通</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 断开</translation>
+    </message>
+    <message>
+        <source>%1 on for %2 s</source>
+        <translation>%1 接通 %2 s</translation>
+    </message>
+    <message>
+        <source>%1 off for %2 s</source>
+        <translation>%1 断开 %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on, at most %2 s</source>
+        <translation>等待 %1 接通，最长 %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off, at most %2 s</source>
+        <translation>等待 %1 断开，最长 %2 s</translation>
+    </message>
+    <message>
+        <source>Wait for %1 on</source>
+        <translation>等待 %1 接通</translation>
+    </message>
+    <message>
+        <source>Wait for %1 off</source>
+        <translation>等待 %1 断开</translation>
+    </message>
+    <message>
+        <source>Wait %1 s</source>
+        <translation>等待 %1 s</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>打开夹爪</translation>
+    </message>
+    <message>
+        <source>Close the gripper</source>
+        <translation>关闭夹爪</translation>
+    </message>
+    <message>
+        <source>Set an output</source>
+        <translation>设置输出</translation>
+    </message>
+    <message>
+        <source>Pulse an output</source>
+        <translation>输出脉冲</translation>
+    </message>
+    <message>
+        <source>Wait for an input</source>
+        <translation>等待输入</translation>
+    </message>
+    <message>
+        <source>Wait a while</source>
+        <translation>等待一段时间</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1994,13 @@
     </message>
 </context>
 <context>
+    <name>ProblemReport</name>
+    <message>
+        <source>write %1</source>
+        <translation>写入 %1</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2022,6 +2119,25 @@
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>Replay</name>
+    <message>
+        <source>REPLAY</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>history at %1 s</source>
+        <translation>历史记录 %1 s 处</translation>
+    </message>
+    <message>
+        <source>at %1 s of %2</source>
+        <translation>%2 的 %1 s 处</translation>
     </message>
 </context>
 <context>
@@ -2833,6 +2949,25 @@
     </message>
 </context>
 <context>
+    <name>Spectrum</name>
+    <message>
+        <source>compute a spectrum</source>
+        <translation>计算频谱</translation>
+    </message>
+    <message>
+        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <translation>采样少于 %1 个：请选择更长的范围。</translation>
+    </message>
+    <message>
+        <source>Values are missing in this range: choose one without a gap.</source>
+        <translation>此范围内缺少数值：请选择没有缺口的范围。</translation>
+    </message>
+    <message>
+        <source>There is too little memory.</source>
+        <translation>内存不足。</translation>
+    </message>
+</context>
+<context>
     <name>StartProject</name>
     <message>
         <source>The project worked in last is not there any more: %1</source>
@@ -3301,6 +3436,99 @@
     <message>
         <source>Line %1: a quotation mark is not closed</source>
         <translation>第 %1 行：引号未关闭</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ActionsDialog</name>
+    <message>
+        <source>Actions at “%1”</source>
+        <translation>“%1”处的动作</translation>
+    </message>
+    <message numerus="yes">
+        <source>Actions at %n waypoints</source>
+        <translation>
+            <numerusform>%n 个路点处的动作</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <translation>当“依次通过”把机械臂带到该处后按此顺序执行，且仅在按住按键时执行。</translation>
+    </message>
+    <message>
+        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <translation>这些路点的动作各不相同。“更改”会让它们全部使用下面的动作。</translation>
+    </message>
+    <message>
+        <source>Actions in their order</source>
+        <translation>按顺序排列的动作</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Add an action after the chosen one</source>
+        <translation>在所选动作之后添加动作</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Remove the chosen action</source>
+        <translation>移除所选动作</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Do the chosen action earlier</source>
+        <translation>提前执行所选动作</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Do the chosen action later</source>
+        <translation>推后执行所选动作</translation>
+    </message>
+    <message>
+        <source>What is done</source>
+        <translation>执行内容</translation>
+    </message>
+    <message>
+        <source>Which terminal</source>
+        <translation>哪个端子</translation>
+    </message>
+    <message>
+        <source>On or off</source>
+        <translation>接通或断开</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>At most, seconds</source>
+        <translation>最长，秒</translation>
+    </message>
+    <message>
+        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <translation>到时结束并提示。0：按住按键期间，最长一小时</translation>
     </message>
 </context>
 <context>
@@ -3951,24 +4179,12 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>依次前往，按住</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed. Let go to pause; the next press goes on to the coming waypoint.</source>
-        <translation>按住时从一个路点到下一个路点，不快于点动速度。松开即暂停；下次按下继续前往下一路点。</translation>
-    </message>
-    <message>
-        <source>‹ Step</source>
-        <translation>‹ 步</translation>
-    </message>
-    <message>
         <source>One waypoint back, hold</source>
         <translation>退一个路点，按住</translation>
     </message>
     <message>
         <source>Goes back to the waypoint before while the key is held</source>
         <translation>按住时返回上一个路点</translation>
-    </message>
-    <message>
-        <source>Step ›</source>
-        <translation>步 ›</translation>
     </message>
     <message>
         <source>One waypoint on, hold</source>
@@ -4039,6 +4255,14 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <translation>按住按键时依次前往各路点，速度不超过点动速度，并在每处执行规定的动作。松开即暂停；再次按下则继续前往下一个路点。</translation>
+    </message>
+    <message>
+        <source>At %1: %2</source>
+        <translation>在 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -4314,6 +4538,14 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <source>Sends the fingers to this opening.</source>
         <translation>把手指送到此开度。</translation>
     </message>
+    <message>
+        <source>Its speed or its force is no figure it takes.</source>
+        <translation>其速度或力不是可接受的数值。</translation>
+    </message>
+    <message>
+        <source>The gripper did not take the command.</source>
+        <translation>夹爪未接受命令。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HeaderBar</name>
@@ -4582,6 +4814,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>No data from the robot.</source>
         <translation>没有来自机器人的数据。</translation>
+    </message>
+    <message>
+        <source>This is a replay: go back to live first.</source>
+        <translation>这是回放：请先返回实时状态。</translation>
     </message>
 </context>
 <context>
@@ -4902,6 +5138,14 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>What happened</source>
         <translation>事件</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Open the recording of this incident, at the moment of the stop</source>
+        <translation>在停止时刻打开此事件的录制</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -5154,10 +5398,6 @@ Clear the search to see everything.</source>
         <translation>此前录制的内容会保留。</translation>
     </message>
     <message>
-        <source>○ Record path</source>
-        <translation>○ 录制路径</translation>
-    </message>
-    <message>
         <source>End the recording of the path</source>
         <translation>结束路径录制</translation>
     </message>
@@ -5202,6 +5442,10 @@ Clear the search to see everything.</source>
     <message>
         <source>Import a demonstration</source>
         <translation>导入演示</translation>
+    </message>
+    <message>
+        <source>○ Path</source>
+        <translation>○ 路径</translation>
     </message>
 </context>
 <context>
@@ -5738,6 +5982,77 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
 </context>
 <context>
+    <name>tiller::PlotAnalysis</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>频谱</translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation>XY</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>对</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>频谱和 XY</translation>
+    </message>
+    <message>
+        <source>Kind of analysis</source>
+        <translation>分析类型</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Over this signal</source>
+        <translation>对此信号</translation>
+    </message>
+    <message>
+        <source>Put a signal onto the plots first.</source>
+        <translation>请先把一个信号放到曲线图上。</translation>
+    </message>
+    <message>
+        <source>There are no samples in this range.</source>
+        <translation>此范围内没有采样。</translation>
+    </message>
+    <message>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <translation>此范围内缺少采样：请放置光标 A 和 B，使其间没有缺口。</translation>
+    </message>
+    <message>
+        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <translation>%1 个采样的汉宁窗 · 每线 %2 Hz · %3 次平均 · %4 … %5 s</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>频率 [Hz]</translation>
+    </message>
+    <message>
+        <source>Amplitude of %1</source>
+        <translation>%1 的幅值</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n 个采样</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s), one in %1</source>
+        <translation>
+            <numerusform>%n 个采样，每 %1 个取一个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 … %3 s</source>
+        <translation>%1 · %2 … %3 s</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6094,6 +6409,56 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     <message>
         <source>read an arrangement of plots</source>
         <translation>读取曲线图布置</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>频谱和 XY</translation>
+    </message>
+    <message>
+        <source>Export the shown range…</source>
+        <translation>导出所示范围…</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Before the newest sample</source>
+        <translation>相对最新采样</translation>
+    </message>
+    <message>
+        <source>Controller time</source>
+        <translation>控制器时间</translation>
+    </message>
+    <message>
+        <source>Time of the day</source>
+        <translation>时刻</translation>
+    </message>
+    <message>
+        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <translation>曲线图页数已达上限：请先移除一页。</translation>
+    </message>
+    <message>
+        <source>Record to an MCAP file</source>
+        <translation>录制到 MCAP 文件</translation>
+    </message>
+    <message>
+        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <translation>把机器人发送的内容录制到 MCAP 文件；旁边的按键说明内容和位置</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · 每秒 %2 · 剩余 %3 · 丢失 %n 个数据包</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV：文本，用于 pandas 和电子表格</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP：所有字段、日志和项目，用于 ROS 工具</translation>
     </message>
 </context>
 <context>
@@ -6832,6 +7197,21 @@ Let go of the key and the arm stops.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ReplayBand</name>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation>返回实时</translation>
+    </message>
+    <message>
+        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <translation>显示机器人当前的动作；录制仍在曲线图中打开</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RobotPopup</name>
     <message>
         <source>Error</source>
@@ -7147,6 +7527,18 @@ Let go of the key and the arm stops.</source>
     <message>
         <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
         <translation>虚影“%1” · %2 · 最大转动 %3 %4 · %6 时 %5 s</translation>
+    </message>
+    <message>
+        <source>“%1” as it will be</source>
+        <translation>“%1”更改后</translation>
+    </message>
+    <message>
+        <source>“%1” as it was</source>
+        <translation>“%1”更改前</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>回放</translation>
     </message>
 </context>
 <context>
@@ -7841,6 +8233,16 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
             <numerusform>%n 个路点已写入 %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Select waypoints where something is to be done.</source>
+        <translation>请选择需要执行动作的路点。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the actions at %n waypoints</source>
+        <translation>
+            <numerusform>更改 %n 个路点处的动作</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointEditing</name>
@@ -8129,6 +8531,20 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
     <message>
         <source>Name %1, the coming one</source>
         <translation>名称 %1，下一个</translation>
+    </message>
+    <message>
+        <source>Done there: %1</source>
+        <translation>在该处执行：%1</translation>
+    </message>
+    <message>
+        <source>Name %1</source>
+        <translation>名称 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n actions</source>
+        <translation>
+            <numerusform>%n 个动作</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8486,6 +8902,10 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>Delete the pattern and its waypoints</source>
         <translation>删除阵列及其路点</translation>
+    </message>
+    <message>
+        <source>Actions there…</source>
+        <translation>该处的动作…</translation>
     </message>
 </context>
 <context>
@@ -9184,6 +9604,32 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Tools</source>
         <translation>工具</translation>
     </message>
+    <message numerus="yes">
+        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <translation>
+            <numerusform>工作单元中有 %n 个方块或平面未告知模拟机器人：已无更多空间。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>报告问题…</translation>
+    </message>
+    <message>
+        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <translation>一个包含版本、日志和设置的文件，供协助者使用；先显示其内容。</translation>
+    </message>
+    <message>
+        <source>Report saved: %1</source>
+        <translation>报告已保存：%1</translation>
+    </message>
+    <message>
+        <source>Tiller ended unexpectedly the last time</source>
+        <translation>Tiller 上次意外结束</translation>
+    </message>
+    <message>
+        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <translation>当时的情况已保留。请存为报告，交给协助您的人。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -9437,6 +9883,89 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>
             <numerusform>每行 %n 个数据包：对每秒发送 500 个数据包的机器人为每秒 %1 行。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Format of a recording</source>
+        <translation>录制的格式</translation>
+    </message>
+    <message>
+        <source>CSV: text, for pandas and spreadsheets</source>
+        <translation>CSV：文本，用于 pandas 和电子表格</translation>
+    </message>
+    <message>
+        <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation>MCAP：所有字段、日志和项目，用于 ROS 工具</translation>
+    </message>
+    <message>
+        <source>Megabytes of the disk that stay free</source>
+        <translation>磁盘保留的空闲兆字节</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <translation>在磁盘空闲空间低于此值之前，录制会正常结束并保持完整。</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Keep free</source>
+        <translation>保留空闲</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::ReportDialog</name>
+    <message>
+        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <translation>包含机器人、输入、输出和文件的名称与地址</translation>
+    </message>
+    <message>
+        <source>Report a problem</source>
+        <translation>报告问题</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>What did you do, what did you expect, what happened?</source>
+        <translation>您做了什么、期望什么、发生了什么？</translation>
+    </message>
+    <message>
+        <source>Files of the report</source>
+        <translation>报告中的文件</translation>
+    </message>
+    <message>
+        <source>What this file says</source>
+        <translation>此文件的内容</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>保存报告…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <translation>一个文件，包含协助者需要知道的内容。下面显示其中的全部内容。它保存在您选择的位置；Tiller 不会发送到任何地方。</translation>
+    </message>
+    <message>
+        <source>Tiller report %1.zip</source>
+        <translation>Tiller 报告 %1.zip</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Zip archives (*.zip)</source>
+        <translation>Zip 压缩包 (*.zip)</translation>
     </message>
 </context>
 <context>
