@@ -120,12 +120,11 @@ endfunction()
 # tiller_test_surroundings(<name> <timeout s> [<variable=value>...])
 # What every Qt Test program of ctest finds around it, and its time, of which a sanitizer gets more.
 function(tiller_test_surroundings name timeout)
-    set(patience "")
     if(TILLER_SANITIZE)
         math(EXPR timeout "${timeout} * 8")
-        # Qt Test's own, of one function; five minutes otherwise [ms].
-        set(patience "QTEST_FUNCTION_TIMEOUT=${timeout}000;")
     endif()
+    # Qt Test's own, of one function [ms]: five minutes unless it is told, and a busy machine is no failure.
+    set(patience "QTEST_FUNCTION_TIMEOUT=${timeout}000;")
     set(support ${CMAKE_SOURCE_DIR}/tests/support)
     # Those that may take long begin first, so that the last minutes do not wait for one of them alone.
     set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} COST ${timeout}

@@ -192,7 +192,8 @@ private Q_SLOTS:
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         QVERIFY(view().paths().empty());
         const Eigen::Vector3d from = bench_->cell.truth().tcpPose.position;
-        auto& key = bench_->find<HoldButton>("jog.Z+");
+        // Along X: the line lies on none of the TCP's axes.
+        auto& key = bench_->find<HoldButton>("jog.X+");
         press(key);
         bench_->cell.advanceMs(1500);
         release(key);

@@ -89,9 +89,10 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     top->addWidget(search_);
     replayBand_ = new ReplayBand(QStringLiteral("io.replay"));
     connect(replayBand_, &ReplayBand::liveWanted, this, &IoTab::liveWanted);
-    layout->addWidget(replayBand_);
     layout->addLayout(top);
     layout->addWidget(scroll, 1);
+    // Below: when it goes, no key comes to lie where the pointer is.
+    layout->addWidget(replayBand_);
     notice_->setObjectName(QStringLiteral("io.notice"));
     new LowerEdge(*notice_, *this, {scroll});
 

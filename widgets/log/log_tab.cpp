@@ -107,7 +107,6 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(band_);
     layout->addLayout(tools);
     layout->addWidget(table_, 1);
     details_->setObjectName(QStringLiteral("log.details"));
@@ -122,6 +121,8 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     ofLine->addWidget(details_, 1);
     ofLine->addWidget(open_, 0, Qt::AlignVCenter);
     layout->addLayout(ofLine);
+    // Below: when it goes, no key comes to lie where the pointer is.
+    layout->addWidget(band_);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LogTab::showDetails);
     connect(filter_, &QAbstractItemModel::dataChanged, this, &LogTab::showDetails);
     connect(filter_, &QAbstractItemModel::rowsRemoved, this, &LogTab::showDetails);

@@ -547,8 +547,11 @@ private Q_SLOTS:
             line.show();
             line.setProjectFile(QStringLiteral("cell-7.tiller"), true);
             SessionState state = movingState();
-            state.recording = {true, QStringLiteral("/home/x/pick-and-place.csv"), 96000, 192, 80'000'000'000,
-                               {}};
+            state.recording.active = true;
+            state.recording.path = QStringLiteral("/home/x/pick-and-place.csv");
+            state.recording.rows = 96000;
+            state.recording.seconds = 192;
+            state.recording.freeBytes = 80'000'000'000;
             line.applyState(state);
             line.showMessage(Severity::Info, QStringLiteral("Jog stopped: released (62 ms, 3.1 mm)"));
             for (const int width : {1920, 1280}) {

@@ -21,7 +21,11 @@ private Q_SLOTS:
         line.show();
         QCOMPARE(line.recordingText(), QStringLiteral("Not recording"));
         SessionState state;
-        state.recording = {true, QStringLiteral("/data/pick-and-place.csv"), 96000, 192, 80'000'000'000, {}};
+        state.recording.active = true;
+        state.recording.path = QStringLiteral("/data/pick-and-place.csv");
+        state.recording.rows = 96000;
+        state.recording.seconds = 192;
+        state.recording.freeBytes = 80'000'000'000;
         line.applyState(state);
         QCOMPARE(line.recordingText(), QStringLiteral("REC 00:03:12"));
         const QString details = line.findChild<ElidedLabel*>(QStringLiteral("recordingDetails"))->fullText();
