@@ -42,6 +42,8 @@ class DesktopTest : public QObject {
 
 protected:
     DesktopCell& cell() { return *cell_; }
+    /// What is to be tried must be in sight.
+    virtual QSize screen() const { return {1280, 800}; }
     XHand& hand() { return cell_->hand(); }
     ArmWatch& arm() { return cell_->arm(); }
     /// For tests that leave something broken behind: the next one gets a cell of its own.
@@ -73,7 +75,7 @@ protected:
 private Q_SLOTS:
     void init() {
         if (!cell_) {
-            auto made = std::make_unique<DesktopCell>();
+            auto made = std::make_unique<DesktopCell>(screen());
             QVERIFY2(made->bringUp(), qPrintable(made->what()));
             cell_ = std::move(made);
         }

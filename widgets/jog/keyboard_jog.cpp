@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QFrame>
 #include <QKeyEvent>
+#include <QWindow>
 #include <algorithm>
 #include <array>
 #include <utility>

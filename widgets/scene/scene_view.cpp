@@ -29,6 +29,7 @@ namespace {
 constexpr int kFrameMs = 16;          // 60 a second at most
 constexpr double kStillAngle = 2e-5;  // [rad]: less cannot be seen
 constexpr int kExamineMs = 150;
+constexpr double kGhostApart = 0.003;     // [rad], of the joint that is furthest
 constexpr double kOrbitPerPixel = 0.008;  // [rad]
 constexpr double kKeysAt = 8;             // from the corner [px]
 constexpr double kFitShare = 0.07;        // of the picture, left free around everything when it is made anew
@@ -522,8 +523,14 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     drawGround(painter, size.toSize());
     const bool showsGhost = ghost_ && ghost_->reachable && haveJoints_;
     bodies_->setArm(haveJoints_ ? std::optional(q_) : std::nullopt, stale_);
-    bodies_->setGhost(showsGhost ? std::optional(ghost_->q) : std::nullopt);
-    bodies_->setSecondGhost(secondGhost_ && haveJoints_ ? std::optional(secondGhost_->q) : std::nullopt);
+    // A ghost where the arm is would only spot it.
+    const auto isApart = [this](const JointPositions& q) {
+        return (q.values - q_.values).cwiseAbs().maxCoeff() > kGhostApart;
+    };
+    bodies_->setGhost(showsGhost && isApart(ghost_->q) ? std::optional(ghost_->q) : std::nullopt);
+    bodies_->setSecondGhost(secondGhost_ && haveJoints_ && isApart(secondGhost_->q)
+                                ? std::optional(secondGhost_->q)
+                                : std::nullopt);
     const bool showsReplay = replay_ && replay_->q.allFinite();
     bodies_->setReplay(showsReplay ? std::optional(replay_->q) : std::nullopt);
     bodies_->update(camera_, size.toSize(), painter.device()->devicePixelRatioF(), theme);

@@ -5,4 +5,4 @@
 
 #include "packaging/cmake/precompiled/robot.h"
 
-#include <QtTest>
+#include <QTest>

@@ -5,4 +5,4 @@
 
 #include "packaging/cmake/precompiled/widgets.h"
 
-#include <QtTest>
+#include <QTest>

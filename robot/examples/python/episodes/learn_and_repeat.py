@@ -60,7 +60,7 @@ class MovementPrimitive:
 
 
 def demonstrations_in(path):
-    with h5py.File(path) as file:
+    with h5py.File(path) as file:  # pyright: ignore[reportAttributeAccessIssue]
         return [demo["obs/actual_q"][:] for _, demo in sorted(file["data"].items())]
 
 
@@ -75,7 +75,7 @@ def repeat(address, movement):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=str(__doc__).splitlines()[0])
     parser.add_argument("robot", help="address of the robot; - only learns")
     parser.add_argument("episodes", help="what tiller-cli episodes wrote")
     parser.add_argument("--rate", type=float, default=20, help="rows a second in it (20)")

@@ -51,6 +51,11 @@ const Way kWays[] = {
 };
 constexpr int kWayCount = static_cast<int>(std::size(kWays));
 
+const Way& wayOf(std::string_view name) {
+    return *std::find_if(std::begin(kWays), std::end(kWays),
+                         [&](const Way& way) { return way.name == name; });
+}
+
 bool isKeyOfTheScreen(By by) {
     return by == By::Mouse || by == By::Finger || by == By::HeldKey;
 }
@@ -382,7 +387,7 @@ private Q_SLOTS:
     void theLongestHoldIsChosenAndCountedDown() {
         Hands hands;
         hands.terms.longestNs = 6 * kNsPerSecond;
-        Holder holder(hands, kWays[0]);
+        Holder holder(hands, wayOf("pad"));
         holder.prepare();
         holder.press();
         auto* line = hands.column->findChild<LimiterLine*>();
@@ -511,7 +516,7 @@ private Q_SLOTS:
 
     void aSecondHandBeginsNothing() {
         Hands hands;
-        Holder holder(hands, kWays[0]);
+        Holder holder(hands, wayOf("pad"));
         holder.prepare();
         holder.press();
         QSignalSpy refused(&hands.key("homeKey").guard(), &HoldGuard::refused);
@@ -551,7 +556,7 @@ private Q_SLOTS:
     void theWitnessHasTimeToAnswerTheFirstQuestion() {
         // The press comes before the answer to a question put after it.
         Hands hands;
-        Holder holder(hands, kWays[0]);
+        Holder holder(hands, wayOf("pad"));
         holder.prepare();
         hands.witness.freeze(true);
         holder.press();
@@ -567,7 +572,7 @@ private Q_SLOTS:
         Hands hands;
         hands.arm.moveNs = 400 * kNsPerMs;
         hands.column->findChild<SegmentedControl*>(QStringLiteral("jogMotion"))->setCurrentIndex(2);
-        Holder holder(hands, kWays[0]);
+        Holder holder(hands, wayOf("pad"));
         holder.prepare();
         holder.press();
         hands.witness.leftDown = false;  // a tap: up before anybody asks
@@ -593,7 +598,7 @@ private Q_SLOTS:
         QFETCH(double, metresPerSecond);
         Hands hands;
         hands.column->selectors().setSpeedClass(speedClass);
-        Holder holder(hands, kWays[7]);
+        Holder holder(hands, wayOf("pad by finger"));
         holder.prepare();
         holder.press();
         hands.advance(80);
@@ -610,7 +615,7 @@ private Q_SLOTS:
     void oneHandDoesNotLetGoForAnother() {
         // A stick that was stopped while pushed out does not begin again because a key was tapped.
         Hands hands;
-        Holder stick(hands, kWays[kWayCount - 2]);
+        Holder stick(hands, wayOf("gamepad"));
         stick.prepare();
         hands.keyboard.setArmed(true);
         stick.press();
