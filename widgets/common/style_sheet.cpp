@@ -60,7 +60,7 @@ QComboBox QAbstractItemView { background: @raised; color: @text; border: 1px sol
 QTabWidget::pane { border: none; }
 QTabBar { background: transparent; border: none; }
 QTabBar::tab { background: transparent; color: @secondary; border: none; border-bottom: 3px solid transparent;
-    padding: 7px 16px 6px 16px; font-size: 15px; }
+    padding: 7px 12px 6px 12px; font-size: 15px; }
 QTabBar::tab:selected { color: @text; font-weight: bold; border-bottom: 3px solid @text; }
 QTabBar::tab:hover:!selected { color: @text; }
 
