@@ -4166,6 +4166,10 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <source>“%1”: %2</source>
         <translation>„%1“: %2</translation>
     </message>
+    <message>
+        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <translation>Eine Schleife aus einem einzigen Wegpunkt führt nirgendwohin. Wählen Sie weitere Wegpunkte, oder fahren Sie ohne Schleife.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::GoThroughBar</name>

@@ -4164,6 +4164,10 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <source>“%1”: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::GoThroughBar</name>

@@ -4166,6 +4166,10 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <source>“%1”: %2</source>
         <translation>«%1»: %2</translation>
     </message>
+    <message>
+        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <translation>Un bucle de un solo punto no lleva a ninguna parte. Elija más puntos, o recorra sin bucle.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::GoThroughBar</name>

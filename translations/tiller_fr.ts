@@ -4166,6 +4166,10 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <source>“%1”: %2</source>
         <translation>« %1 » : %2</translation>
     </message>
+    <message>
+        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <translation>Une boucle d’un seul point ne mène nulle part. Choisissez d’autres points, ou parcourez sans boucle.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::GoThroughBar</name>

@@ -4159,6 +4159,10 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <source>“%1”: %2</source>
         <translation>“%1”：%2</translation>
     </message>
+    <message>
+        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <translation>只有一个路点的循环哪里也到不了。请选择更多路点，或不用循环。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::GoThroughBar</name>

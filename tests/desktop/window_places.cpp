@@ -9,6 +9,7 @@
 //   windows        what is open, the active one marked
 
 #include <QApplication>
+#include <QComboBox>
 #include <QGenericPlugin>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -28,7 +29,8 @@ QJsonObject describe(const QWidget& widget) {
             {"enabled", widget.isEnabled()},
             {"active", widget.isActiveWindow()},
             {"focus", widget.hasFocus()},
-            {"text", widget.property("text").toString()},
+            {"text",
+             widget.property(qobject_cast<const QComboBox*>(&widget) ? "currentText" : "text").toString()},
             {"toolTip", widget.toolTip()},
             {"x", place.x()},
             {"y", place.y()},

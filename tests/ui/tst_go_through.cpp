@@ -331,6 +331,18 @@ private Q_SLOTS:
         release(through());
     }
 
+    // The arm would go there and then stand, for as long as the key is held.
+    void aLoopOfOneIsNotBegun() {
+        teach({0.1}, 0);
+        QVERIFY(through().isEnabled());
+        window().findChild<QCheckBox*>("waypoint.routeLoop")->click();
+        QVERIFY(!through().isEnabled());
+        QVERIFY2(through().toolTip().contains("loop of one"), qPrintable(through().toolTip()));
+        QVERIFY(key("waypoint.stepOn").isEnabled());
+        window().findChild<QCheckBox*>("waypoint.routeLoop")->click();
+        QVERIFY(through().isEnabled());
+    }
+
     void aSelectionAndFromHere() {
         teach({0.1, 0.2, 0.3, 0.4}, 0);
         tab().selectRow(2);

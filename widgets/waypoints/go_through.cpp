@@ -157,6 +157,10 @@ QString GoThrough::obstacle(Way way) const {
     if (!first) {
         return tr("There is no waypoint before this one.");
     }
+    if (way == Way::Through && route_.isLoop() && route_.size() == 1 && rowOf(0) >= 0 &&
+        document_.waypoints().at(rowOf(0)).actions.empty()) {
+        return tr("A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.");
+    }
     // What cannot be gone to its end is not begun.
     const bool whole = way == Way::Through && route_.isLoop();
     for (int place = whole ? 0 : *first; place <= lastPlace(way); ++place) {
