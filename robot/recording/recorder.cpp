@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/recording/recorder.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 #include <atomic>

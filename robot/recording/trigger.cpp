@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/recording/trigger.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <cmath>
