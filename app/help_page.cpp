@@ -2,21 +2,97 @@
 #include "app/help_page.h"
 
 #include <QDialogButtonBox>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
 #include <QPushButton>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTextBrowser>
+#include <QTextDocument>
+#include <QUrl>
 #include <QVBoxLayout>
+
+#include "widgets/common/theme.h"
 
 namespace tiller::app {
 
-HelpPage::HelpPage(int longestHold, const QString& commands, QWidget* parent) : QDialog(parent) {
+HelpPage::HelpPage(int longestHold, const QString& commands, const QString& manual, QWidget* parent)
+    : QDialog(parent), folder_(manual), manual_(new QTextBrowser) {
     setObjectName("helpPage");
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Help"));
-    resize(760, 620);
+    resize(820, 620);
+    auto* pages = new QTabWidget;
+    pages->setObjectName("helpPages");
+    pages->setAccessibleName(tr("Help"));
+    pages->tabBar()->setAccessibleName(tr("Help"));
+    pages->tabBar()->setDrawBase(false);
+    pages->addTab(buildManual(), tr("Manual"));
+    pages->addTab(buildRules(longestHold, commands), tr("Jogging and keys"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto* practice = buttons->addButton(tr("Practice tasks"), QDialogButtonBox::ActionRole);
+    practice->setObjectName("help.practice");
+    practice->setAutoDefault(false);
+    connect(practice, &QPushButton::clicked, this, [this] {
+        Q_EMIT practiceRequested();
+        close();
+    });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     auto* layout = new QVBoxLayout(this);
-    auto* text = new QTextBrowser(this);
+    layout->addWidget(pages);
+    layout->addWidget(buttons);
+    manual_->setFocus();
+}
+
+QWidget* HelpPage::buildManual() {
+    auto* page = new QWidget;
+    const auto key = [](const QString& name, const QString& text) {
+        auto* made = new QPushButton(text);
+        made->setObjectName(name);
+        made->setAutoDefault(false);
+        return made;
+    };
+    auto* back = key("help.back", tr("Back"));
+    auto* contents = key("help.contents", tr("Contents"));
+    manual_->setObjectName("help.manual");
+    manual_->setAccessibleName(tr("Manual"));
+    manual_->setOpenExternalLinks(true);
+    applyColours();
+    back->setEnabled(false);
+    connect(manual_, &QTextBrowser::backwardAvailable, back, &QPushButton::setEnabled);
+    connect(back, &QPushButton::clicked, manual_, &QTextBrowser::backward);
+    connect(contents, &QPushButton::clicked, this, [this] { showManual(QStringLiteral("index.html")); });
+    auto* keys = new QHBoxLayout;
+    keys->addWidget(back);
+    keys->addWidget(contents);
+    keys->addStretch(1);
+    auto* layout = new QVBoxLayout(page);
+    layout->addLayout(keys);
+    layout->addWidget(manual_);
+    contents->setEnabled(!folder_.isEmpty());
+    if (folder_.isEmpty()) {
+        manual_->setHtml(
+            tr("<h2>The manual is not on this computer</h2><p>It comes with the Debian package of Tiller. A "
+               "Tiller "
+               "that you built yourself has it when the package python3-sphinx is installed:</p>"
+               "<pre>apt-get install python3-sphinx</pre><p>Then build again. Until then its pages can be "
+               "read as "
+               "text in the folder packaging/manual of the sources. The rules of jogging and all keys are on "
+               "the "
+               "other page of this window.</p>"));
+    } else {
+        showManual(QStringLiteral("index.html"));
+        manual_->clearHistory();
+    }
+    return page;
+}
+
+QWidget* HelpPage::buildRules(int longestHold, const QString& commands) {
+    auto* text = new QTextBrowser;
     text->setObjectName("helpText");
-    text->setAccessibleName(tr("Help"));
+    text->setAccessibleName(tr("Jogging and keys"));
     text->setHtml(
         tr("<h2>Moving the arm</h2><p>The arm moves while a key of the pad is held, and stops when it is let "
            "go. It also stops when</p><ul>"
@@ -43,17 +119,34 @@ HelpPage::HelpPage(int longestHold, const QString& commands, QWidget* parent) : 
            "<h2>Commands</h2>")
             .arg(longestHold) +
         commands);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    auto* practice = buttons->addButton(tr("Practice tasks"), QDialogButtonBox::ActionRole);
-    practice->setObjectName("help.practice");
-    practice->setAutoDefault(false);
-    connect(practice, &QPushButton::clicked, this, [this] {
-        Q_EMIT practiceRequested();
-        close();
-    });
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-    layout->addWidget(text);
-    layout->addWidget(buttons);
+    return text;
+}
+
+void HelpPage::showManual(const QString& page) {
+    if (folder_.isEmpty()) {
+        return;
+    }
+    const QString file = page.section(QLatin1Char('#'), 0, 0);
+    QUrl url = QUrl::fromLocalFile(QDir(folder_).filePath(file));
+    url.setFragment(page.section(QLatin1Char('#'), 1));
+    manual_->setSource(url);
+}
+
+void HelpPage::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::StyleChange) {
+        applyColours();
+        if (!folder_.isEmpty()) {
+            manual_->reload();
+        }
+    }
+}
+
+void HelpPage::applyColours() {
+    const Theme& theme = Theme::current();
+    manual_->document()->setDefaultStyleSheet(
+        QStringLiteral("a { color: %1; } pre { background-color: %2; } dt { font-weight: bold; }")
+            .arg(theme.moving.name(), theme.background.name()));
 }
 
 }  // namespace tiller::app

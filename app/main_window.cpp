@@ -20,10 +20,12 @@
 #include "app/connect_dialog.h"
 #include "app/crash_report.h"
 #include "app/dock_stage.h"
+#include "app/help_key.h"
 #include "app/help_page.h"
 #include "app/interface_size.h"
 #include "app/jog_actions.h"
 #include "app/lessons.h"
+#include "app/manual.h"
 #include "app/panel_actions.h"
 #include "app/panel_dock.h"
 #include "app/perspective_actions.h"
@@ -892,14 +894,12 @@ void MainWindow::addViewActions() {
                        stopMotion(control::StopCause::DialogOpened);
                        transfer_->askToImport(this);
                    }});
-    actions_->add({"app.help", tr("Help"), tr("All commands with their keys, and the rules of jogging."),
-                   QKeySequence(Qt::Key_F1), [this] {
-                       stopMotion(control::StopCause::DialogOpened);
-                       auto* page = new HelpPage(preferences_.longestHold, actions_->helpText(), this);
-                       connect(page, &HelpPage::practiceRequested, this,
-                               [this] { lessons_->showPractice(); });
-                       page->show();
-                   }});
+    QAction* help =
+        actions_->add({"app.help", tr("Help"),
+                       tr("The manual at the page of what has the focus, all commands with their keys, "
+                          "and the rules of jogging."),
+                       QKeySequence(Qt::Key_F1), [this] { showHelp(); }});
+    new HelpKey(*help, *this);
     actions_->add(
         {"app.report",
          tr("Report a problem…"),
@@ -908,6 +908,25 @@ void MainWindow::addViewActions() {
          [this] { showReport(); }});
     actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),
                    QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); }});
+}
+
+void MainWindow::showHelp() {
+    stopMotion(control::StopCause::DialogOpened);
+    QWidget* focus = QApplication::focusWidget();
+    if (focus != nullptr && qobject_cast<HelpPage*>(focus->window()) != nullptr) {
+        return;
+    }
+    for (HelpPage* open : findChildren<HelpPage*>()) {
+        open->close();
+    }
+    const QString about = manualPageOf(focus == tabs_ ? pages_->currentWidget() : focus);
+    // A dialog that keeps others away lets its own children be used.
+    auto* over = focus == nullptr ? nullptr : qobject_cast<QDialog*>(focus->window());
+    auto* page = new HelpPage(preferences_.longestHold, actions_->helpText(), manualFolder(),
+                              over != nullptr ? static_cast<QWidget*>(over) : this);
+    page->showManual(about);
+    connect(page, &HelpPage::practiceRequested, this, [this] { lessons_->showPractice(); });
+    page->show();
 }
 
 void MainWindow::addPanelActions(PanelDock& dock) {

@@ -130,6 +130,7 @@ private:
     void addPanelActions(PanelDock& dock);
     void showRecovery();
     void showSamples();
+    void showHelp();
     void askForProgram();
     void showSettings(bool atRecording = false);
     void openAnew(SettingsPage& page);

@@ -9287,6 +9287,26 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <source>Practice tasks</source>
         <translation>Übungsaufgaben</translation>
     </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch (englisch)</translation>
+    </message>
+    <message>
+        <source>Jogging and keys</source>
+        <translation>Verfahren und Tasten</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;Das Handbuch ist nicht auf diesem Rechner&lt;/h2&gt;&lt;p&gt;Es kommt mit dem Debian-Paket von Tiller. Ein selbst gebautes Tiller hat es, wenn das Paket python3-sphinx installiert ist:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Bis dahin stehen seine Seiten als Text im Ordner packaging/manual der Quellen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9573,10 +9593,6 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>All commands with their keys, and the rules of jogging.</source>
-        <translation>Alle Befehle mit ihren Tasten und die Regeln des Verfahrens.</translation>
-    </message>
-    <message>
         <source>Quit</source>
         <translation>Beenden</translation>
     </message>
@@ -9670,6 +9686,10 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     <message>
         <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
         <translation>Was dabei geschah, wurde aufgehoben. Speichern Sie es als Bericht für den, der Ihnen hilft.</translation>
+    </message>
+    <message>
+        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <translation>Das Handbuch an der Seite zu dem, was den Fokus hat, alle Befehle mit ihren Tasten und die Regeln des Verfahrens.</translation>
     </message>
 </context>
 <context>

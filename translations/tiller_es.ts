@@ -9287,6 +9287,26 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <source>Practice tasks</source>
         <translation>Ejercicios</translation>
     </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manual (en inglés)</translation>
+    </message>
+    <message>
+        <source>Jogging and keys</source>
+        <translation>Movimiento y teclas</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Índice</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;El manual no está en este ordenador&lt;/h2&gt;&lt;p&gt;Viene con el paquete Debian de Tiller. Un Tiller compilado por usted lo tiene si está instalado el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. Hasta entonces sus páginas se leen como texto en la carpeta packaging/manual de las fuentes. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9573,10 +9593,6 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Ayuda</translation>
     </message>
     <message>
-        <source>All commands with their keys, and the rules of jogging.</source>
-        <translation>Todas las órdenes con sus teclas, y las reglas del movimiento manual.</translation>
-    </message>
-    <message>
         <source>Quit</source>
         <translation>Salir</translation>
     </message>
@@ -9670,6 +9686,10 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     <message>
         <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
         <translation>Se guardó lo que hacía entonces. Guárdelo como informe para quien le ayude.</translation>
+    </message>
+    <message>
+        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <translation>El manual en la página de lo que tiene el foco, todas las órdenes con sus teclas y las reglas del movimiento manual.</translation>
     </message>
 </context>
 <context>

@@ -9287,6 +9287,26 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <source>Practice tasks</source>
         <translation>Exercices</translation>
     </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manuel (en anglais)</translation>
+    </message>
+    <message>
+        <source>Jogging and keys</source>
+        <translation>Déplacement et touches</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;Le manuel n’est pas sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Il vient avec le paquet Debian de Tiller. Un Tiller que vous avez compilé l’a si le paquet python3-sphinx est installé :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. D’ici là, ses pages se lisent comme du texte dans le dossier packaging/manual des sources. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9573,10 +9593,6 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Aide</translation>
     </message>
     <message>
-        <source>All commands with their keys, and the rules of jogging.</source>
-        <translation>Toutes les commandes avec leurs touches, et les règles du déplacement.</translation>
-    </message>
-    <message>
         <source>Quit</source>
         <translation>Quitter</translation>
     </message>
@@ -9670,6 +9686,10 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     <message>
         <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
         <translation>Ce qu’il faisait alors a été gardé. Enregistrez-le comme rapport pour qui vous aide.</translation>
+    </message>
+    <message>
+        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <translation>Le manuel à la page de ce qui a le focus, toutes les commandes avec leurs touches et les règles du déplacement.</translation>
     </message>
 </context>
 <context>

@@ -9251,6 +9251,26 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Practice tasks</source>
         <translation>練習課題</translation>
     </message>
+    <message>
+        <source>Manual</source>
+        <translation>マニュアル(英語)</translation>
+    </message>
+    <message>
+        <source>Jogging and keys</source>
+        <translation>ジョグとキー</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目次</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;このコンピューターにはマニュアルがありません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドした Tiller には、パッケージ python3-sphinx がインストールされていれば付きます。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。それまでは、ソースのフォルダー packaging/manual でテキストとして読めます。ジョグの決まりと全キーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9537,10 +9557,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>ヘルプ</translation>
     </message>
     <message>
-        <source>All commands with their keys, and the rules of jogging.</source>
-        <translation>全コマンドとキー、ジョグの決まり。</translation>
-    </message>
-    <message>
         <source>Quit</source>
         <translation>終了</translation>
     </message>
@@ -9633,6 +9649,10 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
         <translation>そのときの内容は残されています。助けてくれる人のためにレポートとして保存してください。</translation>
+    </message>
+    <message>
+        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <translation>フォーカスのある部分のマニュアルのページ、全コマンドとキー、ジョグの決まり。</translation>
     </message>
 </context>
 <context>

@@ -9251,6 +9251,26 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Practice tasks</source>
         <translation>练习任务</translation>
     </message>
+    <message>
+        <source>Manual</source>
+        <translation>手册(英文)</translation>
+    </message>
+    <message>
+        <source>Jogging and keys</source>
+        <translation>点动与按键</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;本机上没有手册&lt;/h2&gt;&lt;p&gt;手册随 Tiller 的 Debian 软件包提供。自行编译的 Tiller 在安装了软件包 python3-sphinx 时才有手册:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。在此之前,可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9537,10 +9557,6 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>帮助</translation>
     </message>
     <message>
-        <source>All commands with their keys, and the rules of jogging.</source>
-        <translation>所有命令及其按键，以及点动规则。</translation>
-    </message>
-    <message>
         <source>Quit</source>
         <translation>退出</translation>
     </message>
@@ -9633,6 +9649,10 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
         <translation>当时的情况已保留。请存为报告，交给协助您的人。</translation>
+    </message>
+    <message>
+        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <translation>焦点所在部分的手册页面、所有命令及其按键,以及点动规则。</translation>
     </message>
 </context>
 <context>

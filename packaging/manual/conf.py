@@ -12,3 +12,11 @@ html_theme_options = {"description": "Jog, teach, run and monitor a robot arm fr
 html_show_sphinx = False
 html_copy_source = False
 nitpicky = True
+
+# As the window shows it (-t window): text and links, without what a browser has around them.
+if tags.has("window"):  # noqa: F821: Sphinx gives it
+    html_theme = "window"
+    html_theme_path = ["theme"]
+    html_theme_options = {}
+    html_permalinks = False
+    html_use_index = False

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// F1 opens the manual at the page of what has the focus, in dialogs too, and stops what moves. Without a manual it says
+// how to get one. The manual is that of the build tree; where nobody could build it, what needs it is skipped.
+
+#include <QApplication>
+#include <QDialog>
+#include <QFile>
+#include <QKeySequenceEdit>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTest>
+#include <QTextBrowser>
+
+#include "app/action_table.h"
+#include "app/help_page.h"
+#include "app/manual.h"
+#include "app/settings_page.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/clipping.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/frames/frames_tab.h"
+#include "widgets/status/preflight_page.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+QString manual() {
+    return QStringLiteral(TILLER_MANUAL);
+}
+bool hasManual() {
+    return QFile::exists(manual() + "/index.html");
+}
+
+struct Bench : WindowBench {
+    Bench() { show(QSize(1600, 900)); }
+    app::HelpPage* help() {
+        const auto pages = window.findChildren<app::HelpPage*>();
+        return pages.isEmpty() || !pages.last()->isVisible() ? nullptr : pages.last();
+    }
+    QTextBrowser* shown() {
+        return help() == nullptr ? nullptr : help()->findChild<QTextBrowser*>("help.manual");
+    }
+    /// The page that is shown, as the table names it.
+    QString page() {
+        const QTextBrowser* browser = shown();
+        if (browser == nullptr) {
+            return QStringLiteral("no help is shown");
+        }
+        const QUrl source = browser->source();
+        const QString path = source.toLocalFile().remove(manual() + '/');
+        return source.hasFragment() ? path + '#' + source.fragment() : path;
+    }
+    QDialog* open(const char* id) {
+        window.actions().find(QLatin1String(id))->trigger();
+        QCoreApplication::processEvents();
+        return qobject_cast<QDialog*>(QApplication::activeWindow());
+    }
+};
+
+/// F1, given to whoever has the focus.
+void pressF1() {
+    QWidget* focus = QApplication::focusWidget();
+    QTest::keyClick(focus != nullptr ? focus : QApplication::activeWindow(), Qt::Key_F1);
+    QCoreApplication::processEvents();
+}
+
+}  // namespace
+
+#define NEEDS_MANUAL()                                            \
+    if (!hasManual()) {                                           \
+        QSKIP("the manual is not built: install python3-sphinx"); \
+    }
+
+class TestHelp : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { qputenv("XDG_DATA_DIRS", QByteArray(TILLER_MANUAL "/../..")); }
+
+    void everyPlaceHasAPage() {
+        NEEDS_MANUAL();
+        app::HelpPage help(20, {}, manual());
+        help.resize(820, 300);
+        help.show();
+        auto* browser = help.findChild<QTextBrowser*>("help.manual");
+        QVERIFY(app::manualPlaces().size() > 10);
+        for (const app::ManualPlace& place : app::manualPlaces()) {
+            const QString file = place.page.section('#', 0, 0);
+            QVERIFY2(QFile::exists(manual() + '/' + file), qPrintable(place.page));
+            help.showManual(QStringLiteral("index.html"));
+            help.showManual(place.page);
+            QCoreApplication::processEvents();
+            QVERIFY2(browser->toPlainText().size() > 200, qPrintable(place.page));
+            QVERIFY2(!place.page.contains('#') || browser->verticalScrollBar()->value() > 0,
+                     qPrintable(place.page + " has no such place"));
+        }
+    }
+
+    void everyNameIsThatOfAPartOfTheWindow() {
+        Bench bench;
+        for (const char* id :
+             {"robot.connect", "app.settings", "app.report", "jog.devices", "project.sample"}) {
+            QAction* action = bench.window.actions().find(QLatin1String(id));
+            QVERIFY2(action != nullptr, id);
+            action->trigger();
+            QCoreApplication::processEvents();
+        }
+        bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
+        // These two come with a robot that is in trouble, and with a file.
+        const QStringList elsewhere{"recoveryPage", "importSettings"};
+        for (const app::ManualPlace& place : app::manualPlaces()) {
+            QVERIFY2(
+                elsewhere.contains(place.widget) || bench.window.findChild<QWidget*>(place.widget) != nullptr,
+                qPrintable("there is no " + place.widget));
+        }
+    }
+
+    void theKeyShowsThePageOfWhatHasTheFocus_data() {
+        QTest::addColumn<QString>("tab");
+        QTest::addColumn<QString>("widget");
+        QTest::addColumn<QString>("page");
+        QTest::newRow("view") << ""
+                              << "scene"
+                              << "window/view.html";
+        QTest::newRow("plots") << ""
+                               << "plots.view"
+                               << "window/plots.html";
+        QTest::newRow("waypoints") << "waypoints"
+                                   << "waypoint.table"
+                                   << "window/waypoints.html";
+        QTest::newRow("frames") << "frames"
+                                << "frame.table"
+                                << "window/frames.html";
+        QTest::newRow("inputs") << "io"
+                                << "io.search"
+                                << "window/io.html";
+        QTest::newRow("gripper") << "gripper"
+                                 << "gripper.kind"
+                                 << "window/io.html#gripper";
+        QTest::newRow("log") << "log"
+                             << "log.search"
+                             << "window/log.html";
+        QTest::newRow("the tabs themselves") << "tools"
+                                             << "tabs"
+                                             << "window/tools.html";
+    }
+    void theKeyShowsThePageOfWhatHasTheFocus() {
+        NEEDS_MANUAL();
+        QFETCH(QString, tab);
+        QFETCH(QString, widget);
+        QFETCH(QString, page);
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.waypoints().teach();
+        bench.window.frames().teachFromTcp();
+        bench.cell.advanceMs(300);
+        if (!tab.isEmpty()) {
+            bench.window.showTab(tab);
+        }
+        auto& focus = bench.find<QWidget>(widget.toLatin1().constData());
+        focus.setFocus();
+        QVERIFY(focus.hasFocus());
+        pressF1();
+        QCOMPARE(bench.page(), page);
+        // Once more, from within: it stays where it is.
+        pressF1();
+        QCOMPARE(bench.page(), page);
+        QCOMPARE(bench.window.findChildren<app::HelpPage*>().size(), 1);
+    }
+
+    void anotherPlaceTakesTheFirstOnesPlace() {
+        NEEDS_MANUAL();
+        Bench bench;
+        bench.window.showTab("log");
+        bench.find<QWidget>("log.search").setFocus();
+        pressF1();
+        QCOMPARE(bench.page(), QStringLiteral("window/log.html"));
+        bench.window.activateWindow();
+        bench.find<QWidget>("scene").setFocus();
+        QTRY_VERIFY(bench.find<QWidget>("scene").hasFocus());
+        pressF1();
+        QCOMPARE(bench.page(), QStringLiteral("window/view.html"));
+        QTRY_COMPARE(bench.window.findChildren<app::HelpPage*>().size(), 1);
+    }
+
+    void aDialogHasItToo() {
+        NEEDS_MANUAL();
+        Bench bench;
+        QDialog* settings = bench.open("app.settings");
+        QVERIFY(settings != nullptr && settings->isVisible());
+        pressF1();
+        QCOMPARE(bench.page(), QStringLiteral("window/settings.html"));
+        // It is used with the dialog behind it.
+        QVERIFY(QTest::qWaitForWindowActive(bench.help()));
+        QTest::mouseClick(bench.help()->findChild<QPushButton*>("help.contents"), Qt::LeftButton);
+        QCOMPARE(bench.page(), QStringLiteral("index.html"));
+        QTest::keyClick(bench.help(), Qt::Key_Escape);
+        QTRY_VERIFY(bench.help() == nullptr);
+        QVERIFY(settings->isVisible());
+        settings->close();
+    }
+
+    void theChecksBeforeConnectingHaveTheirs() {
+        NEEDS_MANUAL();
+        Bench bench;
+        bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
+        auto* checks = bench.window.findChild<PreflightPage*>();
+        checks->activateWindow();
+        QTRY_VERIFY(checks->isActiveWindow());
+        pressF1();
+        QCOMPARE(bench.page(), QStringLiteral("window/connecting.html#before-you-connect"));
+    }
+
+    void aKeyOfOnesOwnWorksInDialogsToo() {
+        NEEDS_MANUAL();
+        Bench bench;
+        app::Preferences preferences;
+        preferences.shortcuts["app.help"] = QKeySequence(Qt::CTRL | Qt::Key_H);
+        bench.window.applyPreferences(preferences);
+        QDialog* settings = bench.open("app.settings");
+        pressF1();
+        QVERIFY(bench.help() == nullptr);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_H, Qt::ControlModifier);
+        QTRY_COMPARE(bench.page(), QStringLiteral("window/settings.html"));
+        settings->close();
+    }
+
+    void theFieldForANewKeyTakesItForItself() {
+        Bench bench;
+        auto* settings = qobject_cast<app::SettingsPage*>(bench.open("app.settings"));
+        QVERIFY(settings != nullptr);
+        auto* pages = settings->findChild<QTabWidget*>("settingsPages");
+        pages->setCurrentIndex(pages->count() - 1);
+        auto* field = settings->findChild<QWidget*>("settings.key.app.palette");
+        QVERIFY(field != nullptr);
+        field->setFocus();
+        QVERIFY(QApplication::focusWidget() != nullptr);
+        pressF1();
+        QVERIFY(bench.help() == nullptr);
+        settings->close();
+    }
+
+    void itStopsWhatMoves() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        auto& key = bench.find<HoldButton>("jog.Z+");
+        press(key);
+        QVERIFY(bench.cell.advanceUntil([&] { return tcpSpeed(bench.cell) > 0.01; }, 2000));
+        QTest::keyClick(&bench.window, Qt::Key_F1);
+        QVERIFY(bench.help() != nullptr);
+        QVERIFY(bench.cell.advanceUntil([&] { return standsStill(bench.cell); }, 2000));
+        release(key);
+    }
+
+    void aLinkLeadsOnAndBackLeadsBack() {
+        NEEDS_MANUAL();
+        Bench bench;
+        bench.find<QWidget>("scene").setFocus();
+        bench.window.actions().find("app.help")->trigger();
+        auto* browser = bench.shown();
+        auto* back = bench.help()->findChild<QPushButton*>("help.back");
+        bench.help()->showManual("window/header.html");
+        browser->setFocus();
+        QTest::keyClick(browser, Qt::Key_Tab);  // to the first link
+        QTest::keyClick(browser, Qt::Key_Return);
+        QCOMPARE(bench.page(), QStringLiteral("window/recovery.html"));
+        QVERIFY(back->isEnabled());
+        QTest::mouseClick(back, Qt::LeftButton);
+        QCOMPARE(bench.page(), QStringLiteral("window/header.html"));
+    }
+
+    void withoutAManualItSaysHowToGetIt() {
+        qputenv("XDG_DATA_DIRS", "/nowhere");
+        Bench bench;
+        bench.find<QWidget>("scene").setFocus();
+        pressF1();
+        QVERIFY(bench.shown() != nullptr);
+        QVERIFY2(bench.shown()->toPlainText().contains("python3-sphinx"),
+                 qPrintable(bench.shown()->toPlainText()));
+        QVERIFY(!bench.help()->findChild<QPushButton*>("help.contents")->isEnabled());
+        // What this program knows by itself is there all the same.
+        QVERIFY(bench.help()->findChild<QTextBrowser*>("helpText")->toPlainText().contains("emergency stop"));
+    }
+
+    void itsPagesLookAsTheWindowDoes() {
+        NEEDS_MANUAL();
+        Bench bench;
+        bench.find<QWidget>("scene").setFocus();
+        for (const char* theme : {"light", "dark"}) {
+            bench.window.setTheme(QLatin1String(theme));
+            bench.window.activateWindow();
+            bench.find<QWidget>("scene").setFocus();
+            QTRY_VERIFY(bench.find<QWidget>("scene").hasFocus());
+            pressF1();
+            bench.help()->showManual("window/plots.html");
+            QCoreApplication::processEvents();
+            QVERIFY2(clipped(*bench.help()).isEmpty(), qPrintable(clipped(*bench.help()).join('\n')));
+            const QString to = qEnvironmentVariable("TILLER_SCREENSHOTS");
+            if (!to.isEmpty()) {
+                QVERIFY(bench.help()->grab().save(
+                    QStringLiteral("%1/help-%2.png").arg(to, QLatin1String(theme))));
+                bench.help()->showManual("simulator.html");
+                QVERIFY(bench.help()->grab().save(
+                    QStringLiteral("%1/help-first-%2.png").arg(to, QLatin1String(theme))));
+            }
+        }
+        bench.window.setTheme("light");
+    }
+};
+
+QTEST_MAIN(TestHelp)
+#include "tst_help.moc"
