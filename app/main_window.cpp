@@ -187,8 +187,12 @@ MainWindow::~MainWindow() {
     disconnect(qApp, nullptr, this, nullptr);
     const QList<QDialog*> open = findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(open);
-    // What the panels say on their way out arranges nothing.
+    // What the panels and their parts say on their way out arranges nothing, and is shown in no part that has gone.
     disconnect(stage_, nullptr, nullptr, nullptr);
+    const QWidgetList parts = findChildren<QWidget*>();
+    for (QWidget* part : parts) {
+        disconnect(part, nullptr, this, nullptr);
+    }
     // While all parts still live: the session tells them that it ends. Then they go, and it goes last.
     session_->shutDown();
     lessons_.reset();

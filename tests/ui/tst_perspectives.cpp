@@ -674,6 +674,19 @@ private Q_SLOTS:
         QVERIFY(panel.isVisible());
     }
 
+    // The question goes with its panel, and the view with its own, in whatever order.
+    void theWindowEndsWithAQuestionOpenInAFloatingPanel() {
+        auto bench = std::make_unique<WindowBench>();
+        bench->show(QSize(1280, 720));
+        QVERIFY2(bench->cell.bringUp(), qPrintable(bench->cell.what()));
+        bench->window.waypoints().teach();
+        run(bench->window, "view.float.tabsDock");
+        bench->window.waypoints().touchUp();
+        QVERIFY(bench->window.waypoints().touchUpGhost());
+        QVERIFY(dockOf(bench->window, "tabsDock").isFloating());
+        bench.reset();
+    }
+
     void leavingAFloatingPanelStops() {
         WindowBench bench;
         bench.show(QSize(1280, 720));

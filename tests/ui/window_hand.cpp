@@ -100,9 +100,28 @@ void WindowHand::wheel(QWidget& window, QPoint at, int notches, Qt::KeyboardModi
 }
 
 void WindowHand::keyDown(Qt::Key key, Qt::KeyboardModifiers modifiers, const QString& text) {
+    if (focusWindow() == nullptr) {
+        return;
+    }
+    keys_.append({key, modifiers, text});
+    sendModifiers(true, modifiers);
+    // Alt may have closed the menu that had the focus.
     if (QWindow* to = focusWindow()) {
-        keys_.append({key, modifiers, text});
-        QTest::sendKeyEvent(QTest::Press, to, key, text, modifiers);
+        QTest::simulateEvent(to, true, key, modifiers, text, false);
+    }
+}
+
+void WindowHand::sendModifiers(bool pressed, Qt::KeyboardModifiers modifiers) const {
+    for (const auto& [modifier, key] : {std::pair{Qt::ShiftModifier, Qt::Key_Shift},
+                                        {Qt::ControlModifier, Qt::Key_Control},
+                                        {Qt::AltModifier, Qt::Key_Alt},
+                                        {Qt::MetaModifier, Qt::Key_Meta}}) {
+        QWindow* to = focusWindow();
+        to = to != nullptr ? to : home_.windowHandle();
+        if (to != nullptr && modifiers.testFlag(modifier)) {
+            QTest::simulateEvent(to, pressed, key, pressed ? Qt::KeyboardModifiers(modifier) : Qt::NoModifier,
+                                 QString(), false);
+        }
     }
 }
 
@@ -114,8 +133,9 @@ void WindowHand::keyUp() {
     QWindow* to = focusWindow();
     to = to != nullptr ? to : home_.windowHandle();
     if (to != nullptr) {
-        QTest::sendKeyEvent(QTest::Release, to, held.key, held.text, held.modifiers);
+        QTest::simulateEvent(to, false, held.key, held.modifiers, held.text, false);
     }
+    sendModifiers(false, held.modifiers);
 }
 
 void WindowHand::keyClick(Qt::Key key, Qt::KeyboardModifiers modifiers, const QString& text) {

@@ -48,6 +48,7 @@ private:
     /// Where the mouse is: its window, or home when that has gone, and the place in there.
     std::pair<QWindow*, QPoint> under() const;
     void goTo(QWidget& window, QPoint at);
+    void sendModifiers(bool pressed, Qt::KeyboardModifiers modifiers) const;
 
     QWidget& home_;
     QPointer<QWidget> window_;  ///< where the mouse is

@@ -275,6 +275,10 @@ void PlotDock::setSignalsShown(bool shown) {
 void PlotDock::setValuesShown(bool shown) {
     values_->follow(view());
     values_->setVisible(shown);
+    // The plots make way for the table: a panel as low as it can be would grow, and the key go from under the pointer.
+    const int table =
+        values_->minimumSizeHint().height() + static_cast<QSplitter*>(values_->parentWidget())->handleWidth();
+    pages_->setMinimumHeight(shown ? std::max(1, pages_->minimumSizeHint().height() - table) : 0);
     valuesKey_->setChecked(shown);
 }
 

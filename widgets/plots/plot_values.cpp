@@ -23,7 +23,8 @@ namespace tiller {
 
 namespace {
 
-constexpr int kPatience = 80;  // [ms]
+constexpr int kPatience = 80;    // [ms]
+constexpr int kLeastTable = 50;  // [px], its titles and one signal
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -42,6 +43,7 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setFont(textFont(12));
     table_->setShowGrid(false);
+    table_->setMinimumHeight(kLeastTable);
     const QStringList titles{tr("Signal"),     tr("A"),    tr("B"),   tr("B − A"), tr("Min"),
                              tr("Max"),        tr("Mean"), tr("RMS"), tr("Std"),   tr("Peak to peak"),
                              tr("Slope per s")};

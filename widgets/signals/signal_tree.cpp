@@ -25,6 +25,7 @@ namespace {
 constexpr int kKeys = Qt::UserRole + 1;   // QStringList
 constexpr int kWords = Qt::UserRole + 2;  // what the filter looks through
 constexpr int kGroup = Qt::UserRole + 3;  // bool: only opens and closes
+constexpr int kLeastList = 24;            // [px], a line: the panel must not grow when the list is opened
 
 class Model : public QStandardItemModel {
 public:
@@ -94,6 +95,7 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     view_->setObjectName(QStringLiteral("signals.tree"));
     view_->setAccessibleName(tr("Signals of the robot"));
     view_->setHeaderHidden(true);
+    view_->setMinimumHeight(kLeastList);
     view_->setUniformRowHeights(true);
     view_->setDragEnabled(true);
     view_->setDragDropMode(QAbstractItemView::DragOnly);

@@ -970,6 +970,26 @@ private Q_SLOTS:
         QVERIFY(b.view().panes()[0]->curves()[0]->raster() > shown);
     }
 
+    // Else the key would go from under the pointer where the panel is as low as it can be.
+    void noKeyMakesThePanelHigherThanItWas_data() {
+        QTest::addColumn<QString>("key");
+        QTest::newRow("values") << "plots.valuesKey";
+        QTest::newRow("signals") << "plots.signals";
+    }
+    void noKeyMakesThePanelHigherThanItWas() {
+        QFETCH(QString, key);
+        Bench b;
+        QTRY_VERIFY(b.dock.minimumSizeHint().height() > 0);
+        const int before = b.dock.minimumSizeHint().height();
+        QTest::mouseClick(b.button(qPrintable(key)), Qt::LeftButton);
+        QTest::qWait(1);
+        QTRY_VERIFY2(
+            b.dock.minimumSizeHint().height() <= before,
+            qPrintable(QStringLiteral("%1, was %2").arg(b.dock.minimumSizeHint().height()).arg(before)));
+        QTest::mouseClick(b.button(qPrintable(key)), Qt::LeftButton);
+        QTRY_COMPARE(b.dock.minimumSizeHint().height(), before);
+    }
+
     // ---- figures, notes, alarms
     void theTableTellsWhatLiesBetweenTheCursors() {
         Bench b;
