@@ -124,6 +124,8 @@ std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const 
                             QStringLiteral("/Incidents"));
     connect(*window);
     window->show();
+    // Where no window manager does it, nobody else would, and a window that is not active moves nothing.
+    window->activateWindow();
     const app::StartProject project = projectOf(line, settings);
     window->openProject(project.path);
     if (!project.missing.isEmpty()) {
