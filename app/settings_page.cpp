@@ -52,6 +52,8 @@ QWidget* scrolling(QWidget* page, const QString& name) {
 QLabel* note(const QString& text, const char* role) {
     auto* label = new QLabel(text);
     label->setWordWrap(true);
+    // Close to the field it is about: a row of the form may be higher than its words.
+    label->setAlignment(Qt::AlignLeading | Qt::AlignTop);
     label->setProperty("role", QLatin1String(role));
     return label;
 }

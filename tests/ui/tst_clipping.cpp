@@ -139,7 +139,9 @@ private Q_SLOTS:
             QCOMPARE(texts_->code(), language);
         }
     }
-    void init() { applyTheme(*qApp, Theme::light()); }
+    void init() {
+        applyTheme(*qApp, qEnvironmentVariable("TILLER_THEME") == "dark" ? Theme::dark() : Theme::light());
+    }
     void cleanupTestCase() { applyDensity(*qApp, Density::Mouse); }
 
     void theFinderFindsWhatIsCutOff() {

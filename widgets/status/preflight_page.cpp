@@ -22,6 +22,7 @@ namespace tiller {
 namespace {
 
 constexpr std::chrono::seconds kAtMost{30};
+constexpr int kTitle = 230;            // width of the column at least [px]
 constexpr double kFirstSpeed = 0.050;  // [m/s] the class the jog column starts with
 
 struct Look {
@@ -66,6 +67,15 @@ private:
     doctor::Verdict verdict_ = doctor::Verdict::Skipped;
 };
 
+int FindingRow::widestTitle() const {
+    int widest = kTitle;
+    for (int i = 0; i < doctor::kConditionCount; ++i) {
+        const QString title = doctor::conditionTitle(static_cast<doctor::Condition>(i));
+        widest = std::max(widest, title_->fontMetrics().horizontalAdvance(title) + 2);
+    }
+    return widest;
+}
+
 FindingRow::FindingRow(doctor::Condition condition, QWidget* parent)
     : QWidget(parent)
     , sign_(new Sign(this))
@@ -81,7 +91,7 @@ FindingRow::FindingRow(doctor::Condition condition, QWidget* parent)
     grid->addWidget(title_, 0, 1);
     grid->addWidget(detail_, 0, 2);
     grid->addWidget(fix_, 1, 1, 1, 2);
-    grid->setColumnMinimumWidth(1, 230);
+    grid->setColumnMinimumWidth(1, widestTitle());
     grid->setColumnStretch(2, 1);
     detail_->setProperty("role", QStringLiteral("secondary"));
     detail_->setWordWrap(true);

@@ -30,6 +30,9 @@ public:
 private:
     class Sign;
 
+    /// Of all conditions in this language, so that what was found stands in one column [px].
+    int widestTitle() const;
+
     doctor::Finding finding_;
     Sign* sign_;
     QLabel* title_;
