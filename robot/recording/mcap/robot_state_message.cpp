@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "robot/recording/mcap/robot_state_message.h"
 
-#include <fastcdr/Cdr.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,6 +8,7 @@
 #include <cstring>
 
 #include "robot/recording/detail/column_knowledge.h"
+#include "robot/recording/mcap/detail/cdr_stream.h"
 #include "robot/recording/recorder.h"
 
 namespace tiller::recording::mcap {
@@ -106,16 +105,15 @@ RobotStateMessage::RobotStateMessage(const std::vector<std::string>& fields, con
 }
 
 void RobotStateMessage::write(const receive::Sample& sample, std::uint64_t lost, std::string& out) const {
-    using eprosima::fastcdr::Cdr;
     out.resize(mostBytes_);
     eprosima::fastcdr::FastBuffer buffer(out.data(), out.size());
-    Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
+    CdrStream cdr(buffer);
     cdr.serialize_encapsulation();
     for (const Part& part : parts_) {
         const double* values = sample.values.data() + part.first;
         switch (numberType(part.type)) {
             case rtde::DataType::Double:
-                cdr.serializeArray(values, part.count);
+                cdr.put(values, part.count);
                 break;
             case rtde::DataType::Bool:
                 cdr << (wholeOf<std::uint8_t>(*values) != 0);
@@ -138,7 +136,7 @@ void RobotStateMessage::write(const receive::Sample& sample, std::uint64_t lost,
         }
     }
     cdr << lost;
-    out.resize(cdr.getSerializedDataLength());
+    out.resize(cdr.size());
 }
 
 RobotStateLayout::RobotStateLayout(std::string_view definition, std::string_view fieldNames) {

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "robot/recording/mcap/ros_messages.h"
 
-#include <fastcdr/Cdr.h>
 #include <fastcdr/exceptions/Exception.h>
 
 #include <array>
 #include <cmath>
 
 #include "robot/core/clock.h"
+#include "robot/recording/mcap/detail/cdr_stream.h"
 
 namespace tiller::recording::mcap {
 
 namespace {
 
-using eprosima::fastcdr::Cdr;
 using eprosima::fastcdr::FastBuffer;
 
 #define TILLER_TIME                                                                        \
@@ -67,10 +66,10 @@ template <class Fill>
 void writeCdr(std::string& out, std::size_t room, Fill fill) {
     out.resize(room);
     FastBuffer buffer(out.data(), out.size());
-    Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
+    CdrStream cdr(buffer);
     cdr.serialize_encapsulation();
     fill(cdr);
-    out.resize(cdr.getSerializedDataLength());
+    out.resize(cdr.size());
 }
 
 /// Returns  false when the bytes end too early or hold what cannot be
@@ -78,7 +77,7 @@ template <class Take>
 bool readCdr(std::string_view message, Take take) {
     // The library wants to be able to write, and does not here.
     FastBuffer buffer(const_cast<char*>(message.data()), message.size());
-    Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
+    CdrStream cdr(buffer);
     try {
         cdr.read_encapsulation();
         take(cdr);
@@ -88,30 +87,30 @@ bool readCdr(std::string_view message, Take take) {
     return true;
 }
 
-void putTime(Cdr& cdr, std::int64_t utcNs) {
+void putTime(CdrStream& cdr, std::int64_t utcNs) {
     cdr << static_cast<std::int32_t>(utcNs / kNsPerSecond)
         << static_cast<std::uint32_t>(utcNs % kNsPerSecond);
 }
 
-void putHeader(Cdr& cdr, std::int64_t utcNs, const char* frame) {
+void putHeader(CdrStream& cdr, std::int64_t utcNs, const char* frame) {
     putTime(cdr, utcNs);
     cdr << frame;
 }
 
-void putList(Cdr& cdr, std::span<const double> numbers) {
+void putList(CdrStream& cdr, std::span<const double> numbers) {
     cdr << static_cast<std::uint32_t>(numbers.size());
-    cdr.serializeArray(numbers.data(), numbers.size());
+    cdr.put(numbers.data(), numbers.size());
 }
 
 /// Returns  false when the list claims more than there is
-bool takeList(Cdr& cdr, std::size_t most, std::vector<double>& numbers) {
+bool takeList(CdrStream& cdr, std::size_t most, std::vector<double>& numbers) {
     std::uint32_t count = 0;
     cdr >> count;
     if (count > most) {
         return false;
     }
     numbers.resize(count);
-    cdr.deserializeArray(numbers.data(), numbers.size());
+    cdr.take(numbers.data(), numbers.size());
     return true;
 }
 
@@ -143,7 +142,7 @@ bool writeJointState(const receive::Sample& sample, std::int64_t utcNs, std::str
     }
     constexpr std::size_t kNameRoom = 32;
     constexpr std::size_t kLists = 3;
-    writeCdr(out, kFixedParts + kNames.size() * (kNameRoom + kLists * sizeof(double)), [&](Cdr& cdr) {
+    writeCdr(out, kFixedParts + kNames.size() * (kNameRoom + kLists * sizeof(double)), [&](CdrStream& cdr) {
         putHeader(cdr, utcNs, "base");
         cdr << static_cast<std::uint32_t>(kNames.size());
         for (const char* name : kNames) {
@@ -161,9 +160,9 @@ bool writeWrench(const receive::Sample& sample, std::int64_t utcNs, std::string&
     if (wrench.empty()) {
         return false;
     }
-    writeCdr(out, kFixedParts, [&](Cdr& cdr) {
+    writeCdr(out, kFixedParts, [&](CdrStream& cdr) {
         putHeader(cdr, utcNs, "base");
-        cdr.serializeArray(wrench.data(), wrench.size());
+        cdr.put(wrench.data(), wrench.size());
     });
     return true;
 }
@@ -175,7 +174,7 @@ bool writeTransform(const receive::Sample& sample, std::int64_t utcNs, std::stri
     }
     const double angle = std::hypot(pose[3], pose[4], pose[5]);
     const double scale = angle < 1e-12 ? 0.5 : std::sin(angle / 2) / angle;
-    writeCdr(out, kFixedParts, [&](Cdr& cdr) {
+    writeCdr(out, kFixedParts, [&](CdrStream& cdr) {
         cdr << std::uint32_t(1);
         putHeader(cdr, utcNs, "base");
         cdr << "tool0_controller";
@@ -188,7 +187,7 @@ bool writeTransform(const receive::Sample& sample, std::int64_t utcNs, std::stri
 void writeLog(const RecordedNote& note, std::string& out) {
     const std::string source = note.source.toStdString();
     const std::string text = note.text.toStdString();
-    writeCdr(out, kFixedParts + source.size() + text.size(), [&](Cdr& cdr) {
+    writeCdr(out, kFixedParts + source.size() + text.size(), [&](CdrStream& cdr) {
         putTime(cdr, note.utcNs);
         cdr << static_cast<std::uint8_t>(note.level) << source << text << ""
             << "" << std::uint32_t(0);
@@ -196,7 +195,7 @@ void writeLog(const RecordedNote& note, std::string& out) {
 }
 
 bool readLog(std::string_view message, RecordedNote& note) {
-    return readCdr(message, [&](Cdr& cdr) {
+    return readCdr(message, [&](CdrStream& cdr) {
         std::int32_t seconds = 0;
         std::uint32_t nanoseconds = 0;
         std::uint8_t level = 0;
@@ -209,7 +208,7 @@ bool readLog(std::string_view message, RecordedNote& note) {
 
 void writeSummary(const SummaryMessage& summary, std::string& out) {
     const std::size_t numbers = summary.min.size() + summary.max.size() + summary.mean.size();
-    writeCdr(out, kFixedParts + numbers * sizeof(double), [&](Cdr& cdr) {
+    writeCdr(out, kFixedParts + numbers * sizeof(double), [&](CdrStream& cdr) {
         cdr << summary.firstRow << summary.rowsEach;
         putList(cdr, summary.min);
         putList(cdr, summary.max);
@@ -220,7 +219,7 @@ void writeSummary(const SummaryMessage& summary, std::string& out) {
 bool readSummary(std::string_view message, SummaryMessage& summary) {
     bool sound = true;
     const std::size_t most = message.size() / sizeof(double);
-    const bool whole = readCdr(message, [&](Cdr& cdr) {
+    const bool whole = readCdr(message, [&](CdrStream& cdr) {
         cdr >> summary.firstRow >> summary.rowsEach;
         sound = takeList(cdr, most, summary.min) && takeList(cdr, most, summary.max) &&
                 takeList(cdr, most, summary.mean);
