@@ -4,14 +4,15 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QToolButton>
+#include <algorithm>
 
 #include "widgets/common/elided_label.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
 
-ReplayBand::ReplayBand(const QString& name, QWidget* parent)
-    : QFrame(parent), words_(new ElidedLabel({}, this)), live_(new QToolButton) {
+ReplayBand::ReplayBand(const QString& name, QWidget& above, QWidget* parent)
+    : QFrame(parent), above_(above), words_(new ElidedLabel({}, this)), live_(new QToolButton) {
     setObjectName(name);
     setAccessibleName(tr("Replay"));
     words_->setObjectName(name + QStringLiteral(".words"));
@@ -36,7 +37,11 @@ void ReplayBand::tell(const QString& words) {
         setAccessibleDescription(words);
         words_->setToolTip(words);
     }
-    setVisible(!words.isEmpty());
+    if (words.isEmpty() != isHidden()) {
+        const int left = above_.minimumSizeHint().height() - sizeHint().height();
+        above_.setMinimumHeight(words.isEmpty() ? 0 : std::max(1, left));
+        setVisible(!words.isEmpty());
+    }
 }
 
 QString ReplayBand::words() const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The line over a part of the window that shows what was, not what is: says of when, and leads back to what is live.
+// The line under a part of the window that shows what was, not what is: says of when, and leads back to what is live.
+// What stands above it gives way: with it or without, the panel needs the same height, and no key moves.
 
 #include <QFrame>
 
@@ -15,8 +16,9 @@ class ReplayBand : public QFrame {
     Q_OBJECT
 
 public:
-    /// name  of the object; its key is "<name>.live"
-    explicit ReplayBand(const QString& name, QWidget* parent = nullptr);
+    /// name   of the object; its key is "<name>.live"
+    /// above  what gives way, in the same layout
+    ReplayBand(const QString& name, QWidget& above, QWidget* parent = nullptr);
 
     /// Empty: what is shown is live, there is no band.
     void tell(const QString& words);
@@ -32,6 +34,7 @@ protected:
 private:
     void style();
 
+    QWidget& above_;
     ElidedLabel* words_;
     QToolButton* live_;
     bool styling_ = false;

@@ -41,6 +41,8 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     setObjectName(QStringLiteral("plots.analysis"));
     setAccessibleName(tr("Spectrum and XY"));
     kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Kind of analysis"));
+    // What it shows or hides beside it makes way for it: it must not go from under the pointer.
+    kind_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     y_->setObjectName(QStringLiteral("plots.analysis.signal"));
     y_->setAccessibleName(tr("Signal"));
     x_->setObjectName(QStringLiteral("plots.analysis.over"));

@@ -11,15 +11,17 @@
 namespace tiller {
 
 SceneDock::SceneDock(RobotSession& session, QWidget* parent)
-    : Panel(QString(), parent), band_(new ReplayBand(QStringLiteral("view.replay"))), view_(new SceneView) {
+    : Panel(QString(), parent)
+    , view_(new SceneView)
+    , band_(new ReplayBand(QStringLiteral("view.replay"), *view_)) {
     setObjectName(QStringLiteral("view"));
     setTitle(tr("View"));
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(band_);
     layout->addWidget(view_, 1);
+    layout->addWidget(band_);
     setContent(content);
     connect(band_, &ReplayBand::liveWanted, this, &SceneDock::liveWanted);
     connect(view_, &SceneView::ghostTextChanged, this, &Panel::setHint);

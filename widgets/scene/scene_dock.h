@@ -19,7 +19,7 @@ public:
     explicit SceneDock(RobotSession& session, QWidget* parent = nullptr);
 
     SceneView& view() { return *view_; }
-    /// Shows besides how the arm stood in a moment, and says so above the picture. Nothing: live.
+    /// Shows besides how the arm stood in a moment, and says so under the picture. Nothing: live.
     void setReplay(const Replay& moment);
 
 Q_SIGNALS:
@@ -27,8 +27,8 @@ Q_SIGNALS:
     void liveWanted();
 
 private:
-    ReplayBand* band_;
     SceneView* view_;
+    ReplayBand* band_;
 };
 
 }  // namespace tiller

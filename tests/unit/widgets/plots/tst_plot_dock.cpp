@@ -696,6 +696,23 @@ private Q_SLOTS:
         QVERIFY(analysis->canvas().message().contains("longer"));
     }
 
+    void theKindOfAnalysisStaysUnderThePointer() {
+        Bench b;
+        b.menu("plots.layout.analysis")->trigger();
+        b.view().addSignals({"actual_q_1"});
+        b.dock.resize(1, 400);  // as narrow as it can be
+        auto* analysis = b.dock.findChild<PlotAnalysis*>();
+        auto* kind = b.dock.findChild<QAbstractButton*>("plots.analysis.kind.1");
+        QTRY_VERIFY(kind != nullptr && kind->isVisible());
+        const QRect before(kind->mapTo(analysis, QPoint()), kind->size());
+        const int least = b.dock.minimumSizeHint().width();
+        QTest::mouseClick(kind, Qt::LeftButton);
+        QTRY_VERIFY(b.dock.findChild<QWidget*>("plots.analysis.over")->isVisible());
+        QTest::qWait(1);
+        QCOMPARE(QRect(kind->mapTo(analysis, QPoint()), kind->size()), before);
+        QCOMPARE(b.dock.minimumSizeHint().width(), least);
+    }
+
     void oneSignalOverAnother() {
         Bench b;
         b.menu("plots.layout.analysis")->trigger();
