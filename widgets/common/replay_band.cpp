@@ -11,7 +11,7 @@
 
 namespace tiller {
 
-ReplayBand::ReplayBand(const QString& name, QWidget& above, QWidget* parent)
+ReplayBand::ReplayBand(const QString& name, QWidget* above, QWidget* parent)
     : QFrame(parent), above_(above), words_(new ElidedLabel({}, this)), live_(new QToolButton) {
     setObjectName(name);
     setAccessibleName(tr("Replay"));
@@ -38,8 +38,10 @@ void ReplayBand::tell(const QString& words) {
         words_->setToolTip(words);
     }
     if (words.isEmpty() != isHidden()) {
-        const int left = above_.minimumSizeHint().height() - sizeHint().height();
-        above_.setMinimumHeight(words.isEmpty() ? 0 : std::max(1, left));
+        if (above_ != nullptr) {
+            const int left = above_->minimumSizeHint().height() - sizeHint().height();
+            above_->setMinimumHeight(words.isEmpty() ? 0 : std::max(1, left));
+        }
         setVisible(!words.isEmpty());
     }
 }

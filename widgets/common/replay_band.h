@@ -2,7 +2,7 @@
 #pragma once
 
 // The line under a part of the window that shows what was, not what is: says of when, and leads back to what is live.
-// What stands above it gives way: with it or without, the panel needs the same height, and no key moves.
+// What stands above it may give way: with it or without, the panel needs the same height, and no key moves.
 
 #include <QFrame>
 
@@ -17,8 +17,8 @@ class ReplayBand : public QFrame {
 
 public:
     /// name   of the object; its key is "<name>.live"
-    /// above  what gives way, in the same layout
-    ReplayBand(const QString& name, QWidget& above, QWidget* parent = nullptr);
+    /// above  what gives way, in the same layout; null: nothing
+    ReplayBand(const QString& name, QWidget* above, QWidget* parent = nullptr);
 
     /// Empty: what is shown is live, there is no band.
     void tell(const QString& words);
@@ -34,7 +34,7 @@ protected:
 private:
     void style();
 
-    QWidget& above_;
+    QWidget* above_;
     ElidedLabel* words_;
     QToolButton* live_;
     bool styling_ = false;

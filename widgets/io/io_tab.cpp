@@ -87,7 +87,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     auto* top = new QHBoxLayout;
     top->setContentsMargins(12, 10, 12, 2);
     top->addWidget(search_);
-    replayBand_ = new ReplayBand(QStringLiteral("io.replay"), *scroll);
+    replayBand_ = new ReplayBand(QStringLiteral("io.replay"), scroll);
     connect(replayBand_, &ReplayBand::liveWanted, this, &IoTab::liveWanted);
     layout->addLayout(top);
     layout->addWidget(scroll, 1);

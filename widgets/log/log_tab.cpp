@@ -44,7 +44,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     , search_(new QLineEdit)
     , open_(nullptr)
     , table_(new QTableView)
-    , band_(new ReplayBand(QStringLiteral("log.replay"), *table_))
+    , band_(new ReplayBand(QStringLiteral("log.replay"), nullptr))
     , nothing_(nullptr)
     , details_(new QLabel) {
     setObjectName(QStringLiteral("log"));

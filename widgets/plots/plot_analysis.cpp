@@ -25,6 +25,7 @@ namespace {
 constexpr int kAnalyseAfter = 120;  // [ms] behind the last change
 constexpr std::int64_t kMostSamples = 2'000'000;
 constexpr std::int64_t kMostPoints = 50'000;  // of one signal over another
+constexpr int kLeastLetters = 8;              // of a signal's name
 constexpr int kSecondDigits = 3;
 
 }  // namespace
@@ -70,7 +71,8 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     connect(&soon_, &QTimer::timeout, this, &PlotAnalysis::fill);
     connect(kind_, &SegmentedControl::currentChanged, this, &PlotAnalysis::fill);
     for (ChoiceBox* box : {x_, y_}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(kLeastLetters);
         connect(box, &QComboBox::activated, this, &PlotAnalysis::fill);
     }
 }

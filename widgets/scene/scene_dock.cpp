@@ -13,7 +13,7 @@ namespace tiller {
 SceneDock::SceneDock(RobotSession& session, QWidget* parent)
     : Panel(QString(), parent)
     , view_(new SceneView)
-    , band_(new ReplayBand(QStringLiteral("view.replay"), *view_)) {
+    , band_(new ReplayBand(QStringLiteral("view.replay"), view_)) {
     setObjectName(QStringLiteral("view"));
     setTitle(tr("View"));
     auto* content = new QWidget;
