@@ -224,7 +224,7 @@ inline QStringList clipped(const QWidget& window) {
                                 : widget->geometry();
         const bool cell = parent->parentWidget() != nullptr && parent->parentWidget()->inherits("QTableView");
         // Qt places the parts of a splitter that is read from right to left one pixel too far to the right.
-        const int outside = parent->inherits("QSplitter") ? 1 : 0;
+        const int outside = parent->inherits("QSplitter") && parent->isRightToLeft() ? 1 : 0;
         if (!cell && !place.isEmpty() && !parent->rect().adjusted(0, 0, outside, 0).contains(place)) {
             found << clipping::nameOf(*widget) +
                          QStringLiteral(" reaches out of it: %1 to %2 x %3 to %4 in %5 x %6")

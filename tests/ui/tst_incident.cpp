@@ -6,12 +6,14 @@
 
 #include <QDir>
 #include <QElapsedTimer>
+#include <QLineEdit>
 #include <QMenu>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "resources/resources.h"
 #include "robot/core/spatial.h"
@@ -119,6 +121,7 @@ private Q_SLOTS:
     void initTestCase() { initResources(); }
     void oneClickOpensItAtTheStop();
     void theScrubberMovesEverythingTogether();
+    void aReplayMovesNoKey();
 };
 
 void TestIncident::oneClickOpensItAtTheStop() {
@@ -237,7 +240,8 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(bench.plots().replay().has_value());
     QVERIFY(bench.find<ReplayBand>("io.replay").isVisible());
 
-    bench.dragCursor(early);
+    // A pixel is some 40 ms wide: well before the input.
+    bench.dragCursor(early - 0.3);
     QCOMPARE(bench.plots().replay()->time, view.cursor(PlotView::Cursor::A).value());
     const double q0 = bench.scene().view().replay()->q[0];
     QVERIFY2(std::abs(q0 - bench.state().q[0]) > 0.3, "the arm of the replay stands where it stood");
@@ -281,6 +285,45 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(!bench.find<ReplayBand>("io.replay").isVisible());
     QTest::mouseClick(&record, Qt::LeftButton);
     QVERIFY(bench.within([&] { return !bench.state().recording.active; }));
+}
+
+// What is pressed to pause is under the pointer still, and so are the keys over the view.
+void TestIncident::aReplayMovesNoKey() {
+    Bench bench;
+    QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+    bench.window.showTab("io");
+    bench.cell.advanceMs(1000);
+    PlotView& view = bench.plots().view();
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_A);
+    const QWidgetList keys{&bench.find<QToolButton>("scene.fit"), &bench.find<QToolButton>("plots.pause"),
+                           &bench.find<QLineEdit>("io.search")};
+    // As low as a panel can be it needs no more height with the band than without.
+    const QWidgetList panels{&bench.scene(), &bench.io()};
+    const auto measures = [&] {
+        QList<QRect> all;
+        for (const QWidget* key : keys) {
+            all << QRect(key->mapTo(&bench.window, QPoint()), key->size());
+        }
+        for (const QWidget* panel : panels) {
+            all << QRect(0, 0, 1, panel->minimumSizeHint().height());
+        }
+        return all;
+    };
+    bench.cell.advanceMs(100);
+    QTest::qWait(1);
+    const QList<QRect> live = measures();
+    auto& pause = bench.find<QToolButton>("plots.pause");
+    QTest::mouseClick(&pause, Qt::LeftButton);
+    QVERIFY(bench.plots().replay().has_value());
+    auto& band = bench.find<ReplayBand>("view.replay");
+    // Laid out anew.
+    QVERIFY(bench.within([&] { return band.isVisible() && band.height() >= band.sizeHint().height(); }));
+    QCOMPARE(measures(), live);
+    QTest::mouseClick(&bench.find<QToolButton>("view.replay.live"), Qt::LeftButton);
+    QVERIFY(bench.within([&] { return !band.isVisible(); }));
+    QTest::qWait(1);
+    QCOMPARE(measures(), live);
 }
 
 QTEST_MAIN(TestIncident)

@@ -4,9 +4,9 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QToolButton>
-#include <algorithm>
 
 #include "widgets/common/elided_label.h"
+#include "widgets/common/give_way.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -39,8 +39,7 @@ void ReplayBand::tell(const QString& words) {
     }
     if (words.isEmpty() != isHidden()) {
         if (above_ != nullptr) {
-            const int left = above_->minimumSizeHint().height() - sizeHint().height();
-            above_->setMinimumHeight(words.isEmpty() ? 0 : std::max(1, left));
+            giveWay(*above_, words.isEmpty() ? 0 : sizeHint().height());
         }
         setVisible(!words.isEmpty());
     }

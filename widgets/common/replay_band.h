@@ -18,7 +18,7 @@ class ReplayBand : public QFrame {
 public:
     /// name   of the object; its key is "<name>.live"
     /// above  what gives way, in the same layout; null: nothing
-    ReplayBand(const QString& name, QWidget* above, QWidget* parent = nullptr);
+    explicit ReplayBand(const QString& name, QWidget* above = nullptr, QWidget* parent = nullptr);
 
     /// Empty: what is shown is live, there is no band.
     void tell(const QString& words);

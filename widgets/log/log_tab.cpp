@@ -40,11 +40,11 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     , model_(new LogModel(this))
     , replayModel_(new LogModel(this))
     , filter_(new LogFilter(this))
+    , band_(new ReplayBand(QStringLiteral("log.replay")))
     , severity_(new SegmentedControl({tr("All"), tr("Warnings"), tr("Errors")}))
     , search_(new QLineEdit)
     , open_(nullptr)
     , table_(new QTableView)
-    , band_(new ReplayBand(QStringLiteral("log.replay"), nullptr))
     , nothing_(nullptr)
     , details_(new QLabel) {
     setObjectName(QStringLiteral("log"));

@@ -90,11 +90,11 @@ private:
     std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< what is in it
     bool replay_ = false;                                                    ///< it is shown
     LogFilter* filter_;
+    ReplayBand* band_;
     SegmentedControl* severity_;
     QLineEdit* search_;
     QToolButton* open_;
     QTableView* table_;
-    ReplayBand* band_;
     NothingFound* nothing_;
     QLabel* details_;
     bool follows_ = true;  ///< the newest line was in sight when the page was left

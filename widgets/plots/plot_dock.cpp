@@ -31,6 +31,7 @@
 #include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/format.h"
+#include "widgets/common/give_way.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/lane_text.h"
 #include "widgets/plots/plot_analysis.h"
@@ -278,7 +279,7 @@ void PlotDock::setValuesShown(bool shown) {
     // The plots make way for the table: a panel as low as it can be would grow, and the key go from under the pointer.
     const int table =
         values_->minimumSizeHint().height() + static_cast<QSplitter*>(values_->parentWidget())->handleWidth();
-    pages_->setMinimumHeight(shown ? std::max(1, pages_->minimumSizeHint().height() - table) : 0);
+    giveWay(*pages_, shown ? table : 0);
     valuesKey_->setChecked(shown);
 }
 
