@@ -277,9 +277,13 @@ void PlotDock::setValuesShown(bool shown) {
     values_->follow(view());
     values_->setVisible(shown);
     // The plots make way for the table: a panel as low as it can be would grow, and the key go from under the pointer.
-    const int table =
-        values_->minimumSizeHint().height() + static_cast<QSplitter*>(values_->parentWidget())->handleWidth();
-    giveWay(*pages_, shown ? table : 0);
+    auto* beneath = static_cast<QSplitter*>(values_->parentWidget());
+    const int table = values_->minimumSizeHint().height();
+    giveWay(*pages_, shown ? table + beneath->handleWidth() : 0);
+    if (shown && analysis_->isHidden() && beneath->height() < pages_->sizeHint().height()) {
+        // Where room is short the plots have what the table can do without.
+        beneath->setSizes({beneath->height() - table - beneath->handleWidth(), table, 0});
+    }
     valuesKey_->setChecked(shown);
 }
 

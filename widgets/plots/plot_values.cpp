@@ -24,7 +24,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPatience = 80;    // [ms]
-constexpr int kLeastTable = 50;  // [px], its titles and one signal
+constexpr int kLeastTable = 66;  // [px], its titles and one signal
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace

@@ -329,7 +329,15 @@ void PlotView::layOut() {
     scene_->setSceneRect(QRectF(QPointF(0, 0), size));
     const double width = std::max(40.0, std::floor((size.width() - kRight) / columns_ - kLeft));
     const double lanes = kLaneHeight + static_cast<double>(lanes_.size()) * (kLaneHeight + kLaneGap);
-    const double bottom = size.height() - kBottom - lanes - kTimeLabels;
+    int most = 0;  // plots in a column
+    for (int column = 0; column < columns_; ++column) {
+        most = std::max(most, static_cast<int>(std::ranges::count(panes_, column, &PlotPane::column)));
+    }
+    // Lanes that have no room would lie over the curves.
+    const double least = kTop + most * kLeastHeight + (most - 1) * kBetween;
+    const double below = size.height() - kBottom - kTimeLabels;
+    const bool roomy = below - lanes >= least;
+    const double bottom = below - (roomy ? lanes : 0);
     for (int column = 0; column < columns_; ++column) {
         double shares = 0;
         int count = 0;
@@ -351,8 +359,10 @@ void PlotView::layOut() {
     }
     double top = bottom + kTimeLabels;
     laneItem_->setView({kLeft, top, width, kLaneHeight}, window_.start(), window_.end());
+    laneItem_->setVisible(roomy);
     for (const SignalLane& lane : lanes_) {
         top += kLaneHeight + kLaneGap;
+        lane.item->setVisible(roomy);
         lane.item->setView({kLeft, top, width, kLaneHeight}, window_.start(), window_.end());
     }
     tickSpan_ = -1;

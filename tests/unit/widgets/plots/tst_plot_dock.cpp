@@ -696,6 +696,25 @@ private Q_SLOTS:
         QVERIFY(analysis->canvas().message().contains("longer"));
     }
 
+    void lanesWithoutRoomLieOverNoCurve() {
+        Bench b;
+        QTest::mouseClick(b.button("plots.valuesKey"), Qt::LeftButton);
+        const auto lowest = [&] {
+            double bottom = 0;
+            for (const auto& pane : b.view().panes()) {
+                bottom = std::max(bottom, pane->area().bottom());
+            }
+            return bottom;
+        };
+        for (const int height : {1, 260, 320, 700}) {
+            b.dock.resize(900, height);
+            QTest::qWait(1);
+            const LaneItem& lane = b.view().laneItem();
+            QVERIFY2(!lane.isVisible() || lane.area().top() >= lowest(), qPrintable(QString::number(height)));
+            QVERIFY(height == 260 || height == 320 || lane.isVisible() == (height > 320));
+        }
+    }
+
     void theKindOfAnalysisStaysUnderThePointer() {
         Bench b;
         b.menu("plots.layout.analysis")->trigger();
