@@ -35,16 +35,14 @@ herr_t collectName(hid_t, const char* name, const H5L_info_t*, void* names) {
 }
 
 std::optional<DataSet> openSet(hid_t file, const std::string& name) {
-    H5O_info_t info;
-    if (H5Oget_info_by_name2(file, name.c_str(), &info, H5O_INFO_BASIC, H5P_DEFAULT) < 0 ||
-        info.type != H5O_TYPE_DATASET) {
-        return std::nullopt;
-    }
     DataSet out;
     out.name = name;
     out.set = Handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
-    const Handle type(out.set ? H5Dget_type(out.set.get()) : -1, H5Tclose);
-    const Handle space(out.set ? H5Dget_space(out.set.get()) : -1, H5Sclose);
+    if (!out.set) {  // a group, or a link that leads nowhere
+        return std::nullopt;
+    }
+    const Handle type(H5Dget_type(out.set.get()), H5Tclose);
+    const Handle space(H5Dget_space(out.set.get()), H5Sclose);
     if (!type || !space) {
         return std::nullopt;
     }
