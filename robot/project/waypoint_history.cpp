@@ -23,7 +23,7 @@ bool operator==(const WaypointHistory& a, const WaypointHistory& b) {
 Waypoint withRevision(Waypoint after, const Waypoint& before, const QDateTime& at, const QString& who,
                       const QString& what) {
     after.history = before.history;
-    after.history.add({QDateTime::fromSecsSinceEpoch(at.toSecsSinceEpoch(), Qt::UTC), who, what, before, {}});
+    after.history.add({QDateTime::fromSecsSinceEpoch(at.toSecsSinceEpoch()).toUTC(), who, what, before, {}});
     return after;
 }
 

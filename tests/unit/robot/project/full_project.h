@@ -66,7 +66,7 @@ inline Project fullProject() {
     Waypoint earlier = changed;
     earlier.frame = QUuid::createUuid();  // of a frame that was deleted since
     earlier.actions.clear();
-    const QDateTime noon(QDate(2026, 3, 4), QTime(12, 0), Qt::UTC);
+    const QDateTime noon = QDateTime::fromString(QStringLiteral("2026-03-04T12:00:00Z"), Qt::ISODate);
     changed = withRevision(changed, earlier, noon, QStringLiteral("Ann"), QStringLiteral("Touch up"));
     changed = withRevision(changed, changed, noon.addSecs(61), {}, QStringLiteral("Rename"));
     document.waypoints.append(changed);

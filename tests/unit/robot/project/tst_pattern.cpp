@@ -124,7 +124,7 @@ private Q_SLOTS:
 
     void historyKeepsTheLatestAndSharesCopies() {
         Waypoint point = tray().first;
-        const QDateTime start(QDate(2026, 1, 1), QTime(8, 0), Qt::UTC);
+        const QDateTime start = QDateTime::fromString(QStringLiteral("2026-01-01T08:00:00Z"), Qt::ISODate);
         for (int n = 0; n < WaypointHistory::kMostRevisions + 5; ++n) {
             Waypoint after = point;
             after.blend = 0.001 * (n + 1);
