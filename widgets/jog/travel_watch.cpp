@@ -11,6 +11,7 @@ namespace tiller {
 namespace {
 
 constexpr int kLookMs = 40;
+constexpr int kTicksMoving = 3;       ///< for one look while the arm moves
 constexpr double kSamePlace = 0.002;  ///< [rad] of the joint that moved most
 
 QString textOf(const Travel& travel, bool turns) {
@@ -26,8 +27,26 @@ QString textOf(const Travel& travel, bool turns) {
 TravelWatch::TravelWatch(JogPad& pad, const JogSelection& selection, QObject* parent)
     : QObject(parent), pad_(pad), selection_(selection) {
     timer_.setInterval(kLookMs);
-    connect(&timer_, &QTimer::timeout, this, &TravelWatch::look);
+    connect(&timer_, &QTimer::timeout, this, &TravelWatch::tick);
     timer_.start();
+}
+
+void TravelWatch::tick() {
+    const bool moves = (state_.q.values - tickedAt_.values).cwiseAbs().maxCoeff() > kSamePlace / kTicksMoving;
+    tickedAt_ = state_.q;
+    if (++ticks_ >= kTicksMoving || !moves) {
+        ticks_ = 0;
+        look();
+    }
+}
+
+std::optional<qsizetype> TravelWatch::heldKey() const {
+    for (qsizetype i = 0; i < pad_.keys().size(); ++i) {
+        if (pad_.keys()[i]->isHolding()) {
+            return i;
+        }
+    }
+    return {};
 }
 
 void TravelWatch::reset() {
@@ -55,25 +74,27 @@ void TravelWatch::look() {
     if (left_ == 0) {
         return;
     }
-    --left_;
-    const auto index = static_cast<std::size_t>(next_++ % keys.size());
-    JogKey* key = keys[static_cast<qsizetype>(index)];
+    const auto held = heldKey();
+    lookedAtHeld_ = held && !lookedAtHeld_;
+    if (!lookedAtHeld_) {
+        --left_;
+    }
+    const qsizetype index = lookedAtHeld_ ? *held : next_++ % keys.size();
+    JogKey* key = keys[index];
     const bool turns = key->key().axis >= 3;
     Vector6 direction = Vector6::Zero();
     direction.segment<3>(turns ? 3 : 0) = axes.col(key->key().axis % 3) * key->key().direction;
     const Travel travel = travelLeft(robotModel(state_.model).dh, state_.q, state_.tcpOffset, direction);
-    travel_.at(index) = travel;
+    travel_.at(static_cast<std::size_t>(index)) = travel;
     const bool little = travel.end != Travel::End::Open && travel.left < (turns ? toRadians(10) : 0.03);
     key->setTravel(textOf(travel, turns), little);
 }
 
 QString TravelWatch::heldText() const {
-    for (qsizetype i = 0; i < pad_.keys().size(); ++i) {
-        const JogKey* key = pad_.keys()[i];
-        const Travel& travel = travel_.at(static_cast<std::size_t>(i));
-        if (!key->isHolding() || key->travel().isEmpty()) {
-            continue;
-        }
+    const auto held = heldKey();
+    if (held && !pad_.keys()[*held]->travel().isEmpty()) {
+        const JogKey* key = pad_.keys()[*held];
+        const Travel& travel = travel_.at(static_cast<std::size_t>(*held));
         switch (travel.end) {
             case Travel::End::JointLimit:
                 return tr("%1: %2 left, then %3 is at its limit")

@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QTimer>
 #include <array>
+#include <optional>
 
 #include "widgets/jog/jog_motion.h"
 #include "widgets/jog/travel.h"
@@ -25,7 +26,8 @@ public:
     TravelWatch(JogPad& pad, const JogSelection& selection, QObject* parent = nullptr);
 
     void setState(const SessionState& state) { state_ = state; }
-    /// Looks in the next direction. Called by itself every 40 ms.
+    /// Looks in the next direction; while a key is held, every other time in its direction. Called by itself every
+    /// 40 ms, and less often while the arm moves: the numbers are old then as soon as they are written.
     void look();
     /// Forgets what it knows and clears the keys; they are written again, in the operator's units.
     void reset();
@@ -33,6 +35,10 @@ public:
     QString heldText() const;
 
 private:
+    void tick();
+    /// Index of a key that is held; nothing when none is.
+    std::optional<qsizetype> heldKey() const;
+
     JogPad& pad_;
     const JogSelection& selection_;
     SessionState state_;
@@ -42,6 +48,9 @@ private:
     Eigen::Matrix3d lookedIn_ = Eigen::Matrix3d::Zero();
     int next_ = 0;  ///< the direction looked at next
     int left_ = 0;  ///< how many are still to be looked at
+    JointPositions tickedAt_;
+    int ticks_ = 0;              ///< since it looked last
+    bool lookedAtHeld_ = false;  ///< the last time
 };
 
 }  // namespace tiller

@@ -759,7 +759,7 @@ void PlotDock::take(const SampleBatch& batch) {
     feed_->take(batch);
     marks_->check();
     if (!history().isEmpty()) {
-        replay_->noteFrame(history().lastTime(), QDateTime::currentDateTime());
+        replay_->noteFrame(history().lastTime(), QDateTime::currentDateTimeUtc());
     }
     const LaneEntry none = noDataEntry();
     for (const PlotFeed::Silence& silence : feed_->takeSilences()) {

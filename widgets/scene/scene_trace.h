@@ -24,6 +24,8 @@ public:
     bool extend(double time, const Eigen::Vector3d& place);
     void clear();
 
+    /// When what is shown of the way begins, by the robot's time; 0 when there is nothing.
+    double begins() const { return points_.empty() ? 0 : points_.front().time; }
     /// The corners of the line, oldest first; the last one is where the TCP was last.
     const std::deque<Point>& points() const { return points_; }
 

@@ -36,7 +36,9 @@ constexpr double kFitShare = 0.07;        // of the picture, left free around ev
 constexpr double kLeastShare = 0.03;      // and before it moves by itself
 constexpr double kToolAxes = 0.095;       // length of the tool's axes, per 0.85 m of reach [m]
 constexpr double kFrameAxes = 0.07;
-constexpr double kMark = 5;  // half the size of a mark [px]
+constexpr double kMark = 5;      // half the size of a mark [px]
+constexpr double kSeenMove = 1;  // of the arm: less than this is not drawn anew [px of the screen]
+constexpr int kSoonMs = 4;       // as good as now
 
 }  // namespace
 
@@ -53,6 +55,7 @@ SceneView::SceneView(QWidget* parent)
            "picture, the wheel or plus and minus to come nearer, double click or Home for the first view. "
            "Nothing here moves the robot."));
     setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);  // the ground is drawn over all of it
     camera_.reset(collision::uprightHeight(*model_));
     connect(keys_, &SceneKeys::lookWanted, this, &SceneView::lookFrom);
     connect(keys_, &SceneKeys::fitWanted, this, &SceneView::fitAll);
@@ -75,7 +78,46 @@ void SceneView::changed() {
         return;
     }
     const std::int64_t since = (SteadyClock::shared().nowNs() - lastPaintNs_) / kNsPerMs;
-    frameTimer_.start(static_cast<int>(std::clamp<std::int64_t>(kFrameMs - since, 0, kFrameMs)));
+    const auto wait = static_cast<int>(std::clamp<std::int64_t>(kFrameMs - since, 0, kFrameMs));
+    if (wait <= kSoonMs) {
+        update();  // in one frame with all that has changed besides
+    } else {
+        frameTimer_.start(wait);
+    }
+}
+
+bool SceneView::armHasMoved() const {
+    if (q_ == drawnAt_) {
+        return false;
+    }
+    const auto before = kinematics::linkFrames(model_->dh, drawnAt_);
+    const auto now = kinematics::linkFrames(model_->dh, q_);
+    const double limit = kSeenMove / devicePixelRatioF();
+    const auto isSeen = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+        const QPointF by = camera_.project(to).point - camera_.project(from).point;
+        return std::hypot(by.x(), by.y()) >= limit;
+    };
+    // The axes of each frame reach beyond the housing, so that what turns about its own axis is seen, too.
+    const double beside = kToolAxes * model_->reach / 0.85;
+    const auto hasMoved = [&](const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
+        if (isSeen(from.translation(), to.translation())) {
+            return true;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            const Eigen::Vector3d tip = beside * Eigen::Vector3d::Unit(axis);
+            if (isSeen(from * tip, to * tip)) {
+                return true;
+            }
+        }
+        return false;
+    };
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (hasMoved(before[i], now[i])) {
+            return true;
+        }
+    }
+    const Eigen::Isometry3d tool = tcpOffset_.transform();
+    return hasMoved(before.back() * tool, now.back() * tool);
 }
 
 void SceneView::setModel(RobotModelId model) {
@@ -102,10 +144,15 @@ void SceneView::setJoints(const JointPositions& q) {
         haveJoints_ = fitWanted_ = true;
         frame(size());
         updateGhost();
-    } else if (ghost_ && !examineTimer_.isActive()) {
+        changed();
+        return;
+    }
+    if (ghost_ && !examineTimer_.isActive()) {
         examineTimer_.start();
     }
-    changed();
+    if (armHasMoved()) {
+        changed();
+    }
 }
 
 void SceneView::setTcpOffset(const Pose& offset) {
@@ -223,7 +270,10 @@ void SceneView::setState(const SessionState& state) {
     setSpeedFraction(state.speedFraction);
     setJoints(state.q);
     setStale(state.link != LinkState::Live);
-    if (trace_.extend(state.robotTime, kinematics::forwardTcp(model_->dh, q_, tcpOffset_).position)) {
+    // Its new end is where the arm is, and is drawn with it.
+    const double began = trace_.begins();
+    trace_.extend(state.robotTime, kinematics::forwardTcp(model_->dh, q_, tcpOffset_).position);
+    if (trace_.begins() != began) {
         changed();
     }
 }
@@ -442,7 +492,8 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
 void SceneView::drawGround(QPainter& painter, const QSize& size) {
     const Theme& theme = Theme::current();
     const double scale = painter.device()->devicePixelRatioF();
-    const QSize pixels = size * scale;
+    const QSize pixels(static_cast<int>(std::ceil(size.width() * scale)),
+                       static_cast<int>(std::ceil(size.height() * scale)));
     if (ground_.size() != pixels || !(camera_.eye() == groundSeenFrom_) || groundScheme_ != theme.scheme) {
         groundSeenFrom_ = camera_.eye();
         groundScheme_ = theme.scheme;
@@ -520,6 +571,7 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     frame(size);
     ScenePainter scene(painter, camera_, theme);
     const double reach = model_->reach;
+    drawnAt_ = q_;
     drawGround(painter, size.toSize());
     const bool showsGhost = ghost_ && ghost_->reachable && haveJoints_;
     bodies_->setArm(haveJoints_ ? std::optional(q_) : std::nullopt, stale_);

@@ -129,6 +129,8 @@ protected:
 private:
     /// Asks for a repaint, at most 60 a second.
     void changed();
+    /// True when somebody could see that the arm is not where it was drawn last.
+    bool armHasMoved() const;
     /// Looks at the way to the ghost anew.
     void updateGhost();
     QString ghostFigures() const;
@@ -150,6 +152,7 @@ private:
 
     const RobotModel* model_;
     JointPositions q_;
+    JointPositions drawnAt_;  ///< the joints in the last picture
     Pose tcpOffset_;
     std::optional<Ghost> ghost_;
     std::optional<Ghost> secondGhost_;

@@ -527,6 +527,55 @@ private Q_SLOTS:
         view.setState(live(moved, 1));
         QTRY_VERIFY(counter.paints > 0);
     }
+
+    // The TCP goes up by a twentieth of a pixel each time: most of these states are not worth a picture, and all
+    // of them together are.
+    void whatNobodySeesIsNotDrawn() {
+        ShownView view;
+        struct Counter : QObject {
+            int paints = 0;
+            bool eventFilter(QObject*, QEvent* event) override {
+                paints += event->type() == QEvent::Paint ? 1 : 0;
+                return false;
+            }
+        } counter;
+        view.installEventFilter(&counter);
+        int quiet = 0;
+        for (int looks = 0; looks < 500 && quiet < 10; ++looks) {
+            counter.paints = 0;
+            QTest::qWait(10);
+            quiet = counter.paints == 0 ? quiet + 1 : 0;
+        }
+        const RobotModel& model = robotModel(RobotModelId::UR5e);
+        const Eigen::Vector3d tcp = kinematics::forwardTcp(model.dh, kStance, {}).position;
+        const double scale = view.camera().project(tcp).pixelsPerMetre;
+        JointPositions q = kStance;
+        const auto turned = [&] {
+            return (onScreen(view, kinematics::forwardTcp(model.dh, q, {}).position) - onScreen(view, tcp))
+                .manhattanLength();
+        };
+        const double step = 0.05 / scale / model.reach;
+        counter.paints = 0;
+        double time = 1;
+        for (int i = 0; i < 4; ++i) {
+            q[1] += step;
+            view.setState(live(q, time += 0.02));
+            QTest::qWait(25);
+        }
+        QVERIFY2(turned() > 0, qPrintable(QString::number(turned())));
+        QCOMPARE(counter.paints, 0);
+        for (int i = 0; i < 100; ++i) {
+            q[1] += step;
+            view.setState(live(q, time += 0.02));
+        }
+        QTRY_VERIFY(counter.paints > 0);
+        // What turns in its place moves, too: the tool's axes.
+        QTest::qWait(50);
+        counter.paints = 0;
+        q[5] += 0.3;
+        view.setState(live(q, time += 0.02));
+        QTRY_VERIFY(counter.paints > 0);
+    }
 };
 
 QTEST_MAIN(TestSceneView)
