@@ -163,20 +163,52 @@ void Curve::setPen(const QPen& pen) {
     }
 }
 
-bool Curve::isDrawn(std::size_t column) const {
+void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
     if (dashes_.empty()) {
-        return true;
+        std::fill(drawn.begin(), drawn.end(), std::uint8_t{1});
+        return;
     }
     // Counted from the origin of time, so that the dashes stay on the curve while it moves.
-    double place = std::fmod(static_cast<double>(raster_ + static_cast<std::int64_t>(column)), dashLength_);
+    double place = std::fmod(static_cast<double>(raster_), dashLength_);
     place = place < 0 ? place + dashLength_ : place;
-    for (std::size_t i = 0; i < dashes_.size(); ++i) {
-        place -= dashes_[i];
-        if (place < 0) {
-            return i % 2 == 0;
+    constexpr double kRounding = 1e-6;  // of what is counted up
+    for (std::uint8_t& each : drawn) {
+        double rest = place + kRounding;
+        std::size_t piece = 0;
+        while (piece + 1 < dashes_.size() && rest >= dashes_[piece]) {
+            rest -= dashes_[piece++];
+        }
+        each = piece % 2 == 0 ? 1 : 0;
+        place += 1;
+        place = place + kRounding >= dashLength_ ? std::max(0.0, place - dashLength_) : place;
+    }
+    // Between two dashes the eye puts what lies between their ends, and nothing else: what goes further is drawn.
+    const std::size_t count = std::min(drawn.size(), columns_.size());
+    for (std::size_t i = 0; i < count;) {
+        if (drawn[i] != 0) {
+            ++i;
+            continue;
+        }
+        const std::size_t begin = i;
+        while (i < count && drawn[i] == 0) {
+            ++i;
+        }
+        // A dash that ends in a spike itself does not hide another one: the quieter end says how thick the curve is.
+        MinMax ends;
+        double half = std::numeric_limits<double>::infinity();
+        for (const std::size_t end : {begin - 1, i}) {  // before the first column: beyond the last
+            if (end < count && !columns_[end].isEmpty()) {
+                ends.add((columns_[end].low + columns_[end].high) / 2);
+                half = std::min(half, (columns_[end].high - columns_[end].low) / 2);
+            }
+        }
+        for (std::size_t gap = begin; gap < i && !ends.isEmpty(); ++gap) {
+            const Column& column = columns_[gap];
+            if (column.low < ends.min - half - beyond || column.high > ends.max + half + beyond) {
+                drawn[gap] = 1;
+            }
         }
     }
-    return true;
 }
 
 QPainterPath Curve::path(const QRectF& area, double t0, double t1, double y0, double y1) const {

@@ -8,6 +8,7 @@
 #include <QPen>
 #include <QRectF>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "widgets/signals/series_buffer.h"
@@ -51,8 +52,11 @@ public:
     double columnWidth() const { return width_; }
     /// This column shows something else than it did before the last sample(), or was not there.
     bool hasChanged(std::size_t column) const;
-    /// True where the pen's dashes draw.
-    bool isDrawn(std::size_t column) const;
+    /// Of each column, whether it is drawn: where the pen's dashes draw, and where the curve goes beyond the dashes
+    /// beside it, so that no spike falls between two of them.
+    /// drawn   one for each column; 0: it is not
+    /// beyond  by so much, in the curve's own unit
+    void findDrawn(std::span<std::uint8_t> drawn, double beyond) const;
 
     /// As lines, for files that keep lines.
     QPainterPath path(const QRectF& area, double t0, double t1, double y0, double y1) const;

@@ -3,6 +3,9 @@
 
 #include <QPaintEngine>
 #include <QPainter>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +22,10 @@ constexpr double kBand = 2;
 /// drawn as bars without slanting ends.
 constexpr double kSteep = 6;  // [px]
 constexpr std::size_t kDenseShare = 4;
+/// What goes so far beyond the dashes beside it is drawn between them.
+constexpr double kSpike = 3;  // [px]
+/// Columns that are painted together.
+constexpr std::size_t kBlock = 16;
 
 /// Colour times coverage, premultiplied, for 0 ... 255.
 std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
@@ -32,10 +39,51 @@ std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
 
 /// Premultiplied `above` over `below`.
 QRgb over(QRgb above, QRgb below) {
+    // Two channels at a time, each with sixteen bits to itself.
+    constexpr QRgb kTwo = 0x00FF00FF;
+    constexpr QRgb kHalf = 0x00800080;
     const auto rest = static_cast<QRgb>(kOpaque - qAlpha(above));
-    const auto part = [rest](QRgb value) { return (value * rest + kOpaque / 2) / kOpaque; };
-    return above + (part(below >> 24) << 24 | part(below >> 16 & 0xFF) << 16 | part(below >> 8 & 0xFF) << 8 |
-                    part(below & 0xFF));
+    const auto parts = [rest](QRgb two) {
+        const QRgb product = two * rest + kHalf;
+        return (product + (product >> 8 & kTwo)) >> 8 & kTwo;  // divided by 255, rounded
+    };
+    return above + parts(below & kTwo) + (parts(below >> 8 & kTwo) << 8);
+}
+
+void fill(QRgb* pixel, int count, QRgb color) {
+#ifdef __SSE2__
+    const __m128i four = _mm_set1_epi32(static_cast<int>(color));
+    for (; count >= 4; count -= 4, pixel += 4) {
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(pixel), four);
+    }
+#endif
+    std::fill_n(pixel, count, color);
+}
+
+/// Four columns of four pixels become four rows. Columns and rows are so many pixels from one to the next.
+void transposeFour(const QRgb* columns, std::ptrdiff_t columnPitch, QRgb* rows, std::ptrdiff_t rowPitch) {
+#ifdef __SSE2__
+    const auto load = [&](int i) {
+        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(columns + i * columnPitch));
+    };
+    const auto store = [&](int i, __m128i four) {
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(rows + i * rowPitch), four);
+    };
+    const __m128i low01 = _mm_unpacklo_epi32(load(0), load(1));
+    const __m128i low23 = _mm_unpacklo_epi32(load(2), load(3));
+    const __m128i high01 = _mm_unpackhi_epi32(load(0), load(1));
+    const __m128i high23 = _mm_unpackhi_epi32(load(2), load(3));
+    store(0, _mm_unpacklo_epi64(low01, low23));
+    store(1, _mm_unpackhi_epi64(low01, low23));
+    store(2, _mm_unpacklo_epi64(high01, high23));
+    store(3, _mm_unpackhi_epi64(high01, high23));
+#else
+    for (int y = 0; y < 4; ++y) {
+        for (int x = 0; x < 4; ++x) {
+            rows[y * rowPitch + x] = columns[x * columnPitch + y];
+        }
+    }
+#endif
 }
 
 }  // namespace
@@ -88,9 +136,6 @@ void CurveSheet::setView(const QRectF& area, double t0, double t1, double y0, do
     if (const QSize wide((lines | 1) * kCacheLine, now.size.height()); ring_.size() != wide) {
         ring_ = QImage(wide, QImage::Format_ARGB32_Premultiplied);
     }
-    if (!keeps) {
-        ring_.fill(0);
-    }
     std::vector<std::uint8_t> wanted(columns, keeps ? 0 : 1);
     if (keeps) {
         const std::int64_t moved = raster - raster_;
@@ -108,16 +153,6 @@ void CurveSheet::setView(const QRectF& area, double t0, double t1, double y0, do
     raster_ = raster;
     painted_ = std::move(now);
     columnsPainted_ = static_cast<int>(std::count(wanted.begin(), wanted.end(), 1));
-    if (keeps && columnsPainted_ > 0) {
-        for (std::size_t i = 0; i < columns; ++i) {
-            if (wanted[i] != 0) {
-                const std::size_t x = place(raster_ + static_cast<std::int64_t>(i));
-                for (int y = 0; y < ring_.height(); ++y) {
-                    reinterpret_cast<QRgb*>(ring_.scanLine(y))[x] = 0;
-                }
-            }
-        }
-    }
     paintColumns(wanted, pitch);
     update();
 }
@@ -140,32 +175,72 @@ void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pi
             });
         dense.push_back(static_cast<std::size_t>(steep) > wanted.size() / kDenseShare ? 1 : 0);
     }
-    // All curves of some columns before the next ones: what they cover stays in the cache.
-    constexpr std::size_t kBlock = 16;
+    std::vector<std::uint8_t> dashes(drawn.size() * wanted.size());
+    for (std::size_t c = 0; c < drawn.size(); ++c) {
+        drawn[c]->findDrawn(std::span(dashes).subspan(c * wanted.size(), wanted.size()), kSpike / perUnit);
+    }
+    // All curves of some columns before the next ones, and each column from its top to its bottom: what they cover
+    // stays in the cache and lies side by side. Only then it is turned into the rows of the picture.
     for (std::size_t begin = 0; begin < wanted.size(); begin += kBlock) {
         const std::size_t end = std::min(begin + kBlock, wanted.size());
+        if (std::none_of(&wanted[begin], &wanted[begin] + (end - begin),
+                         [](std::uint8_t each) { return each != 0; })) {
+            continue;
+        }
+        block_.assign(kBlock * static_cast<std::size_t>(blockPitch()), 0);
         for (std::size_t c = 0; c < drawn.size(); ++c) {
             for (std::size_t i = begin; i < end; ++i) {
-                if (wanted[i] != 0 && !drawn[c]->columns()[i].isEmpty() && drawn[c]->isDrawn(i)) {
-                    paintColumn(*drawn[c], i, perUnit, bottom, dense[c] != 0, shades[c].data());
+                if (wanted[i] != 0 && !drawn[c]->columns()[i].isEmpty() &&
+                    dashes[c * wanted.size() + i] != 0) {
+                    paintColumn(*drawn[c], i, perUnit, bottom, dense[c] != 0, shades[c].data(),
+                                &block_[(i - begin) * static_cast<std::size_t>(blockPitch())]);
                 }
             }
         }
+        keepBlock(std::span(wanted).subspan(begin, end - begin), begin);
+    }
+}
+
+std::ptrdiff_t CurveSheet::blockPitch() const {
+    // Whole groups of four rows; and columns do not push each other out of the cache.
+    return ((ring_.height() + 3) / 4 | 1) * std::ptrdiff_t{4};
+}
+
+void CurveSheet::keepBlock(std::span<const std::uint8_t> wanted, std::size_t first) {
+    const std::ptrdiff_t stride = ring_.bytesPerLine() / static_cast<std::ptrdiff_t>(sizeof(QRgb));
+    auto* const ring = reinterpret_cast<QRgb*>(ring_.bits());
+    const std::ptrdiff_t pitch = blockPitch();
+    const int rows = ring_.height();
+    for (std::size_t i = 0; i < wanted.size();) {
+        const std::size_t x = place(raster_ + static_cast<std::int64_t>(first + i));
+        const QRgb* const column = &block_[i * static_cast<std::size_t>(pitch)];
+        const bool four = i + 4 <= wanted.size() && x + 4 <= static_cast<std::size_t>(ring_.width()) &&
+                          wanted[i] != 0 && wanted[i + 1] != 0 && wanted[i + 2] != 0 && wanted[i + 3] != 0;
+        int y = 0;
+        for (; four && y + 4 <= rows; y += 4) {
+            transposeFour(column + y, pitch, ring + y * stride + static_cast<std::ptrdiff_t>(x), stride);
+        }
+        const std::size_t count = four ? 4 : 1;
+        for (; wanted[i] != 0 && y < rows; ++y) {
+            for (std::size_t k = 0; k < count; ++k) {
+                ring[y * stride + static_cast<std::ptrdiff_t>(x + k)] =
+                    column[static_cast<std::ptrdiff_t>(k) * pitch + y];
+            }
+        }
+        i += count;
     }
 }
 
 void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit, double bottom, bool isDense,
-                             const QRgb* shades) {
+                             const QRgb* shades, QRgb* pixels) const {
     // A slanted stroke through the column, as thick as the pen and as what the curve does besides
     // slanting; how much of a pixel it covers follows from where its two edges cross the column.
     const Curve::Column& column = curve.columns()[at];
     const double half = curve.pen().widthF() / 2;
-    const double origin = y0_ + curve.offset();
-    const auto rowOf = [&](double value) { return bottom - (value - origin) * perUnit; };
-    const double left = rowOf(column.left);
-    const double right = rowOf(column.right);
-    const double slant = std::abs(right - left);
-    const double extent = rowOf(column.low) - rowOf(column.high);
+    const double zero = bottom + (y0_ + curve.offset()) * perUnit;
+    const auto rowOf = [&](double value) { return zero - value * perUnit; };
+    const double slant = std::abs(column.right - column.left) * perUnit;
+    const double extent = (column.high - column.low) * perUnit;
     // Where a column is mostly noise its ends are level: nobody sees that they slant, and all the rows over which they
     // would have to be worked out one by one. The extent is the same to the last spike.
     const bool isBand = isDense || extent > kBand * slant;
@@ -174,39 +249,42 @@ void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit,
     // The stroke's middle is that of its extent, unless it only slants.
     const double middle = (rowOf(column.low) + rowOf(column.high)) / 2;
     const double ramp = isBand ? 1.0 : std::max(slant, 1.0);
-    const int rows = ring_.height();
-    const auto row = [rows](double y) {
-        return static_cast<int>(std::clamp(y, 0.0, static_cast<double>(rows)));
+    const auto rows = static_cast<double>(ring_.height());
+    // Of what is not below zero, the part before the point is the floor: no call for it.
+    const auto floorRow = [rows](double y) { return static_cast<int>(std::min(std::max(y, 0.0), rows)); };
+    const auto ceilRow = [rows](double y) {
+        const double inside = std::min(std::max(y, 0.0), rows);
+        const auto whole = static_cast<int>(inside);
+        return whole + (inside > whole ? 1 : 0);
     };
-    const int from = row(std::floor(middle - ramp / 2 - thickness));
-    const int to = row(std::ceil(middle + ramp / 2 + thickness) + 1);
+    const int from = floorRow(middle - ramp / 2 - thickness);
+    const int to = ceilRow(middle + ramp / 2 + thickness + 1);
     // Rows wholly covered need no arithmetic: most of them where the signal is noisy.
-    const int fullFrom = std::clamp(row(std::ceil(middle + ramp / 2 - thickness)), from, to);
-    const int fullTo = std::clamp(row(std::floor(middle - ramp / 2 + thickness)), fullFrom, to);
-    const std::ptrdiff_t stride = ring_.bytesPerLine() / static_cast<std::ptrdiff_t>(sizeof(QRgb));
-    QRgb* pixel = reinterpret_cast<QRgb*>(ring_.bits()) + from * stride +
-                  static_cast<std::ptrdiff_t>(place(raster_ + static_cast<std::int64_t>(at)));
+    const int fullFrom = std::clamp(ceilRow(middle + ramp / 2 - thickness), from, to);
+    const int fullTo = std::clamp(floorRow(middle - ramp / 2 + thickness), fullFrom, to);
     // How much of a row is covered is linear in its number: it is counted up, in parts of 65536.
     constexpr int kWhole = 1 << 16;
     constexpr double kFar = 20000;  // beyond any row, and counted up from there still a number
-    const auto step = static_cast<int>(kWhole / ramp);
+    const double perRow = 1 / ramp;
+    const auto step = static_cast<int>(kWhole * perRow);
     const auto passed = [&](double edge, int y) {
-        return static_cast<int>(std::clamp((y + 0.5 - edge) / ramp + 0.5, -kFar, kFar) * kWhole);
+        return static_cast<int>(std::clamp((y + 0.5 - edge) * perRow + 0.5, -kFar, kFar) * kWhole);
     };
     const auto paintRows = [&](int begin, int end) {
         int above = passed(middle - thickness, begin);
         int below = passed(middle + thickness, begin);
-        for (int y = begin; y < end; ++y, above += step, below += step, pixel += stride) {
+        for (QRgb* pixel = pixels + begin; pixel < pixels + end; ++pixel, above += step, below += step) {
             const int covered = std::clamp(above, 0, kWhole) - std::clamp(below, 0, kWhole);
-            const QRgb shade = shades[(covered * kOpaque + kWhole / 2) >> 16];
-            *pixel = *pixel == 0 ? shade : over(shade, *pixel);
+            *pixel = over(shades[(covered * kOpaque + kWhole / 2) >> 16], *pixel);
         }
     };
     paintRows(from, fullFrom);
     const QRgb full = shades[kOpaque];
-    const bool opaque = qAlpha(full) == kOpaque;
-    for (int y = fullFrom; y < fullTo; ++y, pixel += stride) {
-        *pixel = opaque ? full : over(full, *pixel);
+    if (qAlpha(full) == kOpaque) {
+        fill(pixels + fullFrom, fullTo - fullFrom, full);
+    } else {
+        std::transform(pixels + fullFrom, pixels + fullTo, pixels + fullFrom,
+                       [full](QRgb below) { return over(full, below); });
     }
     paintRows(fullTo, to);
 }

@@ -9,6 +9,7 @@
 #include <QGraphicsItem>
 #include <QImage>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "widgets/plots/curve.h"
@@ -43,8 +44,13 @@ private:
     };
     std::size_t place(std::int64_t column) const;
     void paintColumns(const std::vector<std::uint8_t>& wanted, double pitch);
+    /// pixels  of this column, from the top to the bottom
     void paintColumn(const Curve& curve, std::size_t column, double perUnit, double bottom, bool isDense,
-                     const QRgb* shades);
+                     const QRgb* shades, QRgb* pixels) const;
+    /// Pixels from one column of a block to the next.
+    std::ptrdiff_t blockPitch() const;
+    /// Puts the columns of a block that are wanted into the ring. first  the number of its first column
+    void keepBlock(std::span<const std::uint8_t> wanted, std::size_t first);
 
     const std::vector<std::unique_ptr<Curve>>& curves_;
     QRectF area_;
@@ -52,6 +58,7 @@ private:
     Painted painted_;
     std::int64_t raster_ = 0;  // of the first column in the ring
     QImage ring_;
+    std::vector<QRgb> block_;  // some columns, one behind the other
     int columnsPainted_ = 0;
 };
 

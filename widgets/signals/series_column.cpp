@@ -25,6 +25,18 @@ struct SeriesColumn::RunningExtent {
         min = low < min ? low : min;
         max = high > max ? high : max;
     }
+    /// What some entries of a level say together.
+    void add(const Extent<Value>* entries, std::size_t count) {
+#ifdef __SSE2__
+        if constexpr (sizeof(Value) == sizeof(float)) {
+            addFloats(entries, count);
+            return;
+        }
+#endif
+        for (std::size_t i = 0; i < count; ++i) {
+            add(entries[i].min, entries[i].max);
+        }
+    }
     /// In four strands, so that a step need not wait for the one before.
     static RunningExtent of(const Value* rows, std::size_t count) {
 #ifdef __SSE2__
@@ -50,6 +62,23 @@ struct SeriesColumn::RunningExtent {
 
 #ifdef __SSE2__
 private:
+    /// Two entries at a time.
+    void addFloats(const Extent<float>* entries, std::size_t count) {
+        __m128 low = _mm_set1_ps(min);
+        __m128 high = _mm_set1_ps(max);
+        for (std::size_t i = 0; i + 1 < count; i += 2) {
+            const __m128 two = _mm_loadu_ps(&entries[i].min);
+            low = _mm_min_ps(two, low);
+            high = _mm_max_ps(two, high);
+        }
+        low = _mm_min_ps(low, _mm_movehl_ps(low, low));
+        high = _mm_max_ps(high, _mm_movehl_ps(high, high));
+        min = _mm_cvtss_f32(low);
+        max = _mm_cvtss_f32(_mm_shuffle_ps(high, high, 1));
+        if (count % 2 != 0) {
+            add(entries[count - 1].min, entries[count - 1].max);
+        }
+    }
     /// Eight at a time. Of a NaN and a number these instructions give their second operand: the number.
     static RunningExtent ofFloats(const float* rows, std::size_t count) {
         const RunningExtent none;
@@ -154,20 +183,24 @@ void SeriesColumn::addRange(const Values<Value>& values, std::size_t begin, std:
     if (firstFine >= lastFine) {
         addRows(begin, end);
     } else {
-        addRows(begin, firstFine);
-        std::size_t at = firstFine;
-        while (at < lastFine) {
-            if (at % kCoarse == 0 && at + kCoarse <= lastFine) {
-                const auto& entry = values.coarse[at >> kCoarseBits];
-                range.add(entry.min, entry.max);
-                at += kCoarse;
-            } else {
-                const auto& entry = values.fine[at >> kFineBits];
-                range.add(entry.min, entry.max);
-                at += kFine;
-            }
+        if (begin < firstFine) {
+            addRows(begin, firstFine);
         }
-        addRows(lastFine, end);
+        const auto addFine = [&](std::size_t from, std::size_t to) {
+            range.add(&values.fine[from >> kFineBits], (to - from) >> kFineBits);
+        };
+        const std::size_t firstCoarse = (firstFine + kCoarse - 1) & ~(kCoarse - 1);
+        const std::size_t lastCoarse = lastFine & ~(kCoarse - 1);
+        if (firstCoarse >= lastCoarse) {
+            addFine(firstFine, lastFine);
+        } else {
+            addFine(firstFine, firstCoarse);
+            range.add(&values.coarse[firstCoarse >> kCoarseBits], (lastCoarse - firstCoarse) >> kCoarseBits);
+            addFine(lastCoarse, lastFine);
+        }
+        if (lastFine < end) {
+            addRows(lastFine, end);
+        }
     }
     sum.add(MinMax{static_cast<double>(range.min), static_cast<double>(range.max)});
 }

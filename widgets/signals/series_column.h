@@ -68,9 +68,12 @@ public:
         const auto at = static_cast<std::size_t>(row & (kBlockRows - 1));
         if (block.single) {
             const std::size_t fine = at & ~((std::size_t{1} << kFineBits) - 1);
-            __builtin_prefetch(&block.single->rows[fine]);
-            __builtin_prefetch(&block.single->rows[fine + (std::size_t{1} << (kFineBits - 1))]);
+            if (fine != at) {
+                __builtin_prefetch(&block.single->rows[fine]);
+                __builtin_prefetch(&block.single->rows[fine + (std::size_t{1} << (kFineBits - 1))]);
+            }
             __builtin_prefetch(&block.single->fine[at >> kFineBits]);
+            __builtin_prefetch(&block.single->coarse[at >> kCoarseBits]);
         }
 #endif
     }
@@ -89,8 +92,9 @@ private:
     struct Extent {
         Value min, max;
     };
+    /// The fine entries of a coarse one are a cache line.
     template <class Value>
-    struct Values {
+    struct alignas(64) Values {
         std::array<Value, std::size_t(kBlockRows)> rows;
         std::array<Extent<Value>, kFineEntries> fine;
         std::array<Extent<Value>, kCoarseEntries> coarse;

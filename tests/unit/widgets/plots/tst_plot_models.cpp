@@ -2,6 +2,9 @@
 //
 // The parts of the plots that need no window: time window, scale, lane, feed, CSV.
 #include <QFile>
+#include <QGraphicsScene>
+#include <QImage>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,6 +18,8 @@
 #include "robot/core/clock.h"
 #include "tests/support/sample_stream.h"
 #include "widgets/plots/axis_range.h"
+#include "widgets/plots/curve.h"
+#include "widgets/plots/curve_sheet.h"
 #include "widgets/plots/lane_text.h"
 #include "widgets/plots/plot_export.h"
 #include "widgets/plots/plot_feed.h"
@@ -194,6 +199,82 @@ private Q_SLOTS:
         QVERIFY(!range.fit(0, std::numeric_limits<double>::infinity(), 1));
         QVERIFY(!range.fit(std::numeric_limits<double>::quiet_NaN(), 1, 1));
         QCOMPARE(range.max(), max);
+    }
+
+    // ---- curves
+
+    void noSpikeIsLostAtAnyZoom_data() {
+        QTest::addColumn<QList<qreal>>("dashes");
+        QTest::newRow("solid") << QList<qreal>();
+        QTest::newRow("dashed") << QList<qreal>{12, 6};
+        QTest::newRow("dashed and dotted") << QList<qreal>{6, 2.5, 1.5, 2.5};
+    }
+    void noSpikeIsLostAtAnyZoom() {
+        QFETCH(QList<qreal>, dashes);
+        constexpr int kSamples = 200'000;
+        constexpr int kColumns = 640;
+        constexpr int kRows = 100;
+        constexpr int kSpikes = 40;
+        constexpr double kStep = 0.002;
+        constexpr float kHigh = 8;
+        std::mt19937 random(19);
+        std::uniform_int_distribution<int> place(0, kSamples / kSpikes - 1);
+        std::uniform_real_distribution<float> noise(-0.05F, 0.05F);
+        std::vector<int> spikes;
+        for (int i = 0; i < kSpikes; ++i) {
+            spikes.push_back(i * (kSamples / kSpikes) + place(random));
+        }
+        SeriesBuffer history(1);
+        for (int i = 0; i < kSamples; ++i) {
+            const bool isSpike = std::binary_search(spikes.begin(), spikes.end(), i);
+            const float value = isSpike ? kHigh : noise(random);
+            QVERIFY(history.append(i * kStep, std::span(&value, 1)));
+        }
+        std::vector<std::unique_ptr<Curve>> curves;
+        curves.push_back(std::make_unique<Curve>(0));
+        QPen pen(Qt::red, 1.6);
+        if (!dashes.isEmpty()) {
+            pen.setDashPattern(dashes);
+        }
+        curves.front()->setPen(pen);
+        QGraphicsScene scene;
+        auto* const sheet = new CurveSheet(curves, nullptr);
+        scene.addItem(sheet);
+        std::uniform_real_distribution<double> exponent(std::log(2.0), std::log(kSamples * kStep));
+        ColumnGrid grid;
+        for (int round = 0; round < 60; ++round) {
+            const double span = round == 0 ? kSamples * kStep : std::exp(exponent(random));
+            const double width = span / kColumns;
+            std::uniform_real_distribution<double> begin(0, kSamples * kStep - span);
+            const double start = std::floor(begin(random) / width) * width;
+            history.cut(start, width, kColumns, grid);
+            curves.front()->sample(history, 0, grid);
+            sheet->setView({0, 0, kColumns, kRows}, start, start + span, -10, 10);
+            QImage picture(kColumns, kRows, QImage::Format_ARGB32_Premultiplied);
+            picture.fill(Qt::transparent);
+            QPainter painter(&picture);
+            sheet->paint(&painter, nullptr, nullptr);
+            painter.end();
+            constexpr int kSpikeRow = kRows / 10;  // 8 of -10 ... 10
+            for (const int spike : spikes) {
+                const double column = (spike * kStep - start) / width;
+                if (column < 1 || column > kColumns - 2) {
+                    continue;
+                }
+                // In its own column, or, where those hold many samples, in a neighbour at whose edge it is.
+                bool isDrawn = false;
+                bool isKnown = false;
+                for (int x = static_cast<int>(column) - 1; x <= static_cast<int>(column) + 1; ++x) {
+                    isKnown = isKnown || curves.front()->columns()[static_cast<std::size_t>(x)].high ==
+                                             static_cast<double>(kHigh);
+                    for (int y = kSpikeRow - 1; y <= kSpikeRow + 1; ++y) {
+                        isDrawn = isDrawn || qAlpha(picture.pixel(x, y)) > 60;
+                    }
+                }
+                QVERIFY2(isKnown, qPrintable(QStringLiteral("round %1, column %2").arg(round).arg(column)));
+                QVERIFY2(isDrawn, qPrintable(QStringLiteral("round %1, column %2").arg(round).arg(column)));
+            }
+        }
     }
 
     // ---- lane
@@ -527,5 +608,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlotModels)
+QTEST_MAIN(TestPlotModels)
 #include "tst_plot_models.moc"
