@@ -28,7 +28,7 @@ public:
         : words_(words)
         , mask_(roundUp(capacity) - 1)
         , stamps_(std::make_unique<std::atomic<std::uint64_t>[]>(mask_ + 1))
-        , data_(std::make_unique<std::atomic<std::uint64_t>[]>((mask_ + 1) * words)) {}
+        , data_(std::make_unique_for_overwrite<std::uint64_t[]>((mask_ + 1) * words)) {}
 
     std::size_t words() const { return words_; }        ///< Of 64 bits in a record.
     std::size_t capacity() const { return mask_ + 1; }  ///< In records, a power of two.
@@ -45,19 +45,35 @@ public:
     /// Records not yet taken.
     std::uint64_t pending(const Cursor& cursor) const { return count() - cursor.next; }
 
+    /// The record being pushed. Every word of it is set, in any order.
+    class Slot {
+    public:
+        void set(std::size_t index, std::uint64_t word) const {
+            std::atomic_ref(words_[index]).store(word, std::memory_order_release);
+        }
+        /// A word that was set before.
+        std::uint64_t get(std::size_t index) const { return words_[index]; }
+
+    private:
+        friend class BroadcastRing;
+        explicit Slot(std::uint64_t* words) : words_(words) {}
+        std::uint64_t* words_;
+    };
+
     void push(std::span<const std::uint64_t> record) {  ///< One writer. Real-time: yes
-        pushEach([&](std::size_t i) { return record[i]; });
+        pushWith([&](Slot slot) {
+            for (std::size_t i = 0; i < words_; ++i) {
+                slot.set(i, record[i]);
+            }
+        });
     }
-    /// The same, straight from where the words are: source(index) gives each word, in order.
-    template <class Source>
-    void pushEach(Source source) {
+    /// The same without a copy of it: fill(Slot) writes the record where it is kept.
+    template <class Fill>
+    void pushWith(Fill fill) {
         const std::uint64_t number = head_.load(std::memory_order_relaxed);
         const std::size_t slot = number & mask_;
         stamps_[slot].store(2 * number + 1, std::memory_order_relaxed);
-        std::atomic<std::uint64_t>* words = &data_[slot * words_];
-        for (std::size_t i = 0; i < words_; ++i) {
-            words[i].store(source(i), std::memory_order_release);
-        }
+        fill(Slot(&data_[slot * words_]));
         stamps_[slot].store(2 * number + 2, std::memory_order_release);
         head_.store(number + 1, std::memory_order_release);
     }
@@ -80,25 +96,43 @@ public:
                 cursor.lost += head - capacity() - cursor.next;
                 cursor.next = head - capacity();
             }
-            const std::size_t slot = cursor.next & mask_;
-            const std::uint64_t whole = 2 * cursor.next + 2;
-            if (stamps_[slot].load(std::memory_order_acquire) == whole) {
-                const std::atomic<std::uint64_t>* words = &data_[slot * words_];
-                for (std::size_t i = 0; i < words_; ++i) {
-                    sink(i, words[i].load(std::memory_order_acquire));
-                }
-                if (stamps_[slot].load(std::memory_order_relaxed) == whole) {
-                    ++cursor.next;
-                    return true;
-                }
+            if (read(cursor.next++, sink)) {
+                return true;
             }
-            // The producer has come round and is writing over this very record.
-            ++cursor.next;
-            ++cursor.lost;
+            ++cursor.lost;  // the producer has come round and is writing over this very record
+        }
+    }
+    /// The record pushed last, in the same way. Takes it from nobody.
+    /// Returns  false when none was pushed yet
+    template <class Sink>
+    bool newest(Sink sink) const {
+        for (;;) {
+            const std::uint64_t head = count();
+            if (head == 0) {
+                return false;
+            }
+            if (read(head - 1, sink)) {
+                return true;
+            }
         }
     }
 
 private:
+    /// Returns  false when the record is not there any more
+    template <class Sink>
+    bool read(std::uint64_t number, Sink& sink) const {
+        const std::size_t slot = number & mask_;
+        const std::uint64_t whole = 2 * number + 2;
+        if (stamps_[slot].load(std::memory_order_acquire) != whole) {
+            return false;
+        }
+        std::uint64_t* words = &data_[slot * words_];
+        for (std::size_t i = 0; i < words_; ++i) {
+            sink(i, std::atomic_ref(words[i]).load(std::memory_order_acquire));
+        }
+        return stamps_[slot].load(std::memory_order_relaxed) == whole;
+    }
+
     static std::size_t roundUp(std::size_t capacity) {
         std::size_t size = 2;
         while (size < capacity) {
@@ -110,7 +144,8 @@ private:
     std::size_t words_;
     std::size_t mask_;
     std::unique_ptr<std::atomic<std::uint64_t>[]> stamps_;
-    std::unique_ptr<std::atomic<std::uint64_t>[]> data_;
+    /// Not cleared: what was not pushed is not read, and takes no memory either.
+    std::unique_ptr<std::uint64_t[]> data_;
     std::atomic<std::uint64_t> head_{0};
 };
 

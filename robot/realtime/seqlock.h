@@ -25,36 +25,25 @@ public:
     std::uint64_t version() const { return sequence_.load(std::memory_order_acquire) / 2; }
 
     void write(std::span<const std::uint64_t> values) {  ///< One writer. Real-time: yes
-        writeEach([&](std::size_t i) { return values[i]; });
-    }
-    /// The same, straight from where the words are: source(index) gives each word, in order.
-    template <class Source>
-    void writeEach(Source source) {
         const std::uint64_t sequence = sequence_.load(std::memory_order_relaxed);
         sequence_.store(sequence + 1, std::memory_order_relaxed);
         // Release on each word keeps the odd number in front of it; no fence, which ThreadSanitizer cannot
         // see.
         for (std::size_t i = 0; i < size_; ++i) {
-            words_[i].store(source(i), std::memory_order_release);
+            words_[i].store(values[i], std::memory_order_release);
         }
         sequence_.store(sequence + 2, std::memory_order_release);
     }
 
     /// Returns  the version read; tries again while a write is under way
     std::uint64_t read(std::span<std::uint64_t> values) const {
-        return readEach([&](std::size_t i, std::uint64_t word) { values[i] = word; });
-    }
-    /// The same, straight to where the words belong: sink(index, word) is called for every word, more than
-    /// once if the writer comes in between; what it was given last counts.
-    template <class Sink>
-    std::uint64_t readEach(Sink sink) const {
         for (;;) {
             const std::uint64_t before = sequence_.load(std::memory_order_acquire);
             if (before % 2 != 0) {
                 continue;
             }
             for (std::size_t i = 0; i < size_; ++i) {
-                sink(i, words_[i].load(std::memory_order_acquire));
+                values[i] = words_[i].load(std::memory_order_acquire);
             }
             if (sequence_.load(std::memory_order_relaxed) == before) {
                 return before / 2;

@@ -2,21 +2,23 @@
 #include "robot/receive/receiver.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <condition_variable>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
 
 #include "robot/realtime/cpu_latency.h"
 #include "robot/realtime/realtime_report.h"
+#include "robot/realtime/ring.h"
 #include "robot/realtime/seqlock.h"
 #include "robot/realtime/wake_up.h"
 #include "robot/receive/detail/stream_watch.h"
 #include "robot/rtde/connection.h"
 #include "robot/rtde/fields.h"
+#include "robot/rtde/values.h"
 
 namespace tiller::receive {
 
@@ -30,6 +32,7 @@ constexpr std::size_t kHostTime = 1;
 constexpr std::size_t kConnection = 2;
 constexpr std::size_t kLostBefore = 3;
 constexpr std::size_t kFirstValue = 4;
+constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
 // How long the thread sleeps in the socket before it looks at the stop flag.
 constexpr milliseconds kReadSlice{50};
@@ -144,19 +147,12 @@ struct Receiver::Worker {
     explicit Worker(ReceiverOptions o)
         : options(std::move(o))
         , layout(std::make_shared<SampleLayout>(withTimestamp(options.fields)))
-        , stream(std::make_shared<Subscription::Stream>(layout, options.ringCapacity))
-        , latest(kFirstValue + layout->size())
-        , wire(1, kAbsent)
-        , places(layout->size(), 0) {
-        // Nothing received yet: number 0, every value absent.
-        latest.writeEach([this](std::size_t i) { return word(i); });
-    }
+        , stream(std::make_shared<Subscription::Stream>(layout, options.ringCapacity)) {}
 
     // Given, or made once.
     const ReceiverOptions options;
     const std::shared_ptr<const SampleLayout> layout;
     const std::shared_ptr<Subscription::Stream> stream;
-    realtime::WordSeqlock latest;
 
     // Between the threads.
     std::thread thread;
@@ -183,9 +179,8 @@ struct Receiver::Worker {
     realtime::PriorityReport priority;
 
     // The thread's own.
-    std::array<std::uint64_t, kFirstValue> head{};
-    std::vector<double> wire;         ///< a package as it is decoded; its last number is the absent one
-    std::vector<std::size_t> places;  ///< where in `wire` each number of a sample is
+    std::vector<std::size_t> places;        ///< for each number of a package: its word in a record
+    std::vector<std::size_t> absentPlaces;  ///< the words that no number of a package is for
     std::size_t timestampPlace = 0;
     std::uint64_t sequence = 0;
     std::uint64_t connections = 0;
@@ -195,11 +190,6 @@ struct Receiver::Worker {
     bool hasPrevious = false;  ///< in this connection
     std::int64_t windowStartNs = 0;
     std::uint64_t windowPackets = 0;
-
-    /// Of the record that goes to the readers.
-    std::uint64_t word(std::size_t i) const {
-        return i < kFirstValue ? head[i] : std::bit_cast<std::uint64_t>(wire[places[i - kFirstValue]]);
-    }
 
     void run() {
         realtime::nameThread("tiller-receive");
@@ -262,11 +252,11 @@ struct Receiver::Worker {
         }
     }
 
-    /// Where each number of the package belongs in a sample. Types are the robot's own: should one differ
+    /// Where each number of the package belongs in a record. Types are the robot's own: should one differ
     /// from the catalogue, as many numbers are taken as fit.
     void plan(const rtde::Recipe& recipe) {
-        wire.assign(recipe.size() + 1, kAbsent);
-        std::fill(places.begin(), places.end(), recipe.size());
+        places.assign(recipe.size(), kNowhere);
+        std::vector<bool> isSent(layout->size());
         for (const rtde::RecipeField& field : recipe.fields()) {
             const SampleLayout::Entry* entry = layout->find(field.name);
             if (entry == nullptr) {
@@ -274,10 +264,17 @@ struct Receiver::Worker {
             }
             const std::size_t count = std::min(entry->count, componentCount(field.type));
             for (std::size_t i = 0; i < count; ++i) {
-                places[entry->first + i] = field.first + i;
+                places[field.first + i] = kFirstValue + entry->first + i;
+                isSent[entry->first + i] = true;
             }
         }
-        timestampPlace = places[layout->find("timestamp")->first];
+        absentPlaces.clear();
+        for (std::size_t i = 0; i < isSent.size(); ++i) {
+            if (!isSent[i]) {
+                absentPlaces.push_back(kFirstValue + i);
+            }
+        }
+        timestampPlace = kFirstValue + layout->find("timestamp")->first;
     }
 
     Error follow(rtde::Connection& connection) {
@@ -301,11 +298,12 @@ struct Receiver::Worker {
 
         // From here to the return: no lock, no allocation, no system call but the socket's.
         std::int64_t heardNs = began;
+        rtde::ByteView wire;
         while (!stopping) {
-            switch (connection.readPackage(wire, kReadSlice)) {
+            switch (connection.readWire(wire, kReadSlice)) {
                 case rtde::Connection::Read::Package:
                     heardNs = options.clock->nowNs();
-                    publish(heardNs);
+                    publish(connection.outputs().layout(), wire, heardNs);
                     break;
                 case rtde::Connection::Read::Nothing:
                     if (options.clock->nowNs() - heardNs > options.silenceLimit.count() * kNsPerMs) {
@@ -325,16 +323,34 @@ struct Receiver::Worker {
         return {};
     }
 
-    void publish(std::int64_t hostNs) {
+    /// Decodes the package into the record that goes to the readers.
+    StreamWatch::Verdict record(const rtde::ValueLayout& package, rtde::ByteView wire, std::int64_t hostNs) {
+        StreamWatch::Verdict verdict;
+        stream->ring.pushWith([&](realtime::BroadcastRing::Slot slot) {
+            rtde::decodeEach(package, wire, [&](std::size_t i, double value) {
+                if (places[i] != kNowhere) {
+                    slot.set(places[i], std::bit_cast<std::uint64_t>(value));
+                }
+            });
+            for (const std::size_t place : absentPlaces) {
+                slot.set(place, std::bit_cast<std::uint64_t>(kAbsent));
+            }
+            verdict = watch.add(std::bit_cast<double>(slot.get(timestampPlace)), hostNs);
+            slot.set(kSequence, ++sequence);
+            slot.set(kHostTime, static_cast<std::uint64_t>(hostNs));
+            slot.set(kConnection, connections);
+            slot.set(kLostBefore, verdict.lost);
+        });
+        return verdict;
+    }
+
+    void publish(const rtde::ValueLayout& package, rtde::ByteView wire, std::int64_t hostNs) {
         if (resetWanted.load(std::memory_order_relaxed)) {
             resetWanted = false;
             reset();
         }
-        const StreamWatch::Verdict verdict = watch.add(wire[timestampPlace], hostNs);
-        head[kSequence] = ++sequence;
-        head[kHostTime] = static_cast<std::uint64_t>(hostNs);
-        head[kConnection] = connections;
-        head[kLostBefore] = verdict.lost;
+        // What is called fresh is there, and whoever sees a package counted finds all of it.
+        const StreamWatch::Verdict verdict = record(package, wire, hostNs);
         if (hasPrevious) {
             lost.fetch_add(verdict.lost, std::memory_order_relaxed);
             late.fetch_add(verdict.late ? 1 : 0, std::memory_order_relaxed);
@@ -343,10 +359,6 @@ struct Receiver::Worker {
         jitter.store(verdict.jitterNs, std::memory_order_relaxed);
         previousHostNs = hostNs;
         hasPrevious = true;
-        // What is called fresh is there, and whoever sees a package counted finds all of it.
-        const auto words = [this](std::size_t i) { return word(i); };
-        latest.writeEach(words);
-        stream->ring.pushEach(words);
         dueNs.store(hostNs - std::max<std::int64_t>(verdict.jitterNs, 0), std::memory_order_release);
         hasData.store(true, std::memory_order_release);
         receiving.store(true, std::memory_order_release);
@@ -475,7 +487,9 @@ Sample Receiver::latest() const {
 
 void Receiver::latest(Sample& into) const {
     prepare(into, d_->layout);
-    d_->latest.readEach([&](std::size_t i, std::uint64_t word) { putWord(into, i, word); });
+    if (!d_->stream->ring.newest([&](std::size_t i, std::uint64_t word) { putWord(into, i, word); })) {
+        into = Sample(d_->layout);
+    }
 }
 
 Result<Sample> Receiver::waitForData(const Deadline& deadline) const {

@@ -17,6 +17,7 @@ using Status = native_socket::Status;
 using std::chrono::nanoseconds;
 
 constexpr Descriptor kNoSocket = -1;
+constexpr QLatin1String kMisfit("a data package does not fit the output recipe");
 
 }  // namespace
 
@@ -208,6 +209,16 @@ bool Connection::hasPackage() const {
 
 Connection::Read Connection::readPackage(std::span<double> values, nanoseconds atMost,
                                          const native_socket::Waker* waker) {
+    ByteView wire;
+    const Read read = readWire(wire, atMost, waker);
+    if (read == Read::Package && !decodeValues(outputs().layout(), wire, values)) {
+        d_->failWith(ErrorCode::ProtocolError, QString(kMisfit));
+        return Read::Malformed;
+    }
+    return read;
+}
+
+Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost, const native_socket::Waker* waker) {
     State& d = *d_;
     if (d.socket == kNoSocket) {
         return Read::Failed;
@@ -225,11 +236,11 @@ Connection::Read Connection::readPackage(std::span<double> values, nanoseconds a
             const Recipe& recipe = d.session.outputs();
             const bool numbered = d.session.protocol() != ProtocolVersion::V1;
             if (!data || (numbered && data->recipeId != recipe.id()) ||
-                !decodeValues(recipe.layout(), data->values, values)) {
-                d.failWith(ErrorCode::ProtocolError,
-                           QStringLiteral("a data package does not fit the output recipe"));
+                data->values.size() != recipe.layout().wireBytes()) {
+                d.failWith(ErrorCode::ProtocolError, QString(kMisfit));
                 return Read::Malformed;
             }
+            wire = data->values;
             return Read::Package;
         }
         if (d.splitter.fault() != PackageSplitter::Fault::None) {

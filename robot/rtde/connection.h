@@ -65,6 +65,10 @@ public:
     /// Blocks: atMost. Real-time: yes (two system calls a package)
     Read readPackage(std::span<double> values, std::chrono::nanoseconds atMost,
                      const native_socket::Waker* waker = nullptr);
+    /// The same without decoding, for who has a better place for the numbers than a row of them.
+    /// wire  becomes what decodeEach() takes with outputs().layout(); there until the next call
+    Read readWire(ByteView& wire, std::chrono::nanoseconds atMost,
+                  const native_socket::Waker* waker = nullptr);
     /// True when another package has already been received: readPackage() will not wait.
     bool hasPackage() const;
 

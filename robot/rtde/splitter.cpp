@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "robot/rtde/detail/big_endian.h"
+#include "robot/rtde/big_endian.h"
 
 namespace tiller::rtde {
 

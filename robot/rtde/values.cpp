@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/rtde/detail/big_endian.h"
-
 namespace tiller::rtde {
 
 namespace {
@@ -38,45 +36,8 @@ ValueLayout::ValueLayout(std::vector<DataType> types) : types_(std::move(types))
 }
 
 bool decodeValues(const ValueLayout& layout, ByteView wire, std::span<double> into) {
-    if (wire.size() != layout.wireBytes() || into.size() < layout.components()) {
-        return false;
-    }
-    const std::uint8_t* in = wire.data();
-    double* out = into.data();
-    for (const DataType type : layout.types()) {
-        switch (type) {
-            case DataType::Bool:
-                *out++ = *in++ != 0 ? 1.0 : 0.0;
-                break;
-            case DataType::UInt8:
-                *out++ = *in++;
-                break;
-            case DataType::UInt64:
-                *out++ = static_cast<double>(big_endian::read64(in));
-                in += 8;
-                break;
-            case DataType::UInt32:
-            case DataType::Vector6UInt32:
-                for (std::size_t n = componentCount(type); n > 0; --n, in += 4) {
-                    *out++ = big_endian::read32(in);
-                }
-                break;
-            case DataType::Int32:
-            case DataType::Vector6Int32:
-                for (std::size_t n = componentCount(type); n > 0; --n, in += 4) {
-                    *out++ = static_cast<std::int32_t>(big_endian::read32(in));
-                }
-                break;
-            case DataType::Double:
-            case DataType::Vector3D:
-            case DataType::Vector6D:
-                for (std::size_t n = componentCount(type); n > 0; --n, in += 8) {
-                    *out++ = big_endian::readDouble(in);
-                }
-                break;
-        }
-    }
-    return true;
+    return into.size() >= layout.components() &&
+           decodeEach(layout, wire, [out = into.data()](std::size_t i, double value) { out[i] = value; });
 }
 
 bool encodeValues(const ValueLayout& layout, std::span<const double> values, std::span<std::uint8_t> wire) {

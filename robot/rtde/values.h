@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "robot/rtde/big_endian.h"
 #include "robot/rtde/protocol.h"
 
 namespace tiller::rtde {
@@ -33,6 +34,49 @@ private:
 /// Returns  false, and touches nothing, when the sizes do not fit the layout
 /// Real-time: yes
 bool decodeValues(const ValueLayout& layout, ByteView wire, std::span<double> into);
+/// The same, each number straight to where it belongs: sink(index, value), in the order of the package.
+template <class Sink>
+bool decodeEach(const ValueLayout& layout, ByteView wire, Sink sink) {
+    if (wire.size() != layout.wireBytes()) {
+        return false;
+    }
+    const std::uint8_t* in = wire.data();
+    std::size_t index = 0;
+    for (const DataType type : layout.types()) {
+        switch (type) {
+            case DataType::Bool:
+                sink(index++, *in++ != 0 ? 1.0 : 0.0);
+                break;
+            case DataType::UInt8:
+                sink(index++, static_cast<double>(*in++));
+                break;
+            case DataType::UInt64:
+                sink(index++, static_cast<double>(big_endian::read64(in)));
+                in += 8;
+                break;
+            case DataType::UInt32:
+            case DataType::Vector6UInt32:
+                for (std::size_t n = componentCount(type); n > 0; --n, in += 4) {
+                    sink(index++, static_cast<double>(big_endian::read32(in)));
+                }
+                break;
+            case DataType::Int32:
+            case DataType::Vector6Int32:
+                for (std::size_t n = componentCount(type); n > 0; --n, in += 4) {
+                    sink(index++, static_cast<double>(static_cast<std::int32_t>(big_endian::read32(in))));
+                }
+                break;
+            case DataType::Double:
+            case DataType::Vector3D:
+            case DataType::Vector6D:
+                for (std::size_t n = componentCount(type); n > 0; --n, in += 8) {
+                    sink(index++, big_endian::readDouble(in));
+                }
+                break;
+        }
+    }
+    return true;
+}
 /// Integers are rounded and held to their type's range; a NaN becomes 0.
 bool encodeValues(const ValueLayout& layout, std::span<const double> values, std::span<std::uint8_t> wire);
 

@@ -27,7 +27,10 @@ private Q_SLOTS:
     void everyConsumerGetsEverything();
     void cursorAtEndSeesOnlyWhatFollows();
     void oldestAreLostAndCounted();
+    void theNewestIsTakenFromNobody();
+    void aRecordIsWrittenInAnyOrder();
     void nothingIsTornOrReorderedUnderContention();
+    void theNewestIsWholeUnderContention();
 };
 
 void TestRing::capacityIsRoundedUp() {
@@ -97,6 +100,61 @@ void TestRing::oldestAreLostAndCounted() {
     QCOMPARE(cursor.lost, std::uint64_t(7));
     QVERIFY(!ring.pop(cursor, got));
     QCOMPARE(ring.atBegin().next, std::uint64_t(7));
+}
+
+void TestRing::theNewestIsTakenFromNobody() {
+    BroadcastRing ring(2, 4);
+    Record got{7, 7};
+    const auto into = [&](std::size_t i, std::uint64_t word) { got.at(i) = word; };
+    QVERIFY(!ring.newest(into));
+    QVERIFY((got == Record{7, 7}));
+    auto cursor = ring.atBegin();
+    for (std::uint64_t i = 0; i < 9; ++i) {
+        push(ring, i);
+        QVERIFY(ring.newest(into));
+        QVERIFY((got == Record{i, ~i}));
+    }
+    QCOMPARE(ring.pending(cursor), std::uint64_t(9));
+    QVERIFY(ring.pop(cursor, got));
+    QCOMPARE(got[0], std::uint64_t(5));
+}
+
+void TestRing::aRecordIsWrittenInAnyOrder() {
+    BroadcastRing ring(3, 2);
+    auto cursor = ring.atEnd();
+    ring.pushWith([](BroadcastRing::Slot slot) {
+        slot.set(2, 30);
+        slot.set(0, 10);
+        slot.set(1, slot.get(0) + slot.get(2));
+    });
+    std::array<std::uint64_t, 3> got{};
+    QVERIFY(ring.pop(cursor, got));
+    QVERIFY((got == std::array<std::uint64_t, 3>{10, 40, 30}));
+}
+
+void TestRing::theNewestIsWholeUnderContention() {
+    BroadcastRing ring(2, 2);
+    constexpr std::uint64_t kCount = 100000;
+    std::atomic<bool> over{false};
+    std::thread producer([&] {
+        for (std::uint64_t i = 0; i < kCount; ++i) {
+            push(ring, i);
+        }
+        over = true;
+    });
+    Record got{};
+    std::uint64_t before = 0;
+    int wrong = 0;
+    while (!over) {
+        if (ring.newest([&](std::size_t i, std::uint64_t word) { got.at(i) = word; })) {
+            wrong += got[1] != ~got[0] || got[0] < before ? 1 : 0;
+            before = got[0];
+        }
+    }
+    producer.join();
+    QCOMPARE(wrong, 0);
+    QVERIFY(ring.newest([&](std::size_t i, std::uint64_t word) { got.at(i) = word; }));
+    QCOMPARE(got[0], kCount - 1);
 }
 
 void TestRing::nothingIsTornOrReorderedUnderContention() {

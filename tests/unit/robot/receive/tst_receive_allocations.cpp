@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "robot/receive/receiver.h"
-#include "robot/rtde/detail/big_endian.h"
+#include "robot/rtde/big_endian.h"
 #include "robot/rtde/fields.h"
 #include "robot/rtde/values.h"
 #include "tests/support/hot_threads.h"
