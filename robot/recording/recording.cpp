@@ -62,6 +62,22 @@ Result<std::vector<ColumnSummary>> Recording::summaries(std::span<const std::siz
     return out;
 }
 
+Result<std::vector<TimeMark>> Recording::timeMarks() const {
+    constexpr std::uint64_t kEvery = 256;
+    std::vector<TimeMark> marks;
+    const auto all = times({0, rows()});
+    if (!all) {
+        return all.error();
+    }
+    for (std::uint64_t row = 0; row < all->size(); row += kEvery) {
+        marks.push_back({row, (*all)[row]});
+    }
+    if (!all->empty() && marks.back().row + 1 < all->size()) {
+        marks.push_back({all->size() - 1, all->back()});
+    }
+    return marks;
+}
+
 Result<std::uint64_t> Recording::rowAt(double seconds) const {
     std::uint64_t low = 0;
     std::uint64_t high = rows();

@@ -57,6 +57,12 @@ struct ColumnSummary {
     std::vector<double> mean{};
 };
 
+/// When a row was sent.
+struct TimeMark {
+    std::uint64_t row = 0;
+    double seconds = 0;  ///< from the first row
+};
+
 /// Threads  one at a time. Errors of every call that reads: FileNotReadable, FileCorrupt
 class Recording {
 public:
@@ -89,6 +95,12 @@ public:
     /// before the range and the last end after it, where the file has them so.
     virtual Result<std::vector<ColumnSummary>> summaries(std::span<const std::size_t> columns, RowRange rows,
                                                          std::uint64_t blocks) const;
+    /// How many rows each summary has that the file keeps of all or most rows, the finest first; empty: summaries() reads
+    /// the rows.
+    virtual std::vector<std::uint64_t> summaryRows() const { return {}; }
+    /// When some of the rows were sent, the first and the last among them, as the file knows it without being read: to a
+    /// few milliseconds. Between two of them rows come evenly, unless some are missing.
+    virtual Result<std::vector<TimeMark>> timeMarks() const;
     /// The last row at or before a moment of the time axis; 0 before the first row.
     virtual Result<std::uint64_t> rowAt(double seconds) const;
 };

@@ -67,7 +67,8 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
     // Columns lie on a raster of time: while the curve moves, most of them hold the samples they held before.
     const double shift = (grid.start - cachedStart_) / grid.width;
     const bool sameRaster = grid.width == cachedWidth_ && std::abs(shift - std::round(shift)) < 1e-3 &&
-                            std::abs(shift) < static_cast<double>(cachedEdges_.size());
+                            std::abs(shift) < static_cast<double>(cachedEdges_.size()) &&
+                            history.revision() == cachedRevision_;
     const auto by = sameRaster ? std::llround(shift) : 0;
     const auto known = sameRaster ? static_cast<std::int64_t>(envelope_.size()) : 0;
     fresh_.resize(static_cast<std::size_t>(grid.columns()));
@@ -94,6 +95,7 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
     cachedEdges_.swap(edges_);
     cachedStart_ = grid.start;
     cachedWidth_ = grid.width;
+    cachedRevision_ = history.revision();
 }
 
 void Curve::samplePoints(const SeriesBuffer& history, int column, std::int64_t begin, std::int64_t end) {

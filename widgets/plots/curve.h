@@ -79,6 +79,7 @@ private:
     std::vector<std::int64_t> cachedEdges_;
     double cachedStart_ = 0;
     double cachedWidth_ = 0;
+    std::uint64_t cachedRevision_ = 0;  // of the history
     std::vector<Column> columns_;
     std::int64_t raster_ = 0;
     double width_ = 0;

@@ -35,6 +35,7 @@ public:
         plots_.resize(kPlots);
         plots_.setVisible(true);
         plots_.showLike(view, true);
+        plots_.showSharp();
         // The charts place their labels when they are laid out, which otherwise waits for the event loop.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     }

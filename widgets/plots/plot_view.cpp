@@ -92,6 +92,13 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
     scene_->addItem(laneItem_);
     connect(&marks_, &PlotMarks::marksChanged, viewport(), qOverload<>(&QWidget::update));
     connect(&marks_, &PlotMarks::thresholdsChanged, viewport(), qOverload<>(&QWidget::update));
+    sharpen_.setSingleShot(true);
+    connect(&sharpen_, &QTimer::timeout, this, [this] {
+        if (isVisible()) {
+            show(-1, HistoryFile::Effort::Turn);
+            viewport()->update();
+        }
+    });
     build(PageLayout::standard());
 }
 
@@ -463,7 +470,7 @@ const ColumnGrid& PlotView::gridOf(const SeriesBuffer& history) const {
     return grids_.at(&history);
 }
 
-void PlotView::show(double seconds) {
+void PlotView::show(double seconds, HistoryFile::Effort effort) {
     shownEnd_ = store_.live().end();
     shownNewest_ = window_.newest();
     sinceShown_ = 0;
@@ -477,10 +484,23 @@ void PlotView::show(double seconds) {
     const int columns = std::max(1, static_cast<int>(std::ceil(area.width() * devicePixelRatioF())));
     const double width = window_.span() / columns;
     std::map<const SeriesBuffer*, bool> cut;
+    bool isSharp = true;
     const auto grids = [&](const SeriesBuffer& history) -> const ColumnGrid& {
         ColumnGrid& grid = grids_[&history];
         if (!std::exchange(cut[&history], true)) {
-            history.cut(std::floor(t0 / width) * width, width, columns + 1, grid);
+            const auto cutNow = [&] {
+                history.cut(std::floor(t0 / width) * width, width, columns + 1, grid);
+            };
+            cutNow();
+            if (history.isInFile() && !grid.empty()) {
+                const std::uint64_t known = history.revision();
+                isSharp = !store_.sharpen(history, grid.edges.front() - 1, grid.edges.back() + 1, columns,
+                                          effort) &&
+                          isSharp;
+                if (history.revision() != known) {
+                    cutNow();  // by the times of the rows that have come
+                }
+            }
         }
         return grid;
     };
@@ -495,6 +515,17 @@ void PlotView::show(double seconds) {
     }
     placeTicks();
     placeCursors();
+    if (!isSharp) {
+        sharpen_.start();
+    } else {
+        sharpen_.stop();
+    }
+}
+
+void PlotView::showSharp() {
+    while (sharpen_.isActive()) {
+        show(-1, HistoryFile::Effort::Turn);
+    }
 }
 
 void PlotView::setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock) {

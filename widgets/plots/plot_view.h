@@ -8,6 +8,7 @@
 #include <QGraphicsView>
 #include <QHash>
 #include <QStringList>
+#include <QTimer>
 #include <array>
 #include <functional>
 #include <map>
@@ -17,6 +18,7 @@
 
 #include "widgets/plots/plot_layout.h"
 #include "widgets/plots/time_window.h"
+#include "widgets/signals/history_file.h"
 #include "widgets/signals/series_buffer.h"
 
 namespace tiller {
@@ -97,6 +99,8 @@ public:
     QString zeroText() const;
     const std::vector<std::unique_ptr<PlotPane>>& panes() const { return panes_; }
     const LaneItem& laneItem() const { return *laneItem_; }
+    /// Shows all that a long recording has to tell, which otherwise comes in the course of some frames.
+    void showSharp();
     /// Null: there is no lane of that signal.
     const LaneItem* signalLane(int signal) const;
     /// The samples behind a picture are shown as they fall into these columns.
@@ -163,7 +167,7 @@ private:
     void measure();
     /// The window changed by hand: shows it at once, with the best scales.
     void rewind();
-    void show(double seconds);
+    void show(double seconds, HistoryFile::Effort effort = HistoryFile::Effort::Draft);
     /// So much has changed that a new picture is worth its cost.
     bool isDue() const;
     void placeTicks();
@@ -212,6 +216,7 @@ private:
     QStringList timeLabels_;
     double tickSpan_ = -1;
     double tickEnd_ = 0;
+    QTimer sharpen_;              // more is known of what is shown than was read
     QHash<int, double> offsets_;  // by signal; empty: none is zeroed
     QString name_;                // of the page
     Drag drag_ = Drag::None;

@@ -26,6 +26,19 @@ struct ColumnState {
 ColumnState stateOf(const SignalStore& store, int signal, std::int64_t begin, std::int64_t end) {
     const SeriesBuffer& history = *store.buffer(signal);
     ColumnState state;
+    if (!history.hasRows(store.column(signal), begin, end)) {
+        // Of a long recording its extent is known. Where that is one value, it held.
+        const MinMax extent = history.minMax(store.column(signal), begin, end);
+        state.changes = extent.isEmpty() || extent.min == extent.max ? 0 : 2;
+        if (!extent.isEmpty() && extent.min == extent.max) {
+            const int bit = store.info(signal).bit;
+            state.first = state.last =
+                bit < 0          ? extent.min
+                : extent.min < 0 ? kUnknown
+                                 : static_cast<double>(static_cast<std::uint64_t>(extent.min) >> bit & 1);
+        }
+        return state;
+    }
     state.first = store.value(signal, begin);
     state.last = store.value(signal, end - 1);
     const MinMax extent = history.minMax(store.column(signal), begin, end);
@@ -67,8 +80,10 @@ std::vector<LaneSegment> signalSegments(const SignalStore& store, int signal, co
             segments.push_back(std::move(segment));
         }
     };
-    double now =
-        grid.edges.front() > history->first() ? store.value(signal, grid.edges.front() - 1) : kUnknown;
+    const std::int64_t before = grid.edges.front() - 1;
+    double now = before >= history->first() && history->hasRows(store.column(signal), before, before + 1)
+                     ? store.value(signal, before)
+                     : kUnknown;
     for (int i = 0; i < grid.columns(); ++i) {
         const auto at = static_cast<std::size_t>(i);
         const std::int64_t begin = grid.edges[at];

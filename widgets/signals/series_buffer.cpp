@@ -25,7 +25,10 @@ void SeriesBuffer::setLimits(const HistoryLimits& limits) {
 }
 
 std::size_t SeriesBuffer::memoryBytes() const {
-    std::size_t bytes = times_.size() * sizeof(TimeBlock);
+    std::size_t bytes = marks_.size() * sizeof(Mark);
+    for (const auto& block : times_) {
+        bytes += block ? sizeof(TimeBlock) : 0;
+    }
     for (const SeriesColumn& column : columns_) {
         bytes += column.bytes();
     }
@@ -60,6 +63,9 @@ void SeriesBuffer::addTime(const Row& row) {
 }
 
 void SeriesBuffer::trim() {
+    if (file_ != nullptr) {
+        return;
+    }
     while (times_.size() > 1 &&
            (times_.front()->times.back() < lastTime() - limits_.seconds || memoryBytes() > limits_.bytes)) {
         times_.erase(times_.begin());
@@ -73,7 +79,7 @@ void SeriesBuffer::trim() {
 std::int64_t SeriesBuffer::lowerBoundBetween(double time, std::int64_t low, std::int64_t high) const {
     while (low < high) {
         const std::int64_t middle = low + (high - low) / 2;
-        if (this->time(middle) < time) {
+        if (roughTime(middle) < time) {
             low = middle + 1;
         } else {
             high = middle;
@@ -83,7 +89,93 @@ std::int64_t SeriesBuffer::lowerBoundBetween(double time, std::int64_t low, std:
 }
 
 std::int64_t SeriesBuffer::lowerBound(double time) const {
-    return lowerBoundBetween(time, first_, end_);
+    const std::int64_t rough = lowerBoundBetween(time, first_, end_);
+    if (file_ == nullptr) {
+        return rough;
+    }
+    // With the blocks around it in memory, and once more where that has moved it into another one.
+    std::int64_t found = rough;
+    for (int turn = 0; turn < 2; ++turn) {
+        for (const std::int64_t sample : {found - 1, found}) {
+            if (sample >= first_ && sample < end_) {
+                static_cast<void>(this->time(sample));
+            }
+        }
+        found = lowerBoundNear(time, found);
+    }
+    return found;
+}
+
+void SeriesBuffer::lieIn(SampleFile& file, std::int64_t samples, std::vector<Mark> marks,
+                         std::vector<std::int64_t> gaps) {
+    file_ = &file;
+    marks_ = std::move(marks);
+    gaps_ = std::move(gaps);
+    end_ = samples;
+    limits_ = {std::numeric_limits<double>::max(), std::numeric_limits<std::size_t>::max()};
+    times_.resize(static_cast<std::size_t>((samples + kInBlock) >> SeriesColumn::kBlockBits));
+}
+
+bool SeriesBuffer::hasRows(int column, std::int64_t begin, std::int64_t end) const {
+    if (file_ == nullptr) {
+        return true;
+    }
+    const SeriesColumn& values = columns_[static_cast<std::size_t>(column)];
+    for (std::int64_t block = begin >> SeriesColumn::kBlockBits;
+         block <= (end - 1) >> SeriesColumn::kBlockBits; ++block) {
+        if (values.grainOf(block) != 1) {
+            return false;
+        }
+    }
+    return true;
+}
+
+int SeriesBuffer::outlineColumn(Precision precision) {
+    columns_.emplace_back(precision).outline(end_);
+    return columnCount() - 1;
+}
+
+void SeriesBuffer::setExtents(int column, std::int64_t first, std::int64_t rowsEach,
+                              std::span<const MinMax> extents) {
+    columns_[static_cast<std::size_t>(column)].setExtents(first, rowsEach, extents);
+    ++revision_;
+}
+
+void SeriesBuffer::setTimes(std::int64_t block, std::span<const double> times) {
+    auto& into = times_[static_cast<std::size_t>(block)];
+    if (!into) {
+        into = std::make_unique<TimeBlock>();
+    }
+    std::copy_n(times.begin(), std::min(times.size(), into->times.size()), into->times.begin());
+    ++revision_;
+}
+
+void SeriesBuffer::setRows(int column, std::int64_t block, std::span<const double> values) {
+    columns_[static_cast<std::size_t>(column)].setRows(block, values);
+    ++revision_;
+}
+
+void SeriesBuffer::forget(std::int64_t block) {
+    times_[static_cast<std::size_t>(block)].reset();
+    for (SeriesColumn& column : columns_) {
+        column.forgetRows(block);
+    }
+    ++revision_;
+}
+
+void SeriesBuffer::fetch(std::int64_t row) const {
+    file_->fill(row >> SeriesColumn::kBlockBits);
+}
+
+double SeriesBuffer::timeByMarks(std::int64_t row) const {
+    const auto next = std::upper_bound(marks_.begin(), marks_.end(), row,
+                                       [](std::int64_t at, const Mark& mark) { return at < mark.sample; });
+    if (next == marks_.begin() || next == marks_.end()) {
+        return next == marks_.end() ? marks_.back().time : next->time;
+    }
+    const Mark& before = *(next - 1);
+    return before.time + (next->time - before.time) * static_cast<double>(row - before.sample) /
+                             static_cast<double>(next->sample - before.sample);
 }
 
 std::int64_t SeriesBuffer::lowerBoundNear(double time, std::int64_t guess) const {
@@ -91,11 +183,11 @@ std::int64_t SeriesBuffer::lowerBoundNear(double time, std::int64_t guess) const
     std::int64_t low = std::clamp(guess, oldest, end_);
     std::int64_t high = low;
     // Widen until low is known to be before the answer, or the oldest, and high not before it.
-    for (std::int64_t step = 1; high < end_ && this->time(high) < time; step *= 2) {
+    for (std::int64_t step = 1; high < end_ && roughTime(high) < time; step *= 2) {
         low = high + 1;
         high = std::min(end_, high + step);
     }
-    for (std::int64_t step = 1; low > oldest && !(this->time(low - 1) < time); step *= 2) {
+    for (std::int64_t step = 1; low > oldest && !(roughTime(low - 1) < time); step *= 2) {
         high = low - 1;
         low = std::max(oldest, low - step);
     }
@@ -113,9 +205,9 @@ std::int64_t SeriesBuffer::lastBefore(double time) const {
 void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid) const {
     const auto count = static_cast<std::size_t>(std::max(columns, 0));
     const double shift = (start - grid.start) / width;
-    const bool sameRaster = grid.width == width && grid.columns() == columns &&
-                            std::abs(shift - std::round(shift)) < 1e-6 &&
-                            std::abs(shift) < static_cast<double>(count) && grid.end <= end_;
+    const bool sameRaster =
+        grid.width == width && grid.columns() == columns && std::abs(shift - std::round(shift)) < 1e-6 &&
+        std::abs(shift) < static_cast<double>(count) && grid.end <= end_ && grid.revision == revision_;
     const auto by = sameRaster ? static_cast<std::ptrdiff_t>(std::lround(shift)) : 0;
     // An edge stays where it was if it had samples on both sides and still has.
     const auto keeps = [&](std::int64_t edge) {
@@ -130,7 +222,7 @@ void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid
         if (known) {
             edges[i] = grid.edges[static_cast<std::size_t>(old)];
         } else if (i == 0) {
-            edges[i] = lowerBound(start);
+            edges[i] = lowerBoundBetween(start, first_, end_);
         } else {
             // This column holds about as many samples as the one before.
             const std::int64_t previous = i == 1 ? 0 : edges[i - 1] - edges[i - 2];
@@ -148,9 +240,14 @@ void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid
     grid.width = width;
     grid.first = first();
     grid.end = end_;
+    grid.revision = revision_;
 }
 
 bool SeriesBuffer::hasGap(std::int64_t begin, std::int64_t end) const {
+    if (file_ != nullptr) {
+        const auto next = std::lower_bound(gaps_.begin(), gaps_.end(), begin);
+        return next != gaps_.end() && *next < end;
+    }
     std::int64_t row = std::max(begin, first_) - first_;
     const std::int64_t stop = std::min(end, end_) - first_;
     while (row < stop) {

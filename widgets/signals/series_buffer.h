@@ -4,6 +4,9 @@
 // The history behind the plots: one column of times, and one column of values per signal with levels of minima and
 // maxima. Whatever is asked of it costs as much as there are pixel columns in the answer, not as there are samples
 // in the history. The oldest samples fall out when they are older, or all of them more, than the limits say.
+//
+// The samples may lie in a file instead: then only outlines of them are in memory, and a block of rows is fetched when one
+// of them is asked for.
 
 #include <cstdint>
 #include <memory>
@@ -26,6 +29,7 @@ struct ColumnGrid {
 
     std::int64_t first = 0;  ///< of the history when the grid was cut
     std::int64_t end = 0;
+    std::uint64_t revision = 0;
 
     int columns() const { return static_cast<int>(gapBefore.size()); }
     bool empty() const { return edges.empty() || edges.front() == edges.back(); }
@@ -36,6 +40,14 @@ struct HistoryLimits {
     /// Half an hour, and a block so that it is whole.
     double seconds = 30 * 60 + 10;
     std::size_t bytes = std::size_t{1} << 30;
+};
+
+/// Where the samples are that a history has no values of.
+class SampleFile {
+public:
+    virtual ~SampleFile() = default;
+    /// Gives the history times and values of a block: SeriesBuffer::setTimes(), setRows().
+    virtual void fill(std::int64_t block) = 0;
 };
 
 /// Threads  one (GUI)
@@ -85,23 +97,62 @@ public:
         columns_[static_cast<std::size_t>(column)] = std::move(filled);
     }
 
+    // In a file. Nothing can be appended then; the limits do not hold.
+
+    /// When a sample is, roughly: to be refined by setTimes().
+    struct Mark {
+        std::int64_t sample = 0;
+        double time = 0;  ///< [s]
+    };
+    /// file   must outlive the history
+    /// marks  the first and the last sample among them; between two of them samples come evenly
+    /// gaps   before these samples others were lost, in order
+    void lieIn(SampleFile& file, std::int64_t samples, std::vector<Mark> marks,
+               std::vector<std::int64_t> gaps);
+    bool isInFile() const { return file_ != nullptr; }
+    /// Counts whatever has become known of a history in a file.
+    std::uint64_t revision() const { return revision_; }
+    /// All values of these samples are in memory.
+    bool hasRows(int column, std::int64_t begin, std::int64_t end) const;
+    /// See SeriesColumn. The column that outlineColumn() made has its values in the file.
+    int outlineColumn(Precision precision);
+    void setExtents(int column, std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
+    std::int64_t grainOf(int column, std::int64_t block) const {
+        return columns_[static_cast<std::size_t>(column)].grainOf(block);
+    }
+    void setTimes(std::int64_t block, std::span<const double> times);
+    void setRows(int column, std::int64_t block, std::span<const double> values);
+    /// Lets go of times and values of a block.
+    void forget(std::int64_t block);
+
     /// Samples are numbered from the first one ever appended: first() is the oldest still kept, end() the
     /// next one to come.
     std::int64_t first() const { return first_; }
     std::int64_t end() const { return end_; }
     bool isEmpty() const { return end_ == 0; }
-    double firstTime() const { return isEmpty() ? 0 : time(first_); }
-    double lastTime() const { return isEmpty() ? 0 : time(end_ - 1); }
+    double firstTime() const { return isEmpty() ? 0 : roughTime(first_); }
+    double lastTime() const { return isEmpty() ? 0 : roughTime(end_ - 1); }
 
     double time(std::int64_t sample) const {
         const std::int64_t row = sample - first_;
-        return times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)]
-            ->times[static_cast<std::size_t>(row & kInBlock)];
+        const auto& block = times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)];
+        if (!block) {
+            fetch(row);
+        }
+        return block->times[static_cast<std::size_t>(row & kInBlock)];
     }
     double value(int column, std::int64_t sample) const {
-        return columns_[static_cast<std::size_t>(column)].value(sample - first_);
+        const std::int64_t row = sample - first_;
+        const SeriesColumn& values = columns_[static_cast<std::size_t>(column)];
+        if (file_ != nullptr && values.grainOf(row >> SeriesColumn::kBlockBits) != 1) {
+            fetch(row);
+        }
+        return values.value(row);
     }
     bool gapBefore(std::int64_t sample) const {
+        if (file_ != nullptr) {
+            return hasGap(sample, sample + 1);
+        }
         const std::int64_t row = sample - first_;
         const auto at = static_cast<std::size_t>(row & kInBlock);
         return (times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)]->gaps[at / 64] >>
@@ -141,7 +192,15 @@ private:
 
     void addTime(const Row& row);
     void trim();
-    /// First sample >= time, looking outwards from a guess.
+    /// As it is known, without a look into the file.
+    double roughTime(std::int64_t sample) const {
+        const std::int64_t row = sample - first_;
+        const auto& block = times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)];
+        return block ? block->times[static_cast<std::size_t>(row & kInBlock)] : timeByMarks(row);
+    }
+    double timeByMarks(std::int64_t row) const;
+    void fetch(std::int64_t row) const;
+    /// First sample whose rough time is >= time, looking outwards from a guess.
     std::int64_t lowerBoundNear(double time, std::int64_t guess) const;
     std::int64_t lowerBoundBetween(double time, std::int64_t low, std::int64_t high) const;
 
@@ -150,6 +209,11 @@ private:
     std::int64_t end_ = 0;
     std::vector<std::unique_ptr<TimeBlock>> times_;
     std::vector<SeriesColumn> columns_;
+
+    SampleFile* file_ = nullptr;
+    std::vector<Mark> marks_;
+    std::vector<std::int64_t> gaps_;  ///< of a history in a file
+    std::uint64_t revision_ = 0;
 };
 
 }  // namespace tiller

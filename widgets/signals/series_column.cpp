@@ -143,14 +143,18 @@ void SeriesColumn::completeLevels(Values<Value>& values, std::size_t rows) {
     constexpr std::size_t kFine = std::size_t{1} << kFineBits;
     constexpr std::size_t kCoarse = std::size_t{1} << kCoarseBits;
     const auto fine = RunningExtent<Value>::of(&values.rows[rows - kFine], kFine);
-    values.fine[(rows >> kFineBits) - 1] = {fine.min, fine.max};
+    values.levels.fine[(rows >> kFineBits) - 1] = {fine.min, fine.max};
     if (rows % kCoarse == 0) {
-        RunningExtent<Value> coarse;
-        for (std::size_t i = (rows - kCoarse) >> kFineBits; i < rows >> kFineBits; ++i) {
-            coarse.add(values.fine[i].min, values.fine[i].max);
-        }
-        values.coarse[(rows >> kCoarseBits) - 1] = {coarse.min, coarse.max};
+        completeCoarse(values.levels, (rows >> kCoarseBits) - 1);
     }
+}
+
+template <class Value>
+void SeriesColumn::completeCoarse(Levels<Value>& levels, std::size_t entry) {
+    constexpr std::size_t kFineInCoarse = std::size_t{1} << (kCoarseBits - kFineBits);
+    RunningExtent<Value> coarse;
+    coarse.add(&levels.fine[entry * kFineInCoarse], kFineInCoarse);
+    levels.coarse[entry] = {coarse.min, coarse.max};
 }
 
 void SeriesColumn::completeBlock(Block& block) {
@@ -161,18 +165,38 @@ void SeriesColumn::completeBlock(Block& block) {
         }
     };
     if (block.single) {
-        addAll(block.single->coarse);
+        addAll(block.single->levels.coarse);
     } else if (block.exact) {
-        addAll(block.exact->coarse);
+        addAll(block.exact->levels.coarse);
     } else {
         block.whole.add(block.constant);
     }
 }
 
+/// begin, end  multiples of kSummary
+template <class Value>
+SeriesColumn::RunningExtent<Value> SeriesColumn::extentOf(const Levels<Value>& levels, std::size_t begin,
+                                                          std::size_t end) {
+    constexpr std::size_t kCoarse = std::size_t{1} << kCoarseBits;
+    RunningExtent<Value> range;
+    const auto addFine = [&](std::size_t from, std::size_t to) {
+        range.add(&levels.fine[from >> kFineBits], (to - from) >> kFineBits);
+    };
+    const std::size_t firstCoarse = (begin + kCoarse - 1) & ~(kCoarse - 1);
+    const std::size_t lastCoarse = end & ~(kCoarse - 1);
+    if (firstCoarse >= lastCoarse) {
+        addFine(begin, end);
+    } else {
+        addFine(begin, firstCoarse);
+        range.add(&levels.coarse[firstCoarse >> kCoarseBits], (lastCoarse - firstCoarse) >> kCoarseBits);
+        addFine(lastCoarse, end);
+    }
+    return range;
+}
+
 template <class Value>
 void SeriesColumn::addRange(const Values<Value>& values, std::size_t begin, std::size_t end, MinMax& sum) {
     constexpr std::size_t kFine = std::size_t{1} << kFineBits;
-    constexpr std::size_t kCoarse = std::size_t{1} << kCoarseBits;
     RunningExtent<Value> range;
     const auto addRows = [&](std::size_t from, std::size_t to) {
         const auto part = RunningExtent<Value>::of(&values.rows[from], to - from);
@@ -186,23 +210,139 @@ void SeriesColumn::addRange(const Values<Value>& values, std::size_t begin, std:
         if (begin < firstFine) {
             addRows(begin, firstFine);
         }
-        const auto addFine = [&](std::size_t from, std::size_t to) {
-            range.add(&values.fine[from >> kFineBits], (to - from) >> kFineBits);
-        };
-        const std::size_t firstCoarse = (firstFine + kCoarse - 1) & ~(kCoarse - 1);
-        const std::size_t lastCoarse = lastFine & ~(kCoarse - 1);
-        if (firstCoarse >= lastCoarse) {
-            addFine(firstFine, lastFine);
-        } else {
-            addFine(firstFine, firstCoarse);
-            range.add(&values.coarse[firstCoarse >> kCoarseBits], (lastCoarse - firstCoarse) >> kCoarseBits);
-            addFine(lastCoarse, lastFine);
-        }
+        const auto whole = extentOf(values.levels, firstFine, lastFine);
+        range.add(whole.min, whole.max);
         if (lastFine < end) {
             addRows(lastFine, end);
         }
     }
     sum.add(MinMax{static_cast<double>(range.min), static_cast<double>(range.max)});
+}
+
+void SeriesColumn::addOutline(const Outline& outline, std::size_t begin, std::size_t end, MinMax& sum) {
+    constexpr std::size_t kFine = std::size_t{1} << kFineBits;
+    const std::size_t from = begin & ~(kFine - 1);
+    const std::size_t to = (end + kFine - 1) & ~(kFine - 1);
+    const auto add = [&sum](const auto& range) {
+        sum.add(MinMax{static_cast<double>(range.min), static_cast<double>(range.max)});
+    };
+    if (outline.single) {
+        add(extentOf(*outline.single, from, to));
+    } else if (outline.exact) {
+        add(extentOf(*outline.exact, from, to));
+    } else {
+        constexpr auto kHalf = std::size_t(kBlockRows) / 2;
+        for (std::size_t half = begin / kHalf; half <= (end - 1) / kHalf; ++half) {
+            sum.add(outline.halves[half]);
+        }
+    }
+}
+
+void SeriesColumn::outline(std::int64_t rows) {
+    blocks_.clear();
+    rows_ = rows;
+    bytes_ = 0;
+    blocks_.reserve(static_cast<std::size_t>((rows + kBlockRows - 1) / kBlockRows));
+    for (std::int64_t row = 0; row < rows; row += kBlockRows) {
+        Block& block = blocks_.emplace_back();
+        block.constant = kNoValue;
+        block.outline = std::make_unique<Outline>();
+        block.grain = kBlockRows;
+        bytes_ += sizeof(Block) + sizeof(Outline);
+    }
+}
+
+template <class Value>
+void SeriesColumn::setExtent(std::unique_ptr<Levels<Value>>& levels, std::size_t at, std::size_t rows,
+                             const MinMax& extent) {
+    if (!levels) {
+        levels = std::make_unique_for_overwrite<Levels<Value>>();
+        bytes_ += sizeof(*levels);
+        const RunningExtent<Value> none;
+        levels->fine.fill({none.min, none.max});
+        levels->coarse.fill({none.min, none.max});
+    }
+    const Extent<Value> entry{static_cast<Value>(extent.min), static_cast<Value>(extent.max)};
+    const std::size_t end = at + rows;
+    std::fill(levels->fine.begin() + static_cast<std::ptrdiff_t>(at >> kFineBits),
+              levels->fine.begin() + static_cast<std::ptrdiff_t>(end >> kFineBits), entry);
+    // A coarse entry is made anew with each of its parts, and is whole with the last.
+    for (std::size_t coarse = at >> kCoarseBits; coarse <= (end - 1) >> kCoarseBits; ++coarse) {
+        completeCoarse(*levels, coarse);
+    }
+}
+
+void SeriesColumn::setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents) {
+    std::int64_t row = first;
+    for (std::size_t i = 0; i < extents.size() && row < rows_; ++i, row += rowsEach) {
+        Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];
+        Outline& known = *block.outline;
+        const auto at = static_cast<std::size_t>(row & (kBlockRows - 1));
+        if (rowsEach == kBlockRows / 2) {
+            known.halves[at == 0 ? 0 : 1] = extents[i];
+            if (block.grain != 1) {
+                block.whole = {};
+                block.whole.add(known.halves[0]);
+                block.whole.add(known.halves[1]);
+            }
+        } else if (precision_ == Precision::Single) {
+            setExtent(known.single, at, static_cast<std::size_t>(rowsEach), extents[i]);
+        } else {
+            setExtent(known.exact, at, static_cast<std::size_t>(rowsEach), extents[i]);
+        }
+        known.grain = std::min(known.grain, rowsEach);
+        block.grain = block.grain == 1 ? 1 : known.grain;
+    }
+}
+
+template <class Value>
+void SeriesColumn::setRowsAs(Block& block, std::span<const double> values) {
+    const std::size_t count = std::min(values.size(), std::size_t(kBlockRows));
+    const auto first = static_cast<Value>(count == 0 ? kNoValue : values[0]);
+    block.constant = static_cast<double>(first);
+    const bool same =
+        std::all_of(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count),
+                    [&](double value) { return isSame(static_cast<Value>(value), block.constant); });
+    if (same) {
+        return;
+    }
+    auto& into = valuesOf<Value>(block);
+    into = std::make_unique_for_overwrite<Values<Value>>();
+    bytes_ += sizeof(*into);
+    std::transform(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count), into->rows.begin(),
+                   [](double value) { return static_cast<Value>(value); });
+    constexpr std::size_t kFine = std::size_t{1} << kFineBits;
+    for (std::size_t done = kFine; done <= count; done += kFine) {
+        completeLevels(*into, done);
+    }
+}
+
+void SeriesColumn::setRows(std::int64_t number, std::span<const double> values) {
+    Block& block = blocks_[static_cast<std::size_t>(number)];
+    if (block.grain == 1) {
+        return;
+    }
+    if (precision_ == Precision::Single) {
+        setRowsAs<float>(block, values);
+    } else {
+        setRowsAs<double>(block, values);
+    }
+    block.grain = 1;
+    if (values.size() == std::size_t(kBlockRows)) {
+        completeBlock(block);
+    }
+}
+
+void SeriesColumn::forgetRows(std::int64_t number) {
+    Block& block = blocks_[static_cast<std::size_t>(number)];
+    if (!block.outline || block.grain != 1) {
+        return;
+    }
+    bytes_ -= (block.single ? sizeof(*block.single) : 0) + (block.exact ? sizeof(*block.exact) : 0);
+    block.single.reset();
+    block.exact.reset();
+    block.constant = kNoValue;
+    block.grain = block.outline->grain;
 }
 
 MinMax SeriesColumn::minMax(std::int64_t begin, std::int64_t end) const {
@@ -217,6 +357,8 @@ MinMax SeriesColumn::minMax(std::int64_t begin, std::int64_t end) const {
         const auto until = static_cast<std::size_t>(to - blockBegin);
         if (from == 0 && to - at == kBlockRows) {
             sum.add(block.whole);
+        } else if (block.grain != 1) {
+            addOutline(*block.outline, from, until, sum);
         } else if (block.single) {
             addRange(*block.single, from, until, sum);
         } else if (block.exact) {

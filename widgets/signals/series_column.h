@@ -3,6 +3,9 @@
 
 // The values of one signal, block by block, with levels of minima and maxima inside each block. A block whose values
 // are all the same holds that value and nothing else: registers, modes and words of bits cost next to nothing.
+//
+// Of a column that lies in a file only outlines may be known: the extents of so many rows each. What is asked about rows
+// that are not there is answered from them, and may then be the extent of more rows than were asked for, never of fewer.
 
 #include <array>
 #include <bit>
@@ -10,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "widgets/signals/min_max.h"
@@ -50,6 +54,20 @@ public:
     /// The oldest block falls out.
     void dropBlock();
 
+    // Of a column in a file.
+
+    /// Rows that lie in the file: nothing is known of them yet. The column has no others.
+    void outline(std::int64_t rows);
+    /// Extents of `rowsEach` rows each, from a row on that is a multiple of it; an empty one where there are no values.
+    /// rowsEach  a multiple of kSummary that divides a block
+    void setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
+    /// The values of a block.
+    void setRows(std::int64_t block, std::span<const double> values);
+    /// Goes back to what was known before setRows().
+    void forgetRows(std::int64_t block);
+    /// How many rows an extent that is known of this block has: kBlockRows at first, and 1 when its rows are there.
+    std::int64_t grainOf(std::int64_t block) const { return blocks_[static_cast<std::size_t>(block)].grain; }
+
     double value(std::int64_t row) const {
         const Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];
         const auto at = static_cast<std::size_t>(row & (kBlockRows - 1));
@@ -72,8 +90,8 @@ public:
                 __builtin_prefetch(&block.single->rows[fine]);
                 __builtin_prefetch(&block.single->rows[fine + (std::size_t{1} << (kFineBits - 1))]);
             }
-            __builtin_prefetch(&block.single->fine[at >> kFineBits]);
-            __builtin_prefetch(&block.single->coarse[at >> kCoarseBits]);
+            __builtin_prefetch(&block.single->levels.fine[at >> kFineBits]);
+            __builtin_prefetch(&block.single->levels.coarse[at >> kCoarseBits]);
         }
 #endif
     }
@@ -94,18 +112,32 @@ private:
     };
     /// The fine entries of a coarse one are a cache line.
     template <class Value>
-    struct alignas(64) Values {
-        std::array<Value, std::size_t(kBlockRows)> rows;
+    struct alignas(64) Levels {
         std::array<Extent<Value>, kFineEntries> fine;
         std::array<Extent<Value>, kCoarseEntries> coarse;
     };
     template <class Value>
+    struct Values {
+        std::array<Value, std::size_t(kBlockRows)> rows;
+        Levels<Value> levels;
+    };
+    template <class Value>
     struct RunningExtent;
+    /// What is known of a block in a file besides its rows.
+    struct Outline {
+        /// Of equal parts of the block, as many as it is worth without levels.
+        std::array<MinMax, 2> halves;
+        std::unique_ptr<Levels<float>> single;
+        std::unique_ptr<Levels<double>> exact;
+        std::int64_t grain = kBlockRows;
+    };
     struct Block {
         double constant = 0;  ///< of every row, while there are no values
         std::unique_ptr<Values<float>> single;
         std::unique_ptr<Values<double>> exact;
-        MinMax whole;  ///< of a block that is full
+        MinMax whole;                      ///< of a block that is full
+        std::unique_ptr<Outline> outline;  ///< of a block in a file
+        std::int64_t grain = 1;
     };
 
     template <class Value>
@@ -153,9 +185,19 @@ private:
     void spread(Block& block, std::size_t rows);
     template <class Value>
     static void completeLevels(Values<Value>& values, std::size_t rows);
+    template <class Value>
+    static void completeCoarse(Levels<Value>& levels, std::size_t entry);
     static void completeBlock(Block& block);
     template <class Value>
     static void addRange(const Values<Value>& values, std::size_t begin, std::size_t end, MinMax& sum);
+    template <class Value>
+    static RunningExtent<Value> extentOf(const Levels<Value>& levels, std::size_t begin, std::size_t end);
+    static void addOutline(const Outline& outline, std::size_t begin, std::size_t end, MinMax& sum);
+    template <class Value>
+    void setExtent(std::unique_ptr<Levels<Value>>& levels, std::size_t at, std::size_t rows,
+                   const MinMax& extent);
+    template <class Value>
+    void setRowsAs(Block& block, std::span<const double> values);
 
     Precision precision_;
     std::int64_t rows_ = 0;

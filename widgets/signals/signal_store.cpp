@@ -17,6 +17,30 @@ constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
 /// Behind the newest sample its value holds for as long [s].
 constexpr double kHolds = 0.05;
 
+/// The rows of a recording become samples without values.
+Result<void> readTimes(const recording::Recording& file, SeriesBuffer& history, double begin) {
+    const Result<std::vector<double>> times = file.times({0, file.rows()});
+    if (!times) {
+        return times.error();
+    }
+    std::vector<SeriesBuffer::Row> rows;
+    rows.reserve(times->size());
+    for (const double time : *times) {
+        double at = begin + time;
+        if (!rows.empty() && !(at > rows.back().time)) {
+            at = std::nextafter(rows.back().time, std::numeric_limits<double>::infinity());
+        }
+        rows.push_back({at, false});
+    }
+    for (const recording::RecordedGap& gap : file.gaps()) {
+        if (gap.row < rows.size()) {
+            rows[gap.row].gapBefore = true;
+        }
+    }
+    history.appendRows(rows, [](std::size_t, std::size_t) { return kNoData; });
+    return {};
+}
+
 }  // namespace
 
 SignalStore::SignalStore(const HistoryLimits& limits, QObject* parent) : QObject(parent), limits_(limits) {
@@ -207,6 +231,9 @@ QStringList SignalStore::fieldsFor(const QHash<const void*, QSet<int>>& wanted) 
 
 bool SignalStore::want(const void* who, const QSet<int>& shown) {
     problem_.clear();
+    if (!loadOutlines(shown)) {
+        return false;
+    }
     for (const int signal : shown) {
         if (!load(signal)) {
             return false;
@@ -242,12 +269,20 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
 Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, double begin) {
     const Error empty{ErrorCode::InvalidArgument, tr("open %1").arg(file->path()),
                       tr("There is no row in this recording.")};
-    const Result<std::vector<double>> times = file->times({0, file->rows()});
-    if (!times) {
-        return times.error();
-    }
-    if (times->empty()) {
+    if (file->rows() == 0) {
         return empty;
+    }
+    auto history =
+        std::make_unique<SeriesBuffer>(0, HistoryLimits{1e12, std::numeric_limits<std::size_t>::max()});
+    std::unique_ptr<HistoryFile> pieces;
+    if (HistoryFile::isWorthIt(*file)) {
+        auto made = HistoryFile::make(*file, *history, begin);
+        if (!made) {
+            return made.error();
+        }
+        pieces = std::move(made).value();
+    } else if (const Result<void> read = readTimes(*file, *history, begin); !read) {
+        return read.error();
     }
     const QString plain = QFileInfo(file->path()).fileName();
     QString name = plain;
@@ -258,24 +293,9 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
     for (int more = 2; isTaken(name); ++more) {
         name = QStringLiteral("%1 (%2)").arg(plain).arg(more);
     }
-    std::vector<SeriesBuffer::Row> rows;
-    rows.reserve(times->size());
-    for (const double time : *times) {
-        double at = begin + time;
-        if (!rows.empty() && !(at > rows.back().time)) {
-            at = std::nextafter(rows.back().time, std::numeric_limits<double>::infinity());
-        }
-        rows.push_back({at, false});
-    }
-    for (const recording::RecordedGap& gap : file->gaps()) {
-        if (gap.row < rows.size()) {
-            rows[gap.row].gapBefore = true;
-        }
-    }
     Table& table = tables_.emplace_back();
-    table.buffer =
-        std::make_unique<SeriesBuffer>(0, HistoryLimits{1e12, std::numeric_limits<std::size_t>::max()});
-    table.buffer->appendRows(rows, [](std::size_t, std::size_t) { return kNoData; });
+    table.buffer = std::move(history);
+    table.pieces = std::move(pieces);
     table.name = name;
     // What the robot's own signals are called is what they are called here.
     QHash<QString, QVector<int>> known;
@@ -318,6 +338,70 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
     return name;
 }
 
+std::optional<std::size_t> SignalStore::fileColumnOf(int signal) const {
+    const Signal& wanted = signals_[static_cast<std::size_t>(signal)];
+    const Table& table = tables_[static_cast<std::size_t>(wanted.table)];
+    return table.file->indexOf(wanted.info.field.toStdString());
+}
+
+bool SignalStore::hasRoomFor(int signal, std::size_t bytes) {
+    if (memoryBytes() + bytes <= limits_.bytes) {
+        return true;
+    }
+    problem_ = tr("There is too little memory for the history to show %1: choose more in the menu Layout.")
+                   .arg(info(signal).longLabel);
+    return false;
+}
+
+bool SignalStore::loadOutlines(const QSet<int>& shown) {
+    for (std::size_t number = kFirstRecording; number < tables_.size(); ++number) {
+        Table& table = tables_[number];
+        std::vector<std::string> names;
+        std::vector<std::size_t> columns;
+        std::vector<Precision> precisions;
+        std::size_t bytes = 0;
+        for (const int signal : shown) {
+            const Signal& wanted = signals_[static_cast<std::size_t>(signal)];
+            const std::string name = wanted.info.field.toStdString();
+            const auto has = [&name](const std::vector<std::string>& list) {
+                return std::find(list.begin(), list.end(), name) != list.end();
+            };
+            if (!table.pieces || wanted.table != static_cast<int>(number) || wanted.column >= 0 ||
+                wanted.derivation || has(table.columns) || has(names)) {
+                continue;
+            }
+            names.push_back(name);
+            columns.push_back(*fileColumnOf(signal));
+            precisions.push_back(wanted.info.precision());
+            const std::size_t extent =
+                2 * (precisions.back() == Precision::Single ? sizeof(float) : sizeof(double));
+            bytes += table.file->rows() / static_cast<std::uint64_t>(SeriesColumn::kSummary) * extent;
+            if (!hasRoomFor(signal, bytes)) {
+                return false;
+            }
+        }
+        if (columns.empty()) {
+            continue;
+        }
+        const auto added = table.pieces->add(columns, precisions);
+        if (!added) {
+            problem_ = added.error().toString();
+            return false;
+        }
+        table.columns.insert(table.columns.end(), names.begin(), names.end());
+        table.derived.resize(table.columns.size(), -1);
+    }
+    return true;
+}
+
+bool SignalStore::sharpen(const SeriesBuffer& history, std::int64_t begin, std::int64_t end, int pixelColumns,
+                          HistoryFile::Effort effort) {
+    const auto table = std::find_if(tables_.begin(), tables_.end(),
+                                    [&](const Table& each) { return each.buffer.get() == &history; });
+    return table != tables_.end() && table->pieces &&
+           table->pieces->sharpen(begin, end, pixelColumns, effort);
+}
+
 bool SignalStore::load(int signal) {
     Signal& wanted = signals_[static_cast<std::size_t>(signal)];
     if (wanted.table < kFirstRecording || wanted.column >= 0) {
@@ -332,13 +416,10 @@ bool SignalStore::load(int signal) {
     }
     const std::uint64_t rows = table.file->rows();
     const std::size_t size = wanted.info.precision() == Precision::Single ? sizeof(float) : sizeof(double);
-    if (memoryBytes() + rows * size > limits_.bytes) {
-        problem_ =
-            tr("There is too little memory for the history to show %1: choose more in the menu Layout.")
-                .arg(wanted.info.longLabel);
+    if (!hasRoomFor(signal, rows * size)) {
         return false;
     }
-    const std::optional<std::size_t> column = table.file->indexOf(name);
+    const std::optional<std::size_t> column = fileColumnOf(signal);
     constexpr std::uint64_t kAtOnce = 1 << 16;
     std::vector<double> part;
     std::uint64_t partBegin = 0;

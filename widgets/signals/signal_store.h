@@ -18,6 +18,7 @@
 #include "robot/receive/sample.h"
 #include "robot/recording/recording.h"
 #include "widgets/signals/derivation.h"
+#include "widgets/signals/history_file.h"
 #include "widgets/signals/series_buffer.h"
 #include "widgets/signals/signal_info.h"
 
@@ -76,6 +77,10 @@ public:
     /// What the robot sent last at this time, whole: of a recording, or, with no name, of what is live. Empty in a gap
     /// and where there are no data.
     receive::Sample sampleAt(const QString& recording, double time) const;
+    /// Before these samples are drawn in so many pixel columns: a long recording fetches what is needed.
+    /// Returns  true when another turn makes it sharper
+    bool sharpen(const SeriesBuffer& history, std::int64_t begin, std::int64_t end, int pixelColumns,
+                 HistoryFile::Effort effort);
     /// The signals of an opened recording.
     std::vector<int> signalsOf(const QString& recording) const;
     /// Lets go of all recordings. Nobody may show them any more.
@@ -124,6 +129,7 @@ private:
         std::vector<int> derived;  ///< the signal whose column it is; -1: it is the robot's
         QString name{};            ///< of a recording
         std::unique_ptr<recording::Recording> file{};
+        std::unique_ptr<HistoryFile> pieces{};  ///< of a long one, which is not read as a whole
         /// What sampleAt() makes of it.
         std::shared_ptr<const receive::SampleLayout> layout{};
         std::vector<std::size_t> places{};  ///< of the file's columns in a sample
@@ -161,6 +167,10 @@ private:
     }
     void share();
     bool load(int signal);
+    /// Outlines of those that are of long recordings, all at once.
+    bool loadOutlines(const QSet<int>& shown);
+    std::optional<std::size_t> fileColumnOf(int signal) const;
+    bool hasRoomFor(int signal, std::size_t bytes);
     QStringList fieldsFor(const QHash<const void*, QSet<int>>& wanted) const;
 
     HistoryLimits limits_;

@@ -23,6 +23,8 @@ using std::chrono::steady_clock;
 
 constexpr std::size_t kCloseAt = 4u << 20;
 constexpr std::size_t kCloseSummaryAt = 1u << 20;
+constexpr std::size_t kMostSummaries =
+    300;  // in a chunk: what a crash takes away has to be made from the rows
 
 class McapEncoder : public RecordingEncoder {
 public:
@@ -101,7 +103,9 @@ public:
         }
         if (how == Close::Last) {
             levels_.finish();
-            writer_.add(summary_);
+            for (ChunkBuilder& summary : summaries_) {
+                writer_.add(summary);
+            }
             writer_.finish();
         }
         RecordedPart out = std::exchange(closed_, {});
@@ -163,9 +167,10 @@ private:
             summaryChannels_[level] = channel(summaryType().name, summaryType().definition, topic.c_str(),
                                               {{kSummaryColumns, columnNames_}});
         }
-        put(summary_, record, summaryChannels_[level]);
-        if (summary_.size() >= kCloseSummaryAt) {
-            writer_.add(summary_);
+        // Each level in chunks of its own: who looks at hours unpacks the coarse ones and nothing else.
+        put(summaries_[level], record, summaryChannels_[level]);
+        if (summaries_[level].size() >= kCloseSummaryAt || summaries_[level].count() >= kMostSummaries) {
+            writer_.add(summaries_[level]);
         }
     }
 
@@ -185,7 +190,7 @@ private:
     SummaryLevels levels_;
     ChunkBuilder rows_;
     ChunkBuilder companions_;
-    ChunkBuilder summary_;
+    std::array<ChunkBuilder, kSummaryLevels> summaries_;
     std::optional<RobotStateMessage> state_;
     std::uint16_t stateChannel_ = 0;
     std::vector<std::pair<std::string_view, std::uint16_t>> channels_;

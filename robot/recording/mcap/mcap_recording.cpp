@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <list>
 #include <unordered_map>
 
@@ -27,7 +28,7 @@ constexpr std::size_t kMostStateChannels = 64;
 constexpr std::size_t kMostColumns = 20'000;
 constexpr int kMostProblems = 20;
 constexpr double kAbsent = receive::kAbsent;
-constexpr std::size_t kChunksKept = 8;
+constexpr std::size_t kChunksKept = 24;  // as many as a block of the history has
 
 /// A chunk with robot states, in the order of the file.
 struct RowChunk {
@@ -47,6 +48,12 @@ struct UnpackedRows {
     std::vector<Row> rows;
 };
 
+/// Messages of one channel in one chunk.
+struct Share {
+    std::size_t chunk = 0;               ///< in the reader's list
+    std::optional<std::uint64_t> count;  ///< nothing: the file's index is lost there
+};
+
 /// A channel of states: its layout, and which column each number of it is.
 struct StateChannel {
     RobotStateLayout layout;
@@ -59,6 +66,7 @@ public:
         : reader_(std::move(reader)), problems_(reader_->problems()) {}
 
     Result<void> prepare() {
+        findShares();
         findChannels();
         if (states_.empty()) {
             return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path()),
@@ -151,6 +159,43 @@ public:
         return Recording::summaries(wanted, part, blocks);
     }
 
+    std::vector<std::uint64_t> summaryRows() const override {
+        std::vector<std::uint64_t> kept;
+        for (std::size_t level = 0; level < kSummaryLevels; ++level) {
+            // Behind a crash the last of them are missing, and made from rows.
+            const std::uint64_t each = rowsOfLevel(level);
+            std::uint64_t there = 0;
+            const auto found = levelChannels_[level] ? shares_.find(*levelChannels_[level]) : shares_.end();
+            for (std::size_t i = 0; found != shares_.end() && i < found->second.size(); ++i) {
+                there += found->second[i].count.value_or(0);
+            }
+            if (there > rows_ / each / 2) {
+                kept.push_back(each);
+            }
+        }
+        return kept;
+    }
+
+    Result<std::vector<TimeMark>> timeMarks() const override {
+        std::vector<TimeMark> marks;
+        if (rows_ == 0) {
+            return marks;
+        }
+        // Log times are arrivals: the first row says how much later they are.
+        const std::uint64_t arrival = reader_->chunks()[rowChunks_.front().chunk].startTime;
+        for (const RowChunk& chunk : rowChunks_) {
+            const std::uint64_t time = reader_->chunks()[chunk.chunk].startTime;
+            const double seconds = static_cast<double>(static_cast<std::int64_t>(time - arrival)) /
+                                   static_cast<double>(kNsPerSecond);
+            marks.push_back({chunk.firstRow, marks.empty() ? 0 : std::max(seconds, marks.back().seconds)});
+        }
+        const auto last = times({rows_ - 1, 1});
+        if (last && !last->empty() && rows_ - 1 > marks.back().row) {
+            marks.push_back({rows_ - 1, std::max(last->front(), marks.back().seconds)});
+        }
+        return marks;
+    }
+
     Result<std::uint64_t> rowAt(double seconds) const override {
         if (rowChunks_.empty()) {
             return 0;
@@ -188,6 +233,23 @@ private:
         }
     }
 
+    void findShares() {
+        for (std::size_t i = 0; i < reader_->chunks().size(); ++i) {
+            const ChunkIndex& chunk = reader_->chunks()[i];
+            if (chunk.messageIndexes.empty()) {
+                for (const auto& [number, channel] : reader_->channels()) {
+                    shares_[number].push_back({i, std::nullopt});
+                }
+            }
+            for (const auto& [number, offset] : chunk.messageIndexes) {
+                shares_[number].push_back({i, reader_->messagesIn(chunk, number)});
+            }
+        }
+        for (std::size_t level = 0; level < kSummaryLevels; ++level) {
+            levelChannels_[level] = channelOf(kSummaryTopic + std::to_string(rowsOfLevel(level)));
+        }
+    }
+
     void findChannels() {
         std::unordered_map<std::string, std::size_t> known;
         for (const auto& [number, channel] : reader_->channels()) {
@@ -213,28 +275,28 @@ private:
         }
     }
 
-    std::uint64_t rowsIn(std::size_t number) const {
-        const ChunkIndex& chunk = reader_->chunks()[number];
-        std::uint64_t count = 0;
-        for (const auto& [channel, state] : states_) {
-            const auto named = reader_->messagesIn(chunk, channel);
-            if (!named) {
-                return unpack({number, 0, 0}).rows.size();  // its index is lost: count them
-            }
-            count += *named;
-        }
-        return count;
-    }
-
     void findRows() {
-        for (std::size_t i = 0; i < reader_->chunks().size(); ++i) {
+        std::map<std::size_t, std::uint64_t> counts;  // by chunk
+        for (const auto& [channel, state] : states_) {
+            const auto found = shares_.find(channel);
+            for (std::size_t i = 0; found != shares_.end() && i < found->second.size(); ++i) {
+                const Share& share = found->second[i];
+                if (share.count) {
+                    counts[share.chunk] += *share.count;
+                } else if (!counts.contains(share.chunk)) {
+                    counts[share.chunk] =
+                        unpack({share.chunk, 0, 0}).rows.size();  // its index is lost: count them
+                }
+            }
+        }
+        for (const auto& [number, named] : counts) {
             // One message takes more than that, so a broken index cannot make up rows without end.
             constexpr std::uint64_t kLeastMessage = 31;
-            const std::uint64_t most = reader_->chunks()[i].uncompressedSize / kLeastMessage;
-            const std::uint64_t count = std::min(rowsIn(i), most);
+            const std::uint64_t most = reader_->chunks()[number].uncompressedSize / kLeastMessage;
+            const std::uint64_t count = std::min(named, most);
             constexpr std::uint64_t kMostInChunk = 10'000'000;
             if (count > 0 && count < kMostInChunk) {
-                rowChunks_.push_back({i, rows_, count});
+                rowChunks_.push_back({number, rows_, count});
                 rows_ += count;
             }
         }
@@ -288,24 +350,25 @@ private:
         return std::nullopt;
     }
 
+    void eachMessageOf(const Share& share, std::uint16_t channel,
+                       const std::function<void(const Message&)>& sink) const {
+        const auto records = reader_->records(reader_->chunks()[share.chunk]);
+        if (!records) {
+            problem(records.error().controllerMessage);
+            return;
+        }
+        Reader::forEachMessage(records.value(), [&](const Message& message) {
+            if (message.channel == channel) {
+                sink(message);
+            }
+        });
+    }
+
     /// Calls sink for each message of a channel, without unpacking chunks that have none.
-    template <class Sink>
-    void eachMessage(std::uint16_t channel, Sink sink) const {
-        for (const ChunkIndex& chunk : reader_->chunks()) {
-            const auto count = reader_->messagesIn(chunk, channel);
-            if (count && *count == 0) {
-                continue;
-            }
-            const auto records = reader_->records(chunk);
-            if (!records) {
-                problem(records.error().controllerMessage);
-                continue;
-            }
-            Reader::forEachMessage(records.value(), [&](const Message& message) {
-                if (message.channel == channel) {
-                    sink(message);
-                }
-            });
+    void eachMessage(std::uint16_t channel, const std::function<void(const Message&)>& sink) const {
+        const auto found = shares_.find(channel);
+        for (std::size_t i = 0; found != shares_.end() && i < found->second.size(); ++i) {
+            eachMessageOf(found->second[i], channel, sink);
         }
     }
 
@@ -325,25 +388,35 @@ private:
         if (!lost) {
             return;
         }
-        // Only where the summary says that something is missing are the rows themselves looked at.
         const std::array<std::size_t, 1> wanted{*lost};
-        std::uint64_t covered = 0;
-        for (std::size_t level = kSummaryLevels; level-- > 0 && covered == 0;) {
-            const auto summary = readLevel(level, wanted);
-            if (summary.empty() || summary.front().max.empty()) {
+        findGaps(wanted, {0, rows_}, kSummaryLevels);
+    }
+
+    /// Only where a summary says that something is missing are finer ones looked at, and the rows themselves last.
+    /// level  those from here on have been looked at
+    void findGaps(std::span<const std::size_t> lost, RowRange range, std::size_t level) {
+        while (level > 0) {
+            --level;
+            const auto blocks = levelChannels_[level] ? fromSummaries(level, lost, range) : std::nullopt;
+            if (!blocks) {
                 continue;
             }
-            const ColumnSummary& blocks = summary.front();
-            for (std::size_t i = 0; i < blocks.max.size(); ++i) {
-                if (blocks.max[i] > 0) {
-                    findGaps(wanted, {i * blocks.rowsEach, blocks.rowsEach});
+            const ColumnSummary& summary = blocks->front();
+            // Neighbours together: a chunk that serves both is unpacked once.
+            for (std::size_t i = 0; i < summary.max.size();) {
+                std::size_t end = i;
+                while (end < summary.max.size() && summary.max[end] > 0) {
+                    ++end;
                 }
+                if (end > i) {
+                    const std::uint64_t first = summary.firstRow + i * summary.rowsEach;
+                    findGaps(lost, within({first, (end - i) * summary.rowsEach}, rows_), level);
+                }
+                i = end + 1;
             }
-            covered = blocks.max.size() * blocks.rowsEach;
+            return;
         }
-        if (covered < rows_) {
-            findGaps(wanted, {covered, rows_ - covered});
-        }
+        findGaps(lost, range);
     }
 
     void findGaps(std::span<const std::size_t> lost, RowRange range) {
@@ -365,33 +438,51 @@ private:
         }
     }
 
-    /// All complete summaries of one level from row 0 on, as far as they follow one another.
-    std::vector<ColumnSummary> readLevel(std::size_t level, std::span<const std::size_t> wanted) const {
+    /// The complete summaries of one level from a row on, which is at the beginning of one, as far as they follow one
+    /// another.
+    /// until  those behind this row are not needed
+    std::vector<ColumnSummary> readLevel(std::size_t level, std::span<const std::size_t> wanted,
+                                         std::uint64_t from, std::uint64_t until) const {
         std::vector<ColumnSummary> out(wanted.size());
-        const auto channel = channelOf(kSummaryTopic + std::to_string(rowsOfLevel(level)));
-        if (!channel) {
+        const auto channel = levelChannels_[level];
+        const auto found = channel ? shares_.find(*channel) : shares_.end();
+        if (found == shares_.end()) {
             return {};
         }
         const std::vector<std::size_t> places = summaryPlaces(*channel, wanted);
-        for (ColumnSummary& each : out) {
-            each.rowsEach = rowsOfLevel(level);
+        const std::uint64_t each = rowsOfLevel(level);
+        for (ColumnSummary& column : out) {
+            column.firstRow = from;
+            column.rowsEach = each;
         }
-        std::uint64_t next = 0;
-        eachMessage(*channel, [&](const Message& message) {
-            SummaryMessage summary;
-            const bool last =
-                readSummary(message.data, summary) && summary.firstRow + summary.rowsEach == rows_;
-            if (summary.firstRow != next || (summary.rowsEach != rowsOfLevel(level) && !last)) {
-                return;
+        std::uint64_t next = from;
+        std::uint64_t row = 0;  // the first one of the chunk
+        SummaryMessage part;
+        for (const Share& share : found->second) {
+            if (share.count && row + *share.count * each <= from) {
+                row += *share.count * each;
+                continue;
             }
-            next += summary.rowsEach;
-            for (std::size_t i = 0; i < wanted.size(); ++i) {
-                const bool there = places[i] < summary.min.size();
-                out[i].min.push_back(there ? summary.min[places[i]] : kAbsent);
-                out[i].max.push_back(there ? summary.max[places[i]] : kAbsent);
-                out[i].mean.push_back(there ? summary.mean[places[i]] : kAbsent);
+            if (row >= until) {
+                break;
             }
-        });
+            eachMessageOf(share, *channel, [&](const Message& message) {
+                if (!readSummary(message.data, places, part)) {
+                    return;
+                }
+                const bool last = part.firstRow + part.rowsEach == rows_;
+                if (part.firstRow != next || (part.rowsEach != each && !last)) {
+                    return;
+                }
+                next += part.rowsEach;
+                for (std::size_t i = 0; i < wanted.size(); ++i) {
+                    out[i].min.push_back(part.min[i]);
+                    out[i].max.push_back(part.max[i]);
+                    out[i].mean.push_back(part.mean[i]);
+                }
+            });
+            row = next;
+        }
         return out;
     }
 
@@ -418,26 +509,21 @@ private:
                                                             std::span<const std::size_t> wanted,
                                                             RowRange range) const {
         const std::uint64_t each = rowsOfLevel(level);
-        std::vector<ColumnSummary> all = readLevel(level, wanted);
+        const std::uint64_t first = range.first / each;
+        const std::uint64_t last = (range.first + range.count + each - 1) / each;  // one past
+        std::vector<ColumnSummary> all = readLevel(level, wanted, first * each, last * each);
         if (all.empty() || wanted.empty()) {
             return std::nullopt;
         }
-        const std::uint64_t first = range.first / each;
-        const std::uint64_t last = (range.first + range.count + each - 1) / each;  // one past
-        const std::uint64_t there = all.front().min.size();
+        const std::uint64_t there = first + all.front().min.size();
         // A block more or less at the end is nothing; most of the range missing is what another level may have.
-        if (there < first + (last - first) / 2) {
+        if (there < first + (last - first + 1) / 2) {
             return std::nullopt;
         }
         for (ColumnSummary& summary : all) {
-            const auto cut = [&](std::vector<double>& numbers) {
-                numbers.resize(static_cast<std::size_t>(std::min(there, last)));
-                numbers.erase(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(first));
-            };
-            cut(summary.min);
-            cut(summary.max);
-            cut(summary.mean);
-            summary.firstRow = first * each;
+            for (std::vector<double>* numbers : {&summary.min, &summary.max, &summary.mean}) {
+                numbers->resize(static_cast<std::size_t>(std::min(there, last) - first));
+            }
         }
         for (std::uint64_t block = there; block < last; ++block) {
             const auto rest = Recording::summaries(wanted, within({block * each, each}, rows_), 1);
@@ -505,6 +591,8 @@ private:
     mutable QStringList problems_;
     std::map<std::uint16_t, StateChannel> states_;
     std::vector<RecordedColumn> columns_;
+    std::map<std::uint16_t, std::vector<Share>> shares_;  ///< by channel, in the order of the file
+    std::array<std::optional<std::uint16_t>, kSummaryLevels> levelChannels_;
     std::vector<RowChunk> rowChunks_;
     std::uint64_t rows_ = 0;
     std::uint64_t startNs_ = 0;

@@ -139,6 +139,8 @@ bool Reader::readSummary() {
     }
     ByteReader records(
         std::string_view(summary).substr(0, static_cast<std::size_t>(summaryEnd - summaryStart)));
+    constexpr std::size_t kLeastChunkIndex = 90;
+    chunks_.reserve(summary.size() / kLeastChunkIndex);
     while (records.ok() && !records.atEnd()) {
         const auto opcode = records.number<std::uint8_t>();
         const std::string_view content = records.bytes(records.number<std::uint64_t>());

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #include "robot/core/clock.h"
 #include "robot/recording/mcap/detail/cdr_stream.h"
@@ -226,6 +228,42 @@ bool readSummary(std::string_view message, SummaryMessage& summary) {
     });
     return whole && sound && summary.min.size() == summary.max.size() &&
            summary.min.size() == summary.mean.size();
+}
+
+bool readSummary(std::string_view message, std::span<const std::size_t> places, SummaryMessage& summary) {
+    // As writeSummary() has them: four bytes that say how, then two numbers and three lists of one length, each number
+    // at a multiple of its size from there.
+    constexpr std::string_view kLittleEndian("\0\1", 2);
+    constexpr std::size_t kHead = 4;
+    constexpr std::size_t kFirstList = 12;
+    if (message.size() < kHead + kFirstList + sizeof(std::uint32_t) || !message.starts_with(kLittleEndian)) {
+        return false;
+    }
+    const std::string_view body = message.substr(kHead);
+    std::memcpy(&summary.firstRow, body.data(), sizeof(summary.firstRow));
+    std::memcpy(&summary.rowsEach, body.data() + sizeof(summary.firstRow), sizeof(summary.rowsEach));
+    std::uint32_t count = 0;
+    std::memcpy(&count, body.data() + kFirstList, sizeof(count));
+    std::size_t at = kFirstList;
+    for (std::vector<double>* list : {&summary.min, &summary.max, &summary.mean}) {
+        std::uint32_t here = 0;
+        if (at + sizeof(here) > body.size()) {
+            return false;
+        }
+        std::memcpy(&here, body.data() + at, sizeof(here));
+        const std::size_t numbers = (at + sizeof(here) + 7) / 8 * 8;
+        if (here != count || numbers > body.size() || count > (body.size() - numbers) / sizeof(double)) {
+            return false;
+        }
+        list->assign(places.size(), std::numeric_limits<double>::quiet_NaN());
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (places[i] < count) {
+                std::memcpy(&(*list)[i], body.data() + numbers + places[i] * sizeof(double), sizeof(double));
+            }
+        }
+        at = numbers + count * sizeof(double);
+    }
+    return true;
 }
 
 }  // namespace tiller::recording::mcap

@@ -43,5 +43,8 @@ struct SummaryMessage {
 };
 void writeSummary(const SummaryMessage& summary, std::string& out);   ///< As above.
 bool readSummary(std::string_view message, SummaryMessage& summary);  ///< Returns false when it is broken.
+/// Of some columns only, which is many times as fast.
+/// places  of the columns in the lists; NaN for those beyond them
+bool readSummary(std::string_view message, std::span<const std::size_t> places, SummaryMessage& summary);
 
 }  // namespace tiller::recording::mcap

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A long recording behind the plots: what is drawn from summaries loses no spike, what is near is exact, and a value is that
+// of the file wherever somebody asks.
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "robot/recording/formats/open_recording.h"
+#include "robot/recording/mcap/mcap_format.h"
+#include "tests/unit/robot/recording/made_recording.h"
+#include "widgets/signals/signal_store.h"
+
+using namespace tiller;
+
+namespace {
+
+constexpr std::uint64_t kRows = 700'007;  // 23 minutes, and no whole block
+constexpr double kPeriod = 0.002;         // [s]
+constexpr double kBegin = 50;             // where it stands on the time axis [s]
+constexpr std::uint64_t kGap = 123'456;
+constexpr std::uint64_t kLost = 400;
+constexpr double kSpike = 40;
+
+/// A recording of few numbers, with spikes at random rows and one gap.
+struct Long {
+    QTemporaryDir folder;
+    QString path = folder.filePath("long.mcap");
+    std::vector<float> force;           ///< by row
+    std::vector<std::uint64_t> spikes;  ///< rows
+
+    Long() {
+        test::MadeSamples made({"timestamp", "actual_TCP_force", "robot_mode"});
+        const std::size_t fz = *made.layout->indexOfComponent("actual_TCP_force_2");
+        const std::size_t clock = *made.layout->indexOfComponent("timestamp");
+        const std::size_t mode = *made.layout->indexOfComponent("robot_mode");
+        const auto encoder =
+            recording::mcapFormat({.ros = false, .closeAfter = std::chrono::milliseconds(0)})
+                ->encoder({made.layout, {"timestamp", "actual_TCP_force", "robot_mode"}, false});
+        std::mt19937 random(19);
+        std::uniform_int_distribution<std::uint64_t> place(0, kRows - 1);
+        for (int i = 0; i < 60; ++i) {
+            spikes.push_back(place(random));
+        }
+        std::sort(spikes.begin(), spikes.end());
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly)) {
+            qFatal("cannot write");
+        }
+        std::uint64_t packet = 0;
+        for (std::uint64_t row = 0; row < kRows; ++row, ++packet) {
+            packet += row == kGap ? kLost : 0;
+            receive::Sample sample = made.at(packet);
+            sample.values[clock] = static_cast<double>(packet) * kPeriod;
+            const bool isSpike = std::binary_search(spikes.begin(), spikes.end(), row);
+            sample.values[fz] =
+                isSpike ? (row % 2 == 0 ? kSpike : -kSpike) : std::sin(static_cast<double>(row) * 1e-3);
+            sample.values[mode] = row < kRows / 2 ? 7 : 5;
+            force.push_back(static_cast<float>(sample.values[fz]));
+            encoder->add(sample, row == kGap ? kLost : 0, made.utcNs(packet));
+            if (row % 250 == 249) {
+                file.write(QByteArray::fromStdString(
+                    encoder->take(recording::RecordingEncoder::Close::WhenDue).bytes));
+            }
+        }
+        file.write(QByteArray::fromStdString(encoder->take(recording::RecordingEncoder::Close::Last).bytes));
+    }
+    double timeOf(std::uint64_t row) const {
+        return kBegin + static_cast<double>(row + (row < kGap ? 0 : kLost)) * kPeriod;
+    }
+};
+
+struct Opened {
+    SignalStore store;
+    QString name;
+    int signal = -1;
+    int mode = -1;
+
+    explicit Opened(const QString& path) {
+        auto file = recording::openRecording(path);
+        name = store.open(std::move(file).value(), kBegin).value();
+        signal = store.find(name + QStringLiteral("/actual_TCP_force_2"));
+        mode = store.find(name + QStringLiteral("/robot_mode"));
+    }
+    const SeriesBuffer& history() const { return *store.buffer(signal); }
+};
+
+}  // namespace
+
+class TestHistoryFile : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<Long> long_;
+
+private Q_SLOTS:
+    void initTestCase() { long_ = std::make_unique<Long>(); }
+
+    void aShortOneIsReadAsAWhole() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("short.mcap");
+        QVERIFY(test::writeFile(path, test::madeFile(*recording::mcapFormat(), 2000)));
+        Opened opened(path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        QVERIFY(!opened.history().isInFile());
+    }
+
+    void openingReadsNoRow() {
+        Opened opened(long_->path);
+        QVERIFY(opened.store.want(this, {opened.signal, opened.mode}));
+        const SeriesBuffer& history = opened.history();
+        QVERIFY(history.isInFile());
+        QCOMPARE(history.end(), static_cast<std::int64_t>(kRows));
+        QVERIFY(std::abs(history.firstTime() - kBegin) < 1e-6);
+        QVERIFY(std::abs(history.lastTime() - long_->timeOf(kRows - 1)) < 1e-3);
+        QVERIFY(!history.hasRows(opened.store.column(opened.signal), 0, 1));
+        const MinMax all = history.minMax(opened.store.column(opened.signal), 0, history.end());
+        QCOMPARE(all.min, -kSpike);
+        QCOMPARE(all.max, kSpike);
+        QVERIFY2(opened.store.memoryBytes() < kRows, "a byte a row would be too much");
+        QVERIFY(history.gapBefore(static_cast<std::int64_t>(kGap)));
+        QVERIFY(!history.gapBefore(static_cast<std::int64_t>(kGap) + 1));
+    }
+
+    void everyValueIsThatOfTheFile() {
+        Opened opened(long_->path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        std::mt19937 random(7);
+        std::uniform_int_distribution<std::uint64_t> place(0, kRows - 1);
+        for (int i = 0; i < 200; ++i) {
+            const std::uint64_t row = i == 0 ? kGap : place(random);
+            const auto sample = static_cast<std::int64_t>(row);
+            QVERIFY(std::abs(opened.history().time(sample) - long_->timeOf(row)) < 1e-6);
+            QCOMPARE(static_cast<float>(opened.store.value(opened.signal, sample)), long_->force[row]);
+            QCOMPARE(opened.history().lowerBound(long_->timeOf(row) - kPeriod / 2), sample);
+            const auto value = opened.store.valueAt(opened.signal, long_->timeOf(row) + kPeriod / 4);
+            QVERIFY(value);
+            QCOMPARE(static_cast<float>(*value), long_->force[row]);
+        }
+        // In the gap there is none.
+        QVERIFY(!opened.store.valueAt(opened.signal, long_->timeOf(kGap) - 0.3));
+        const auto sample = opened.store.sampleAt(opened.name, long_->timeOf(5));
+        QCOMPARE(static_cast<float>(sample.values[*sample.layout->indexOfComponent("actual_TCP_force_2")]),
+                 long_->force[5]);
+    }
+
+    /// At once no spike is lost and none is wider than two columns and a bit; in the end each is where it is.
+    void noSpikeIsLostAtAnyZoom() {
+        Opened opened(long_->path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        SeriesBuffer plain(1, HistoryLimits{1e9, std::size_t{1} << 30});
+        for (std::uint64_t row = 0; row < kRows; ++row) {
+            QVERIFY(plain.append(long_->timeOf(row), std::span(&long_->force[row], 1), row == kGap));
+        }
+        const int column = opened.store.column(opened.signal);
+        std::mt19937 random(11);
+        constexpr int kColumns = 1000;
+        const double all = static_cast<double>(kRows) * kPeriod;
+        for (int i = 0; i < 40; ++i) {
+            const double span = all * std::pow(1 / all, i / 39.0);
+            const double start = kBegin + std::uniform_real_distribution<double>(0, all - span)(random);
+            const double width = span / kColumns;
+            ColumnGrid grid;
+            ColumnGrid raw;
+            opened.history().cut(start, width, kColumns, grid);
+            plain.cut(start, width, kColumns, raw);
+            bool more = true;
+            for (int turn = 0; more && turn < 1000; ++turn) {
+                more = opened.store.sharpen(
+                    opened.history(), grid.edges.front() - 1, grid.edges.back() + 1, kColumns,
+                    turn == 0 ? HistoryFile::Effort::Draft : HistoryFile::Effort::Turn);
+                opened.history().cut(start, width, kColumns, grid);
+                for (int c = 2; c + 2 < kColumns; ++c) {
+                    const auto at = static_cast<std::size_t>(c);
+                    MinMax near;  // of the columns around it, where times are rough
+                    for (std::size_t k = at - 2; k <= at + 2; ++k) {
+                        near.add(opened.history().minMax(column, grid.edges[k], grid.edges[k + 1]));
+                    }
+                    const MinMax wanted = plain.minMax(0, raw.edges[at], raw.edges[at + 1]);
+                    QVERIFY2(wanted.isEmpty() || (near.min <= wanted.min && near.max >= wanted.max),
+                             qPrintable(QStringLiteral("span %1, column %2").arg(span).arg(c)));
+                }
+            }
+            QVERIFY2(!more, "it comes to an end");
+            QVERIFY(!opened.store.sharpen(opened.history(), grid.edges.front() - 1, grid.edges.back() + 1,
+                                          kColumns, HistoryFile::Effort::Draft));
+            if (grid.edges.back() - grid.edges.front() <= 60'000) {
+                // Rows and all: exactly what they are in memory.
+                QVERIFY(grid.edges == raw.edges);
+                QVERIFY(opened.history().envelope(column, start, start + span, kColumns) ==
+                        plain.envelope(0, start, start + span, kColumns));
+            }
+        }
+    }
+
+    void whatACrashLeavesIsShownWhole() {
+        QFile whole(long_->path);
+        QVERIFY(whole.open(QIODevice::ReadOnly));
+        const QByteArray bytes = whole.readAll();
+        const QString path = long_->folder.filePath("cut.mcap");
+        // Once with most of the summaries before its end, and once with none of the coarse ones.
+        for (const double part : {0.96, 0.5}) {
+            QFile cut(path);
+            QVERIFY(cut.open(QIODevice::WriteOnly | QIODevice::Truncate));
+            cut.write(bytes.left(static_cast<qsizetype>(static_cast<double>(bytes.size()) * part)));
+            cut.close();
+            Opened opened(path);
+            QVERIFY(opened.store.want(this, {opened.signal}));
+            QCOMPARE(opened.history().isInFile(), part > 0.9);
+            const std::int64_t end = opened.history().end();
+            QVERIFY(static_cast<double>(end) > static_cast<double>(kRows) * part * 0.8);
+            const int column = opened.store.column(opened.signal);
+            for (const int pixels : {1000, 100'000}) {
+                while (opened.store.sharpen(opened.history(), 0, end, pixels, HistoryFile::Effort::Turn)) {
+                }
+                for (const std::uint64_t spike : long_->spikes) {
+                    const auto at = static_cast<std::int64_t>(spike);
+                    const MinMax extent = opened.history().minMax(column, at, std::min(at + 1, end));
+                    QVERIFY(at >= end || std::max(extent.max, -extent.min) == kSpike);
+                }
+            }
+            for (const std::int64_t row : {std::int64_t{0}, std::int64_t{200'000}, end - 1}) {
+                QCOMPARE(static_cast<float>(opened.store.value(opened.signal, row)),
+                         long_->force[static_cast<std::size_t>(row)]);
+            }
+        }
+    }
+
+    void aColumnThatComesLaterIsThereToo() {
+        Opened opened(long_->path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        QCOMPARE(static_cast<float>(opened.store.value(opened.signal, 1000)), long_->force[1000]);
+        QVERIFY(opened.store.want(this, {opened.signal, opened.mode}));
+        QCOMPARE(opened.store.value(opened.mode, 1000), 7.0);
+        QCOMPARE(opened.store.value(opened.mode, static_cast<std::int64_t>(kRows) - 1), 5.0);
+        QCOMPARE(static_cast<float>(opened.store.value(opened.signal, 1000)), long_->force[1000]);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHistoryFile)
+#include "tst_history_file.moc"
