@@ -19,6 +19,9 @@ constexpr std::int64_t kRowsAtOnce = 8'000;
 constexpr std::int64_t kRowsInTheEnd = 64'000;
 constexpr std::int64_t kBlocksInTurn = 1;
 constexpr std::int64_t kExtentsInTurn = 1500;
+constexpr std::int64_t kDraftColumns = 4;
+/// As a whole it is drawn from so many extents at first, if it is that long.
+constexpr std::int64_t kLeastExtents = 1000;
 /// Of these the rows stay in memory.
 constexpr std::size_t kBlocksKept = 64;
 
@@ -56,7 +59,7 @@ bool HistoryFile::isWorthIt(const recording::Recording& file) {
     const auto keeps = [&kept](std::int64_t rows) {
         return std::find(kept.begin(), kept.end(), static_cast<std::uint64_t>(rows)) != kept.end();
     };
-    return file.rows() > kShort && keeps(SeriesColumn::kSummary) && keeps(kBlock / 2);
+    return file.rows() > kShort && keeps(SeriesColumn::kSummary);
 }
 
 Result<std::unique_ptr<HistoryFile>> HistoryFile::make(const recording::Recording& file,
@@ -73,9 +76,13 @@ Result<std::unique_ptr<HistoryFile>> HistoryFile::make(const recording::Recordin
     std::sort(gaps.begin(), gaps.end());
     for (const std::uint64_t rows : file.summaryRows()) {
         const auto each = static_cast<std::int64_t>(rows);
-        if (each % SeriesColumn::kSummary == 0 && each < kBlock && kBlock % each == 0) {
+        if (each % SeriesColumn::kSummary == 0 && (kBlock % each == 0 || each % kBlock == 0) &&
+            static_cast<std::int64_t>(file.rows()) / each >= kLeastExtents) {
             made->levels_.push_back(each);
         }
+    }
+    if (made->levels_.empty()) {
+        made->levels_.push_back(SeriesColumn::kSummary);
     }
     history.lieIn(*made, static_cast<std::int64_t>(file.rows()), marksOf(file, *known, begin),
                   std::move(gaps));
@@ -149,7 +156,7 @@ Result<std::vector<int>> HistoryFile::add(std::span<const std::size_t> fileColum
         added.push_back({numbers.back(), fileColumns[i]});
     }
     columns_.insert(columns_.end(), added.begin(), added.end());
-    const auto read = readExtents(added, {0, file_.rows()}, kBlock / 2);
+    const auto read = readExtents(added, {0, file_.rows()}, levels_.back());
     if (!read) {
         return read.error();
     }
@@ -221,6 +228,7 @@ bool HistoryFile::readExtents(std::int64_t first, std::int64_t last, std::int64_
     while (first <= last && grainOf(last) <= rowsEach) {
         --last;
     }
+    first -= rowsEach > kBlock ? first % (rowsEach / kBlock) : 0;
     if (first > last) {
         return false;
     }
@@ -268,7 +276,9 @@ bool HistoryFile::sharpen(std::int64_t begin, std::int64_t end, int pixelColumns
     };
     const std::int64_t wanted = coarsest(perColumn);
     if (effort == Effort::Draft) {
-        readExtents(first, last, coarsest(2 * perColumn), std::numeric_limits<std::int32_t>::max());
+        // What is drawn at once may be some columns wide; what is missing comes while that is being looked at.
+        readExtents(first, last, coarsest(kDraftColumns * perColumn),
+                    std::numeric_limits<std::int32_t>::max());
         for (std::int64_t block = first; block <= last; ++block) {
             if (grainOf(block) > wanted || (rows <= kRowsInTheEnd && !isFilled(block))) {
                 return true;

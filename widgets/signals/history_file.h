@@ -33,7 +33,7 @@ public:
 
     /// How much sharpen() may take.
     enum class Effort {
-        Draft,  ///< what a picture needs: extents of no more samples than twice a column has, or the rows of a near one
+        Draft,  ///< what a picture needs: extents of no more samples than four columns have, or the rows of a near one
         Turn,  ///< the next piece of what is still missing
     };
     /// Fetches what is needed to draw these samples in so many pixel columns.

@@ -247,7 +247,7 @@ void SeriesColumn::outline(std::int64_t rows) {
         Block& block = blocks_.emplace_back();
         block.constant = kNoValue;
         block.outline = std::make_unique<Outline>();
-        block.grain = kBlockRows;
+        block.grain = kUnknown;
         bytes_ += sizeof(Block) + sizeof(Outline);
     }
 }
@@ -273,22 +273,31 @@ void SeriesColumn::setExtent(std::unique_ptr<Levels<Value>>& levels, std::size_t
 }
 
 void SeriesColumn::setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents) {
-    std::int64_t row = first;
-    for (std::size_t i = 0; i < extents.size() && row < rows_; ++i, row += rowsEach) {
+    // In parts of a block at most.
+    const std::int64_t step = std::min(rowsEach, kBlockRows);
+    const std::int64_t end = std::min(rows_, first + static_cast<std::int64_t>(extents.size()) * rowsEach);
+    for (std::int64_t row = first; row < end; row += step) {
+        const MinMax& extent = extents[static_cast<std::size_t>((row - first) / rowsEach)];
         Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];
         Outline& known = *block.outline;
         const auto at = static_cast<std::size_t>(row & (kBlockRows - 1));
-        if (rowsEach == kBlockRows / 2) {
-            known.halves[at == 0 ? 0 : 1] = extents[i];
+        if (step >= kBlockRows / 2) {
+            known.halves[at == 0 ? 0 : 1] = extent;
+            known.halves[1] = step == kBlockRows ? extent : known.halves[1];
             if (block.grain != 1) {
                 block.whole = {};
                 block.whole.add(known.halves[0]);
                 block.whole.add(known.halves[1]);
             }
-        } else if (precision_ == Precision::Single) {
-            setExtent(known.single, at, static_cast<std::size_t>(rowsEach), extents[i]);
         } else {
-            setExtent(known.exact, at, static_cast<std::size_t>(rowsEach), extents[i]);
+            if (precision_ == Precision::Single) {
+                setExtent(known.single, at, static_cast<std::size_t>(step), extent);
+            } else {
+                setExtent(known.exact, at, static_cast<std::size_t>(step), extent);
+            }
+            if (block.grain != 1) {
+                block.whole.add(extent);
+            }
         }
         known.grain = std::min(known.grain, rowsEach);
         block.grain = block.grain == 1 ? 1 : known.grain;

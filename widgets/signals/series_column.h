@@ -33,6 +33,8 @@ public:
     static constexpr std::int64_t kBlockRows = std::int64_t{1} << kBlockBits;
     /// A stretch of rows that begins and ends at multiples of this is answered from summaries alone.
     static constexpr std::int64_t kSummary = 32;
+    /// More rows than any extent has.
+    static constexpr std::int64_t kUnknown = std::int64_t{1} << 40;
 
     /// rowsBefore  rows that the columns beside it have already: no values here
     explicit SeriesColumn(Precision precision, std::int64_t rowsBefore = 0);
@@ -59,13 +61,13 @@ public:
     /// Rows that lie in the file: nothing is known of them yet. The column has no others.
     void outline(std::int64_t rows);
     /// Extents of `rowsEach` rows each, from a row on that is a multiple of it; an empty one where there are no values.
-    /// rowsEach  a multiple of kSummary that divides a block
+    /// rowsEach  a multiple of kSummary that divides a block, or of a block
     void setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
     /// The values of a block.
     void setRows(std::int64_t block, std::span<const double> values);
     /// Goes back to what was known before setRows().
     void forgetRows(std::int64_t block);
-    /// How many rows an extent that is known of this block has: kBlockRows at first, and 1 when its rows are there.
+    /// How many rows an extent that is known of this block has: kUnknown at first, and 1 when its rows are there.
     std::int64_t grainOf(std::int64_t block) const { return blocks_[static_cast<std::size_t>(block)].grain; }
 
     double value(std::int64_t row) const {
@@ -129,7 +131,7 @@ private:
         std::array<MinMax, 2> halves;
         std::unique_ptr<Levels<float>> single;
         std::unique_ptr<Levels<double>> exact;
-        std::int64_t grain = kBlockRows;
+        std::int64_t grain = kUnknown;
     };
     struct Block {
         double constant = 0;  ///< of every row, while there are no values
