@@ -83,6 +83,7 @@ struct Verb {
 };
 
 constexpr double kMilli = 1e-3;
+constexpr double kPercent = 100;
 
 template <SafetySystem::Input input>
 QString safetyInput(ControlBox& controlBox, Words& words) {
@@ -306,7 +307,7 @@ QString status(ControlBox& controlBox, Words&) {
     return QStringLiteral(
                "robot_mode=%1 safety_mode=%2 runtime_state=%3 remote=%4 timestamp=%5 silence=%6 link=%7 "
                "delay=%8 "
-               "jitter=%9 split=%10 coalesce=%11 half_open=%12")
+               "jitter=%9 split=%10 coalesce=%11 half_open=%12 drop=%13")
         .arg(robotModeName(t.robotMode), safetyModeName(t.safetyMode), runtimeStateName(t.runtimeState))
         .arg(controlBox.plant.isRemoteControl() ? "yes" : "no")
         .arg(t.timestamp, 0, 'f', 3)
@@ -315,7 +316,8 @@ QString status(ControlBox& controlBox, Words&) {
         .arg(link.jitter / kMilli)
         .arg(link.splitAt)
         .arg(link.coalesce / kMilli)
-        .arg(controlBox.services.link().buried());
+        .arg(controlBox.services.link().buried())
+        .arg(link.drop * kPercent);
 }
 
 QString clear(ControlBox& controlBox, Words& words) {
@@ -392,6 +394,9 @@ const Verb kVerbs[] = {
     {"coalesce", "MS", "what is sent within so much time arrives together; 0: as sent",
      [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.coalesce = r.number(0, 60'000) * kMilli; }); }},
+    {"drop", "PERCENT", "so many of the RTDE data packages are never sent, as by a controller that is too busy; 0: none",
+     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+         c.drop = r.number(0, 100) / kPercent; }); }},
     {"half-open", "", "the controller forgets all connections and tells no client",
      [](ControlBox& m, Words& w) {
          if (w.good()) {

@@ -49,6 +49,7 @@ private Q_SLOTS:
     void csvByPandas();
     void hdf5ByH5py();
     void csvByOctave();
+    void hdf5ByOctave();
 
 private:
     QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
@@ -206,6 +207,35 @@ void TestOthersRead::csvByOctave() {
     QCOMPARE(found["q"].toDouble(),
              samples.value(samples.layout->indexOfComponent("actual_q_3").value(), kRows - 1));
     QCOMPARE(found["lost"].toInt(), 5);
+}
+
+void TestOthersRead::hdf5ByOctave() {
+    const QString octave = QStandardPaths::findExecutable(QStringLiteral("octave-cli"));
+    if (octave.isEmpty()) {
+        QSKIP("Octave is not installed (octave)");
+    }
+    QVERIFY(test::writeFile(path("o.mcap"), test::madeFile(*mcapFormat({}), kRows, kGap)));
+    exportHdf5(*openRecording(path("o.mcap")).value(), {.path = path("o.h5")}).value();
+    // A row here is a column there: Octave keeps the columns of a matrix together.
+    const QString script =
+        QStringLiteral(
+            "s = load('-hdf5', 'FILE');\n"
+            "printf('{\"rows\": %d, \"q\": %.17g, \"mode\": %d, \"lost\": %d, \"gap\": %d}', "
+            "columns(s.actual_q), s.actual_q(4, end), s.robot_mode(end), sum(s.packages_lost), "
+            "s.gaps(1, 1));\n")
+            .replace(QStringLiteral("FILE"), path("o.h5"));
+    QString complaint;
+    const QJsonObject found = answerOf(octave, {"--norc", "--eval", script}, complaint);
+    QVERIFY2(!found.isEmpty(), qPrintable(complaint));
+    const MadeSamples samples;
+    const auto value = [&](const char* component) {
+        return samples.value(samples.layout->indexOfComponent(component).value(), kRows - 1);
+    };
+    QCOMPARE(found["rows"].toInt(), int(kRows));
+    QCOMPARE(found["q"].toDouble(), value("actual_q_3"));
+    QCOMPARE(found["mode"].toDouble(), value("robot_mode"));
+    QCOMPARE(found["lost"].toInt(), 5);
+    QCOMPARE(found["gap"].toInt(), int(kGap));
 }
 
 QTEST_GUILESS_MAIN(TestOthersRead)

@@ -208,6 +208,19 @@ private Q_SLOTS:
         QCOMPARE(stream.rtde.takeAll().size(), 304 * 12 - 17);
     }
 
+    void droppedPackagesAreNeverSent() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        inject(robot, "drop 25");
+        robot.controller.step(2000);
+        const auto arrived = stream.rtde.takeAll().size() / 12;
+        QVERIFY2(arrived > 1300 && arrived < 1700, qPrintable(QString::number(arrived)));
+        QVERIFY(robot.controller.inject("status").value().contains("drop=25"));
+        inject(robot, "clear");
+        robot.controller.step(100);
+        QCOMPARE(stream.rtde.takeAll().size(), 100 * 12);
+    }
+
     void packagesArriveTogether() {
         VirtualRobot robot;
         Stream stream(robot);

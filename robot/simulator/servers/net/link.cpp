@@ -15,6 +15,10 @@ void Link::set(const LinkConditions& conditions) {
     }
 }
 
+bool Link::drops() {
+    return conditions_.drop > 0 && std::bernoulli_distribution(conditions_.drop)(random_);
+}
+
 double Link::arrival() {
     double time = now_ + conditions_.delay;
     if (conditions_.jitter > 0) {

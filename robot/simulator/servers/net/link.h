@@ -20,6 +20,7 @@ struct LinkConditions {
     double jitter = 0;        ///< [s] at most, added to the delay; the order of bytes is kept
     std::size_t splitAt = 0;  ///< what is sent arrives in two pieces, the first of so many bytes; 0: whole
     double coalesce = 0;      ///< [s] what is sent within so much time arrives together
+    double drop = 0;    ///< share of the RTDE data packages that a controller which is too busy never sends
     bool lost = false;  ///< the cable is out: nothing passes, no connection notices; put back in, what the
                         ///< two ends still hold goes through
 };
@@ -43,6 +44,8 @@ public:
     /// Bytes pass as they are.
     bool isPlain() const { return plain_; }
     bool isLost() const { return conditions_.lost; }
+    /// This RTDE data package is one of those that are never sent.
+    bool drops();
     /// When what enters the cable now comes out of it [s].
     double arrival();
     /// The same for what the controller sends, which may wait for company.

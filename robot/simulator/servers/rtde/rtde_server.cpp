@@ -199,7 +199,7 @@ void RtdeServer::publish() {
         if (!client->started || !client->peer.isOpen()) {
             continue;
         }
-        const bool on = client->periods++ % client->divider == 0;
+        const bool on = client->periods++ % client->divider == 0 && (link() == nullptr || !link()->drops());
         const auto id =
             client->protocol == rtde::ProtocolVersion::V1 ? std::nullopt : std::optional<std::uint8_t>(1);
         if (plant_.assumptions().data == Assumptions::Data::Even && client->waiting.empty()) {
