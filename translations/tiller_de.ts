@@ -8947,6 +8947,22 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <source>Actions there…</source>
         <translation>Aktionen dort…</translation>
     </message>
+    <message>
+        <source>Import and export</source>
+        <translation>Import und Export</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

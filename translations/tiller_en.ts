@@ -8933,6 +8933,22 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Actions there…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Import and export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

@@ -8947,6 +8947,22 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <source>Actions there…</source>
         <translation>Acciones allí…</translation>
     </message>
+    <message>
+        <source>Import and export</source>
+        <translation>Importar y exportar</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Patrón</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trayectoria</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Proyecto</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

@@ -8947,6 +8947,22 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <source>Actions there…</source>
         <translation>Actions à cet endroit…</translation>
     </message>
+    <message>
+        <source>Import and export</source>
+        <translation>Importer et exporter</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Motif</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajectoire</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projet</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

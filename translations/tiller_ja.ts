@@ -8911,6 +8911,22 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Actions there…</source>
         <translation>そこでの動作…</translation>
     </message>
+    <message>
+        <source>Import and export</source>
+        <translation>インポートとエクスポート</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>パターン</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>経路</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

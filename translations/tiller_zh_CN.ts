@@ -8911,6 +8911,22 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>Actions there…</source>
         <translation>该处的动作…</translation>
     </message>
+    <message>
+        <source>Import and export</source>
+        <translation>导入和导出</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>阵列</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>项目</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

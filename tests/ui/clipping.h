@@ -212,6 +212,9 @@ inline bool isViewport(const QWidget& widget) {
 
 /// All that is cut off in a window that is shown.
 inline QStringList clipped(const QWidget& window) {
+    if (!window.isWindow()) {
+        return {clipping::nameOf(window) + QStringLiteral(" is no window: nothing in it was looked at")};
+    }
     QStringList found;
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
         if (!widget->isVisibleTo(&window) || widget->window() != &window || clipping::isInner(*widget)) {

@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QInputDialog>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTabBar>
 #include <QTabWidget>
@@ -26,6 +27,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/frames/frames_tab.h"
 #include "widgets/jog/device_jog.h"
+#include "widgets/status/header_bar.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -240,6 +242,54 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 60'000);
         look(*page, "preflight");
         page->close();
+    }
+
+    // On a screen of 720 pixels, with a mouse.
+    void theMenuOfTheWaypointsIsOneColumn() {
+        applyDensity(*qApp, Density::Mouse);
+        WindowBench bench;
+        bench.show(kSmallest);
+        auto& menu = bench.find<QMenu>("waypoint.menu");
+        menu.popup(QPoint(0, 0));
+        keepPicture(menu, QStringLiteral("waypoint-menu"));
+        for (QAction* action : menu.actions()) {
+            const QRect place = menu.actionGeometry(action);
+            QVERIFY2(place.left() == menu.actionGeometry(menu.actions().first()).left() &&
+                         place.bottom() < kSmallest.height() - 40,
+                     qPrintable(action->text()));
+        }
+        menu.close();
+    }
+
+    // The key for the next step, whichever it is.
+    void noNextStepIsCutOff_data() { densities(); }
+    void noNextStepIsCutOff() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        auto& header = bench.find<HeaderBar>("headerBar");
+        const auto& key = bench.find<QPushButton>("nextStepButton");
+        SessionState running = bench.window.session().state();
+        const auto like = [&running](RobotMode robot, SafetyMode safety) {
+            SessionState state = running;
+            state.robotMode = robot;
+            state.safetyMode = safety;
+            return state;
+        };
+        const std::pair<NextStep, SessionState> steps[] = {
+            {NextStep::Connect, SessionState()},
+            {NextStep::PowerOn, like(RobotMode::PowerOff, SafetyMode::Normal)},
+            {NextStep::ReleaseBrakes, like(RobotMode::Idle, SafetyMode::Normal)},
+            {NextStep::TakeControl, running},
+            {NextStep::Recover, like(RobotMode::Running, SafetyMode::ProtectiveStop)}};
+        for (const auto& [step, state] : steps) {
+            header.applyState(state);
+            QCOMPARE(header.shownStep(), step);
+            const QString name = QStringLiteral("step-%1").arg(static_cast<int>(step));
+            keepPicture(header, name + '-' + densityName());
+            QVERIFY(key.isVisible());
+            QTRY_VERIFY2(clipped(bench.window).isEmpty(),
+                         qPrintable(name + ":\n" + clipped(bench.window).join('\n')));
+        }
     }
 
     void noWayBackFromAStopIsCutOff_data() { densities(); }

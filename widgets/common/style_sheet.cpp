@@ -36,6 +36,7 @@ QPushButton[primary="true"], QToolButton[primary="true"] { background: @inverse;
     border-color: @inverse; font-weight: bold; }
 QPushButton[primary="true"]:disabled, QToolButton[primary="true"]:disabled { background: @border;
     color: @disabledText; border-color: @border; }
+QPushButton#nextStepButton { padding: 0 8px; }
 QPushButton[danger="true"] { background: @stop; color: @stopText; border-color: @stop; font-weight: bold; }
 QToolButton[quiet="true"], QPushButton[quiet="true"] { background: transparent; border: 1px solid transparent;
     border-radius: 4px; padding: 0 5px; min-height: 22px; font-size: 14px; }

@@ -38,6 +38,40 @@ void showOn(StateChip& chip, const ModeLook& look) {
     chip.setMark(look.mark);
 }
 
+/// What a key takes for this text, line by line [px].
+int roomFor(const QPushButton& key, const QString& text) {
+    constexpr int kAround = 2 * (8 + 1);  // padding and border, as the style sheet has them
+    return key.fontMetrics().size(0, text).width() + kAround;
+}
+
+/// In one line where it fits, else in two, broken where they become narrowest.
+QString stepWords(const QPushButton& key, const QString& text, int width) {
+    if (roomFor(key, text) <= width) {
+        return text;
+    }
+    QString best = text;
+    for (qsizetype blank = text.indexOf(QLatin1Char(' ')); blank >= 0;
+         blank = text.indexOf(QLatin1Char(' '), blank + 1)) {
+        QString broken = text;
+        broken[blank] = QLatin1Char('\n');
+        if (roomFor(key, broken) < roomFor(key, best)) {
+            best = broken;
+        }
+    }
+    return best;
+}
+
+/// The width of the key for the next step, which is the same for all of them [px].
+int stepRoom(QPushButton& key, int least) {
+    key.ensurePolished();  // its font
+    int room = least;
+    for (const NextStep step : {NextStep::Connect, NextStep::PowerOn, NextStep::ReleaseBrakes,
+                                NextStep::Recover, NextStep::TakeControl}) {
+        room = std::max(room, roomFor(key, stepWords(key, nextStepText(step), least)));
+    }
+    return room;
+}
+
 }  // namespace
 
 HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
@@ -235,7 +269,7 @@ void HeaderBar::showStep() {
     step_ = nextStep(state_);
     const QString obstacle = nextStepObstacle(state_);
     offerStep(step_ != NextStep::None, obstacle.isEmpty());
-    stepButton_->setText(nextStepText(step_));
+    stepButton_->setText(stepWords(*stepButton_, nextStepText(step_), stepButton_->width()));
     stepButton_->setAccessibleName(step_ == NextStep::None ? tr("Next step") : nextStepText(step_));
     stepButton_->setToolTip(obstacle.isEmpty() ? nextStepAdvice(step_) : obstacle);
 }
@@ -351,6 +385,7 @@ void HeaderBar::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange) {
         showLastStop();  // other units
         showCap(state_.speedCap);
+        arrange();  // and other letters
     }
     QWidget::changeEvent(event);
 }
@@ -382,7 +417,8 @@ void HeaderBar::arrange() {
     mode_->setRoom(wide(118, 136, 150));
     safety_->setRoom(wide(126, 150, 170));
     control_->setRoom(wide(126, 160, 176));
-    stepButton_->setFixedWidth(wide(142, 150, 150));
+    stepButton_->setFixedWidth(stepRoom(*stepButton_, wide(142, 150, 150)));
+    stepButton_->setText(stepWords(*stepButton_, nextStepText(step_), stepButton_->width()));
     speed_->setFixedWidth(wide(118, 130, 140));
     link_->setLeastCharacters(tight ? 6 : narrow ? 11 : 15);
     lastStop_->setLeastCharacters(tight ? 6 : narrow ? 11 : 14);

@@ -430,11 +430,12 @@ void WaypointsTab::buildActions() {
 
     auto* menu = new QMenu(this);
     menu->setObjectName(QStringLiteral("waypoint.menu"));
-    const auto add = [&](QAction* action) {
+    const auto addTo = [this](QMenu* to, QAction* action) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        menu->addAction(action);
+        to->addAction(action);
         addAction(action);
     };
+    const auto add = [&](QAction* action) { addTo(menu, action); };
     add(onSelected(addCommand("waypoint.action.rename", tr("Rename"), QKeySequence(Qt::Key_F2),
                               [this] { table_->renameCurrent(); })));
     add(onSelected(addCommand("waypoint.action.duplicate", tr("Duplicate"),
@@ -450,10 +451,6 @@ void WaypointsTab::buildActions() {
                               [this] { editing_->copy(); })));
     add(addCommand("waypoint.action.paste", tr("Paste"), QKeySequence(QKeySequence::Paste),
                    [this] { editing_->paste(); }));
-    add(addCommand("waypoint.action.import", tr("Import waypoints…"), {},
-                   [this] { dialogs_->importFile(); }));
-    add(addCommand("waypoint.action.export", tr("Export waypoints…"), {},
-                   [this] { dialogs_->exportFile(); }));
     menu->addSeparator();
     add(addCommand("waypoint.action.find", tr("Find waypoints"), QKeySequence(QKeySequence::Find),
                    [this] { search_->open(); }));
@@ -466,17 +463,32 @@ void WaypointsTab::buildActions() {
     add(onSelected(addCommand("waypoint.action.history", tr("History…"), QKeySequence(Qt::ALT | Qt::Key_H),
                               [this] { dialogs_->history(); })));
     menu->addSeparator();
-    add(addCommand("waypoint.action.pattern", tr("Pattern…"), {}, [this] { dialogs_->pattern(); }));
-    add(onSelected(addCommand("waypoint.action.dissolve", tr("Make the pattern's places ordinary waypoints"),
-                              {}, [this] { dialogs_->dissolvePattern(); })));
-    add(onSelected(addCommand("waypoint.action.removePattern", tr("Delete the pattern and its waypoints"), {},
-                              [this] { dialogs_->removePattern(); })));
-    menu->addSeparator();
+    // What is used now and then stands behind a name, so that all of it fits on the smallest screen.
+    const auto addMenu = [menu](const char* name, const QString& text) {
+        QMenu* part = menu->addMenu(text);
+        part->setObjectName(QLatin1String(name));
+        return part;
+    };
+    QMenu* files = addMenu("waypoint.menu.files", tr("Import and export"));
+    addTo(files, addCommand("waypoint.action.import", tr("Import waypoints…"), {},
+                            [this] { dialogs_->importFile(); }));
+    addTo(files, addCommand("waypoint.action.export", tr("Export waypoints…"), {},
+                            [this] { dialogs_->exportFile(); }));
+    QMenu* pattern = addMenu("waypoint.menu.pattern", tr("Pattern"));
+    addTo(pattern,
+          addCommand("waypoint.action.pattern", tr("Pattern…"), {}, [this] { dialogs_->pattern(); }));
+    addTo(pattern, onSelected(addCommand("waypoint.action.dissolve",
+                                         tr("Make the pattern's places ordinary waypoints"), {},
+                                         [this] { dialogs_->dissolvePattern(); })));
+    addTo(pattern,
+          onSelected(addCommand("waypoint.action.removePattern", tr("Delete the pattern and its waypoints"),
+                                {}, [this] { dialogs_->removePattern(); })));
+    QMenu* path = addMenu("waypoint.menu.path", tr("Path"));
     for (QAction* action : paths_->actions()) {
-        menu->addAction(action);
+        path->addAction(action);
         actions_.append(action);
     }
-    menu->addMenu(paths_->toleranceMenu());
+    path->addMenu(paths_->toleranceMenu());
     menu->addSeparator();
     QUndoStack& undo = document_.undoStack();
     for (QAction* action :
@@ -498,7 +510,9 @@ void WaypointsTab::buildActions() {
 
 void WaypointsTab::addToMenu(const QList<QAction*>& actions) {
     more_->menu()->addSeparator();
-    more_->menu()->addActions(actions);
+    QMenu* project = more_->menu()->addMenu(tr("Project"));
+    project->setObjectName(QStringLiteral("waypoint.menu.project"));
+    project->addActions(actions);
 }
 
 // ---- teaching --------------------------------------------------------------------------------------
