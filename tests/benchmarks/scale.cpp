@@ -5,9 +5,10 @@
 // a page with four curves a robot. Until the machine ends: what was lost is counted, and the processor time is told
 // thread by thread. Prints a table; asserts nothing.
 //
-//   scale [--seconds 5] [--robots 1,8,32] [--fields 20,150] [--json]
+//   scale [--seconds 5] [--robots 1,8,32] [--fields 20,100] [--json]
 //
-// robots, fields  one row for each pair; fields are the first so many of the controller's outputs
+// robots, fields  one row for each pair; fields are the first so many of the controller's outputs. The names of all that
+//                 is asked for fit into 2048 bytes, which is about 110 of them
 // receive         processor time of a receiving thread [us a packet]
 // history         of taking a packet out of the ring and into the history [us a packet]
 // recorder        of writing a packet into the file [us a packet]; its file [MB a minute and robot]
@@ -322,7 +323,7 @@ int main(int argc, char* argv[]) {
     parser.addHelpOption();
     parser.addOptions({{"seconds", "How long each pair is watched.", "s", "5"},
                        {"robots", "How many side by side.", "n,n", "1,8,32"},
-                       {"fields", "How many output fields each sends.", "n,n", "20,150"},
+                       {"fields", "How many output fields each sends.", "n,n", "20,100"},
                        {"json", "One JSON object instead of a table."}});
     parser.process(application);
     const double duration = std::max(1.0, parser.value("seconds").toDouble());
@@ -337,8 +338,10 @@ int main(int argc, char* argv[]) {
         for (const int robots : numbersIn(parser.value("robots"))) {
             const auto f = measure(robots, fields, duration);
             if (!f) {
-                QTextStream(stderr) << "scale: " << robots
-                                    << " simulated controllers did not come up: build tiller-cli first\n";
+                QTextStream(stderr)
+                    << "scale: one of " << robots
+                    << " simulated controllers sent nothing: build tiller-cli first, and ask for "
+                       "fewer than 110 fields\n";
                 return 1;
             }
             rows.insert(QStringLiteral("%1 x %2").arg(f->robots).arg(f->fields),
