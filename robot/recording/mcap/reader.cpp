@@ -50,7 +50,7 @@ std::optional<ChunkIndex> chunkIndexFrom(std::string_view content) {
     ByteReader indexes(in.text());
     while (indexes.ok() && !indexes.atEnd()) {
         const auto channel = indexes.number<std::uint16_t>();
-        chunk.messageIndexes[channel] = indexes.number<std::uint64_t>();
+        chunk.messageIndexes.emplace_back(channel, indexes.number<std::uint64_t>());
     }
     chunk.messageIndexLength = in.number<std::uint64_t>();
     chunk.compression = in.text();
@@ -259,7 +259,7 @@ void Reader::scan() {
             const std::string begin = bytesAt(contentAt, std::min<std::uint64_t>(length, 2));
             ChunkIndex& chunk = chunks_.back();
             if (begin.size() == 2 && at == chunk.offset + chunk.length + chunk.messageIndexLength) {
-                chunk.messageIndexes[ByteReader(begin).number<std::uint16_t>()] = at;
+                chunk.messageIndexes.emplace_back(ByteReader(begin).number<std::uint16_t>(), at);
                 chunk.messageIndexLength += kRecordHead + length;
             }
         }
@@ -296,7 +296,8 @@ bool Reader::takeChunk(std::uint64_t offset, std::uint64_t length) {
 }
 
 std::optional<std::uint64_t> Reader::messagesIn(const ChunkIndex& chunk, std::uint16_t channel) const {
-    const auto found = chunk.messageIndexes.find(channel);
+    const auto found = std::find_if(chunk.messageIndexes.begin(), chunk.messageIndexes.end(),
+                                    [channel](const auto& index) { return index.first == channel; });
     if (found == chunk.messageIndexes.end()) {
         return chunk.messageIndexes.empty() ? std::nullopt : std::optional<std::uint64_t>(0);
     }

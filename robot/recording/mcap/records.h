@@ -63,9 +63,10 @@ struct Message {
 struct ChunkIndex {
     std::uint64_t startTime = 0;  ///< least and greatest log time in it
     std::uint64_t endTime = 0;
-    std::uint64_t offset = 0;                                 ///< of the chunk record in the file
-    std::uint64_t length = 0;                                 ///< of the whole record
-    std::map<std::uint16_t, std::uint64_t> messageIndexes{};  ///< by channel: where its index record is
+    std::uint64_t offset = 0;  ///< of the chunk record in the file
+    std::uint64_t length = 0;  ///< of the whole record
+    /// Channels and where their index records are. A list: a file of hours has a hundred thousand chunks.
+    std::vector<std::pair<std::uint16_t, std::uint64_t>> messageIndexes{};
     std::uint64_t messageIndexLength = 0;                     ///< of all of them together
     std::string compression{};
     std::uint64_t compressedSize = 0;

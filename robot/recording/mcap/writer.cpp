@@ -194,7 +194,7 @@ void Writer::add(ChunkBuilder& chunk) {
     const std::uint64_t indexesFrom = position();
     for (const auto& [channel, entries] : chunk.indexes_) {
         constexpr std::size_t kEntry = 16;
-        index.messageIndexes[channel] = position();
+        index.messageIndexes.emplace_back(channel, position());
         counts_[channel] += entries.size() / kEntry;
         std::string bytes;
         put(bytes, channel);
