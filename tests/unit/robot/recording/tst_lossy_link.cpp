@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: MIT
 //
-// A link that drops one packet in a hundred, a disk that fills and files that end anywhere: every gap stands in the
-// file with its length, nothing is out of order, and what a file ends behind can be read.
+// A link that drops one packet in a hundred, a disk that fills, errs or stands still, and files that end anywhere: every gap
+// stands in the file with its length, nothing is out of order, and what a file ends behind can be read.
 
 #include <QDir>
 #include <QFile>
 #include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <memory>
 #include <random>
 #ifdef __linux__
 #include <sys/mount.h>
 #endif
 
+#include "robot/recording/detail/recording_file.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/mcap/mcap_format.h"
 #include "robot/recording/recorder.h"
@@ -75,6 +79,39 @@ struct Bench {
     int missing = 0;
 };
 
+/// A disk of which one write gets half through, and those behind it not at all; or one that stands still.
+class BadDisk : public RecordingFile {
+public:
+    struct Story {
+        int failsFrom = std::numeric_limits<int>::max();  ///< the write, counted from 1
+        std::atomic<int> writes{0};
+        std::atomic<bool> standsStill{false};  ///< from the next write on, until it does no more
+    };
+    explicit BadDisk(Story& story) : story_(story) {}
+
+    Result<void> open(const QString& path) override { return file_->open(path); }
+    Result<void> write(std::string_view text, std::size_t& written) override {
+        const int now = ++story_.writes;
+        story_.standsStill.wait(true);
+        if (now < story_.failsFrom) {
+            return file_->write(text, written);
+        }
+        written = 0;
+        if (now == story_.failsFrom) {
+            static_cast<void>(file_->write(text.substr(0, text.size() / 2), written));
+        }
+        return Error{ErrorCode::FileNotWritable, QStringLiteral("record to the disk"),
+                     QStringLiteral("Input/output error")};
+    }
+    Result<void> sync() override { return file_->sync(); }
+    void cut(std::int64_t bytes) override { file_->cut(bytes); }
+    Result<void> close() override { return file_->close(); }
+
+private:
+    Story& story_;
+    std::unique_ptr<RecordingFile> file_ = systemFile();
+};
+
 std::vector<double> column(const Recording& recording, const char* name) {
     return recording.read(std::vector{recording.indexOf(name).value()}, {0, recording.rows()})
         .value()
@@ -112,6 +149,10 @@ private Q_SLOTS:
     void everyGapIsInTheFileWithItsLength();
     void aFullDiskKeepsWhatWasWritten_data();
     void aFullDiskKeepsWhatWasWritten();
+    void aDiskThatErrsKeepsWhatWasWritten_data();
+    void aDiskThatErrsKeepsWhatWasWritten();
+    void theReceiverNeverWaitsForADisk_data();
+    void theReceiverNeverWaitsForADisk();
 };
 
 void TestLossyLink::everyGapIsInTheFileWithItsLength_data() {
@@ -205,6 +246,89 @@ void TestLossyLink::aFullDiskKeepsWhatWasWritten() {
 #else
     QSKIP("needs a small file system");
 #endif
+}
+
+void TestLossyLink::aDiskThatErrsKeepsWhatWasWritten_data() {
+    everyGapIsInTheFileWithItsLength_data();
+}
+
+void TestLossyLink::aDiskThatErrsKeepsWhatWasWritten() {
+    QFETCH(QString, format);
+    Bench bench;
+    BadDisk::Story story;
+    constexpr int kGoodWrites = 4;
+    story.failsFrom = kGoodWrites + 1;
+    Recorder recorder([&story] { return std::make_unique<BadDisk>(story); });
+    RecorderOptions options;
+    options.path = bench.folder.filePath("all." + format);
+    options.fields = {"actual_q", "robot_mode"};
+    options.format = formatOf(format);
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    int at = 0;
+    while (recorder.progress().state == RecorderState::Recording && at < 200'000) {
+        QVERIFY(bench.send(at + 1, at + 50, nullptr));
+        at += 50;
+        QTest::qWait(1);
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kPatienceMs);
+    QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
+    QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));
+    QVERIFY(story.writes > kGoodWrites);
+    const auto opened = openRecording(options.path);
+    QVERIFY2(opened.ok(), qPrintable(opened.error().toString()));
+    QVERIFY((*opened)->rows() > 0);
+    QVERIFY((*opened)->rows() + kHalfASecond >= recorder.progress().rows);
+    verifyBeginningOf(bench, **opened);
+}
+
+void TestLossyLink::theReceiverNeverWaitsForADisk_data() {
+    everyGapIsInTheFileWithItsLength_data();
+}
+
+void TestLossyLink::theReceiverNeverWaitsForADisk() {
+    QFETCH(QString, format);
+    Bench bench;
+    BadDisk::Story story;
+    Recorder recorder([&story] { return std::make_unique<BadDisk>(story); });
+    RecorderOptions options;
+    options.path = bench.folder.filePath("all." + format);
+    options.fields = {"actual_q", "robot_mode"};
+    options.format = formatOf(format);
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    const auto moves = qScopeGuard([&story] {
+        story.standsStill = false;
+        story.standsStill.notify_all();
+    });
+    QVERIFY(bench.send(1, 500, nullptr));
+    QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows > 0, kPatienceMs);
+    story.standsStill = true;
+    // Far more than the ring holds. send() comes back when the receiver has all of them.
+    constexpr int kAll = 20'000;
+    QVERIFY(bench.send(501, kAll, nullptr));
+    QVERIFY(recorder.progress().rows < static_cast<std::uint64_t>(kAll) / 2);
+    story.standsStill = false;
+    story.standsStill.notify_all();
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Finished);
+    const auto whole = openRecording(options.path).value();
+    std::uint64_t lost = 0;
+    for (const RecordedGap& gap : whole->gaps()) {
+        lost += gap.packets;
+    }
+    QVERIFY(lost > 0);
+    QCOMPARE(whole->rows() + lost, static_cast<std::uint64_t>(kAll));
+    QCOMPARE(recorder.progress().lost, lost);
+    // Each where it is, with its length.
+    const std::vector<double> stamps = column(*whole, "timestamp");
+    std::map<std::size_t, std::uint64_t> found;
+    for (const RecordedGap& gap : whole->gaps()) {
+        found[gap.row] = gap.packets;
+    }
+    for (std::size_t row = 1; row < stamps.size(); ++row) {
+        const auto packets =
+            static_cast<std::uint64_t>(std::llround((stamps[row] - stamps[row - 1]) / kPeriod));
+        QCOMPARE(packets, 1 + (found.contains(row) ? found[row] : 0));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestLossyLink)
