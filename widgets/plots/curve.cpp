@@ -11,7 +11,7 @@ namespace {
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 /// So many columns before their turn their samples are sent for.
 constexpr std::size_t kAhead = 12;
-constexpr std::int64_t kCoarse = 12;
+constexpr std::int64_t kCoarse = 3;
 constexpr Curve::Column kEmptyColumn = {kNowhere, kNowhere, kNowhere, kNowhere};
 
 }  // namespace
@@ -73,13 +73,16 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
     const auto known = sameRaster ? static_cast<std::int64_t>(envelope_.size()) : 0;
     fresh_.resize(static_cast<std::size_t>(grid.columns()));
     edges_ = grid.edges;
-    if (grid.edges.back() - grid.edges.front() > kCoarse * SeriesColumn::kSummary * grid.columns()) {
-        // A column of so many samples begins where a summary does: its samples themselves need not be looked at, which
-        // lie all over the memory. Each sample is still in one column, and at most 1 / kCoarse of it from its place.
-        for (std::size_t i = 1; i + 1 < edges_.size(); ++i) {
-            const std::int64_t summary = edges_[i] - edges_[i] % SeriesColumn::kSummary;
-            edges_[i] = std::max(summary, edges_[i - 1]);
-        }
+    // A column of so many samples begins where a summary does: its samples themselves, or the finer summaries, need not be
+    // looked at, which lie all over the memory. Each sample is still in one column, and at most a kCoarse-th of it from its
+    // place.
+    std::int64_t summary = 1;
+    for (const std::int64_t rows : {SeriesColumn::kSummary, SeriesColumn::kCoarseSummary}) {
+        const bool isFar = grid.edges.back() - grid.edges.front() > kCoarse * rows * grid.columns();
+        summary = isFar ? rows : summary;
+    }
+    for (std::size_t i = 1; summary > 1 && i + 1 < edges_.size(); ++i) {
+        edges_[i] = std::max(edges_[i] - edges_[i] % summary, edges_[i - 1]);
     }
     for (std::size_t i = 0; i < fresh_.size(); ++i) {
         const std::int64_t j = static_cast<std::int64_t>(i) + by;

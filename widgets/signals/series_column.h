@@ -33,6 +33,8 @@ public:
     static constexpr std::int64_t kBlockRows = std::int64_t{1} << kBlockBits;
     /// A stretch of rows that begins and ends at multiples of this is answered from summaries alone.
     static constexpr std::int64_t kSummary = 32;
+    /// The same, and from far fewer of them.
+    static constexpr std::int64_t kCoarseSummary = 256;
     /// More rows than any extent has.
     static constexpr std::int64_t kUnknown = std::int64_t{1} << 40;
 
@@ -87,12 +89,14 @@ public:
         const Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];
         const auto at = static_cast<std::size_t>(row & (kBlockRows - 1));
         if (block.single) {
-            const std::size_t fine = at & ~((std::size_t{1} << kFineBits) - 1);
-            if (fine != at) {
+            if (at % std::size_t(kSummary) != 0) {
+                const std::size_t fine = at & ~(std::size_t(kSummary) - 1);
                 __builtin_prefetch(&block.single->rows[fine]);
-                __builtin_prefetch(&block.single->rows[fine + (std::size_t{1} << (kFineBits - 1))]);
+                __builtin_prefetch(&block.single->rows[fine + std::size_t(kSummary) / 2]);
             }
-            __builtin_prefetch(&block.single->levels.fine[at >> kFineBits]);
+            if (at % std::size_t(kCoarseSummary) != 0) {
+                __builtin_prefetch(&block.single->levels.fine[at >> kFineBits]);
+            }
             __builtin_prefetch(&block.single->levels.coarse[at >> kCoarseBits]);
         }
 #endif
@@ -105,6 +109,7 @@ private:
     static constexpr int kFineBits = 5;
     static_assert(std::int64_t{1} << kFineBits == kSummary);
     static constexpr int kCoarseBits = 8;
+    static_assert(std::int64_t{1} << kCoarseBits == kCoarseSummary);
     static constexpr std::size_t kFineEntries = std::size_t(kBlockRows >> kFineBits);
     static constexpr std::size_t kCoarseEntries = std::size_t(kBlockRows >> kCoarseBits);
 
