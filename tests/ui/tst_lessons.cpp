@@ -77,7 +77,8 @@ struct Bench : WindowBench {
     /// The key of the header that offers the next step.
     bool nextStep(const QString& word) {
         auto& key = find<QPushButton>("nextStepButton");
-        if (!until([&] { return key.isVisible() && key.isEnabled() && key.text().contains(word); })) {
+        if (!until(
+                [&] { return key.isVisible() && key.isEnabled() && key.accessibleName().contains(word); })) {
             return false;
         }
         QTest::mouseClick(&key, Qt::LeftButton);

@@ -92,7 +92,7 @@ struct Bench : WindowBench {
     /// The next step, with the key in the header that offers it.
     bool stepsBy(const QString& text) {
         auto* step = window.findChild<QPushButton*>("nextStepButton");
-        if (!until([&] { return step->isVisible() && step->text() == text; })) {
+        if (!until([&] { return step->isVisible() && step->accessibleName() == text; })) {
             return false;
         }
         QTest::mouseClick(step, Qt::LeftButton);

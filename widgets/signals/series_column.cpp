@@ -5,7 +5,9 @@
 #include <emmintrin.h>
 #endif
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <new>
 
 namespace tiller {
 
@@ -14,6 +16,20 @@ namespace {
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
+
+void* SeriesColumn::OnCacheLine::operator new(std::size_t size, std::align_val_t) {
+    static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= sizeof(void*));
+    auto* const given = static_cast<std::byte*>(::operator new(size + kCacheLine));
+    std::byte* const line = given + (kCacheLine - reinterpret_cast<std::uintptr_t>(given) % kCacheLine);
+    std::memcpy(line - sizeof given, &given, sizeof given);  // to be given back
+    return line;
+}
+
+void SeriesColumn::OnCacheLine::operator delete(void* at, std::align_val_t) {
+    std::byte* given = nullptr;
+    std::memcpy(&given, static_cast<std::byte*>(at) - sizeof given, sizeof given);
+    ::operator delete(given);
+}
 
 /// NaN is no value: the comparisons leave it out.
 template <class Value>

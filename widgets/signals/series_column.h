@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <span>
 #include <vector>
 
@@ -117,14 +118,21 @@ private:
     struct Extent {
         Value min, max;
     };
+    static constexpr std::size_t kCacheLine = 64;
+    /// Begins with a cache line. By way of the ordinary allocator: glibc's for aligned memory hardly ever uses again what
+    /// was given back, and a history in which the oldest block makes room for the next would grow for days.
+    struct OnCacheLine {
+        static void* operator new(std::size_t size, std::align_val_t);
+        static void operator delete(void* at, std::align_val_t);
+    };
     /// The fine entries of a coarse one are a cache line.
     template <class Value>
-    struct alignas(64) Levels {
+    struct alignas(kCacheLine) Levels : OnCacheLine {
         std::array<Extent<Value>, kFineEntries> fine;
         std::array<Extent<Value>, kCoarseEntries> coarse;
     };
     template <class Value>
-    struct Values {
+    struct Values : OnCacheLine {
         std::array<Value, std::size_t(kBlockRows)> rows;
         Levels<Value> levels;
     };

@@ -67,7 +67,7 @@ struct ChunkIndex {
     std::uint64_t length = 0;  ///< of the whole record
     /// Channels and where their index records are. A list: a file of hours has a hundred thousand chunks.
     std::vector<std::pair<std::uint16_t, std::uint64_t>> messageIndexes{};
-    std::uint64_t messageIndexLength = 0;                     ///< of all of them together
+    std::uint64_t messageIndexLength = 0;  ///< of all of them together
     std::string compression{};
     std::uint64_t compressedSize = 0;
     std::uint64_t uncompressedSize = 0;
