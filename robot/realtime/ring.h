@@ -28,7 +28,7 @@ public:
         : words_(words)
         , mask_(roundUp(capacity) - 1)
         , stamps_(std::make_unique<std::atomic<std::uint64_t>[]>(mask_ + 1))
-        , data_(std::make_unique_for_overwrite<std::uint64_t[]>((mask_ + 1) * words)) {}
+        , data_(std::make_unique<std::uint64_t[]>((mask_ + 1) * words)) {}
 
     std::size_t words() const { return words_; }        ///< Of 64 bits in a record.
     std::size_t capacity() const { return mask_ + 1; }  ///< In records, a power of two.
@@ -144,7 +144,7 @@ private:
     std::size_t words_;
     std::size_t mask_;
     std::unique_ptr<std::atomic<std::uint64_t>[]> stamps_;
-    /// Not cleared: what was not pushed is not read, and takes no memory either.
+    /// Cleared, so that all of it is in memory before the producer comes to it.
     std::unique_ptr<std::uint64_t[]> data_;
     std::atomic<std::uint64_t> head_{0};
 };

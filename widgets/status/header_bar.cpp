@@ -266,10 +266,13 @@ void HeaderBar::showStep() {
     if (places_.isActive()) {
         return;  // the next step comes when the hand has had time to see it
     }
+    const bool isAnother = nextStep(state_) != step_;
     step_ = nextStep(state_);
     const QString obstacle = nextStepObstacle(state_);
     offerStep(step_ != NextStep::None, obstacle.isEmpty());
-    stepButton_->setText(stepWords(*stepButton_, nextStepText(step_), stepButton_->width()));
+    if (isAnother) {
+        stepButton_->setText(stepWords(*stepButton_, nextStepText(step_), stepButton_->width()));
+    }
     stepButton_->setAccessibleName(step_ == NextStep::None ? tr("Next step") : nextStepText(step_));
     stepButton_->setToolTip(obstacle.isEmpty() ? nextStepAdvice(step_) : obstacle);
 }

@@ -54,7 +54,7 @@ public:
     /// Every action with its shortcut, for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
 
-    /// Adds what concerns the whole project to the end of the tab's own menu.
+    /// Adds what concerns the whole project to the tab's own menu, behind "Project" at its end.
     void addToMenu(const QList<QAction*>& actions);
 
     /// What stands in the way to the selected waypoint, said beside the key; empty when nothing does.

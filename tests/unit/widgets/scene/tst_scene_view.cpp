@@ -120,6 +120,29 @@ struct ShownView : SceneView {
     }
 };
 
+class PaintCounter : public QObject {
+public:
+    explicit PaintCounter(QWidget& watched) { watched.installEventFilter(this); }
+    /// Until nothing is under way any more, and counts from there: a wait that comes to its end late has not looked
+    /// again.
+    void waitForQuiet() {
+        int quiet = 0;
+        for (int looks = 0; looks < 500 && quiet < 10; ++looks) {
+            paints = 0;
+            QTest::qWait(10);
+            quiet = paints == 0 ? quiet + 1 : 0;
+        }
+        paints = 0;
+    }
+    int paints = 0;
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        paints += event->type() == QEvent::Paint ? 1 : 0;
+        return false;
+    }
+};
+
 int countColor(const QImage& image, const QColor& color) {
     int count = 0;
     for (int y = 0; y < image.height(); ++y) {
@@ -501,22 +524,8 @@ private Q_SLOTS:
         view.show();
         view.setState(live(kStance));
         QVERIFY(QTest::qWaitForWindowExposed(&view));
-        struct Counter : QObject {
-            int paints = 0;
-            bool eventFilter(QObject*, QEvent* event) override {
-                paints += event->type() == QEvent::Paint ? 1 : 0;
-                return false;
-            }
-        } counter;
-        view.installEventFilter(&counter);
-        // Until nothing is under way any more: a wait that comes to its end late has not looked again.
-        int quiet = 0;
-        for (int looks = 0; looks < 500 && quiet < 10; ++looks) {
-            counter.paints = 0;
-            QTest::qWait(10);
-            quiet = counter.paints == 0 ? quiet + 1 : 0;
-        }
-        counter.paints = 0;
+        PaintCounter counter(view);
+        counter.waitForQuiet();
         for (int i = 0; i < 5; ++i) {
             view.setState(live(kStance, 1));
             QTest::qWait(20);
@@ -532,20 +541,8 @@ private Q_SLOTS:
     // of them together are.
     void whatNobodySeesIsNotDrawn() {
         ShownView view;
-        struct Counter : QObject {
-            int paints = 0;
-            bool eventFilter(QObject*, QEvent* event) override {
-                paints += event->type() == QEvent::Paint ? 1 : 0;
-                return false;
-            }
-        } counter;
-        view.installEventFilter(&counter);
-        int quiet = 0;
-        for (int looks = 0; looks < 500 && quiet < 10; ++looks) {
-            counter.paints = 0;
-            QTest::qWait(10);
-            quiet = counter.paints == 0 ? quiet + 1 : 0;
-        }
+        PaintCounter counter(view);
+        counter.waitForQuiet();
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         const Eigen::Vector3d tcp = kinematics::forwardTcp(model.dh, kStance, {}).position;
         const double scale = view.camera().project(tcp).pixelsPerMetre;
@@ -555,7 +552,6 @@ private Q_SLOTS:
                 .manhattanLength();
         };
         const double step = 0.05 / scale / model.reach;
-        counter.paints = 0;
         double time = 1;
         for (int i = 0; i < 4; ++i) {
             q[1] += step;
@@ -570,8 +566,7 @@ private Q_SLOTS:
         }
         QTRY_VERIFY(counter.paints > 0);
         // What turns in its place moves, too: the tool's axes.
-        QTest::qWait(50);
-        counter.paints = 0;
+        counter.waitForQuiet();
         q[5] += 0.3;
         view.setState(live(q, time += 0.02));
         QTRY_VERIFY(counter.paints > 0);
