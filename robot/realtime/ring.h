@@ -48,6 +48,7 @@ public:
     /// The record being pushed. Every word of it is set, in any order.
     class Slot {
     public:
+        /// One word of the record; index below words().
         void set(std::size_t index, std::uint64_t word) const {
             std::atomic_ref(words_[index]).store(word, std::memory_order_release);
         }
