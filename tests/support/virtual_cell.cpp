@@ -110,12 +110,27 @@ void VirtualCell::tick() {
            patience.elapsed() < 500) {
         std::this_thread::yield();
     }
+    awaitFirstAnswers(inputs);
     // The controller answers each data package with one input package, unless it lost control meanwhile.
     while (session.state().control == ControlState::InControl && stillPatient()) {
         if (robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(200)))) {
             break;
         }
         session.refresh();
+    }
+}
+
+// The program's watchdog counts the robot's time: of that no more may pass than the thread which answers has had
+// its turns for, also before the session knows that it is in control.
+// inputs  packages from the client until the robot's last step
+void VirtualCell::awaitFirstAnswers(std::uint64_t inputs) {
+    if (session.state().control != ControlState::Taking) {
+        inputsBeforeTaking_ = inputs;
+        return;
+    }
+    const bool answers = inputs > inputsBeforeTaking_;
+    if (answers && !robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(200)))) {
+        inputsBeforeTaking_ = inputs;  // it has ended: nothing to wait for until it begins anew
     }
 }
 

@@ -51,12 +51,14 @@ public:
 
 private:
     void tick();
+    void awaitFirstAnswers(std::uint64_t inputs);
     void interfaceTurn();
 
     int portOffset_;
     QString what_;
     int sinceRefresh_ = 0;
     int sincePump_ = 0;
+    std::uint64_t inputsBeforeTaking_ = 0;
     receive::Sample newest_;
 };
 
