@@ -37,6 +37,8 @@ const QString kSimulateHelp = QStringLiteral(
     "  --assume NAME=VALUE  behave so where it is not known how a real controller does; repeat for\n"
     "                       more. '--assume help' lists all names and values\n"
     "  --boot-time SECONDS  take so long to start, as a real controller does (default: none)\n"
+    "  --calibration SIZE   an arm that differs from its model by up to SIZE mm and mrad (at most 5),\n"
+    "                       and tells it as real arms do\n"
     "  --seed N             of measurement noise and of everything else that is random (default 1)\n"
     "  --priority N         run at SCHED_FIFO priority N, 1 to 99, if the system permits\n"
     "  --help               this text\n"
@@ -112,10 +114,11 @@ int simulate(const QStringList& arguments) {
     const QCommandLineOption fault("fault", {}, "WORDS");
     const QCommandLineOption assumed("assume", {}, "NAME=VALUE");
     const QCommandLineOption bootTime("boot-time", {}, "SECONDS", "0");
+    const QCommandLineOption calibration("calibration", {}, "SIZE", "0");
     const QCommandLineOption seed("seed", {}, "N", "1");
     const QCommandLineOption priority("priority", {}, "N");
     parser.addOptions({help, listen, offset, model, software, headless, local, programs, fault, assumed,
-                       bootTime, seed, priority});
+                       bootTime, calibration, seed, priority});
     if (!parser.parse(arguments)) {
         return wrongArguments(parser.errorText());
     }
@@ -177,9 +180,10 @@ int simulate(const QStringList& arguments) {
         }
     }
     const auto boot = numberIn(parser, bootTime, 0, 3600);
+    const auto deviation = numberIn(parser, calibration, 0, 5);
     const auto number = numberIn(parser, seed, 0, 1e15);
     const auto wished = parser.isSet(priority) ? numberIn(parser, priority, 1, 99) : std::optional<double>(0);
-    if (!boot || !number || !wished) {
+    if (!boot || !deviation || !number || !wished) {
         return kWrongArguments;
     }
     if (*boot > 0 && parser.isSet(headless)) {
@@ -187,6 +191,7 @@ int simulate(const QStringList& arguments) {
             QStringLiteral("--headless means ready to move: it does not go with --boot-time"));
     }
     options.bootTime = *boot;
+    options.calibration = *deviation;
     options.seed = static_cast<std::uint64_t>(*number);
     if (*wished > 0) {
         options.priority = static_cast<int>(*wished);

@@ -508,7 +508,7 @@ void MainWindow::showWayBack() {
     const SessionState& state = session_->state();
     PathMark way{PathMark::Kind::Breadcrumb, {}, {}};
     for (const JointPositions& q : jog_->wayBack()) {
-        way.places.push_back(kinematics::forwardTcp(robotModel(state.model).dh, q, state.tcpOffset).position);
+        way.places.push_back(kinematics::forwardTcp(state.dh, q, state.tcpOffset).position);
     }
     scene_->view().setPaths(way.places.size() > 1 ? std::vector<PathMark>{way} : std::vector<PathMark>());
 }

@@ -15,12 +15,16 @@
 
 namespace tiller {
 
-/// Classic Denavit-Hartenberg parameters: T(i-1,i) = Rz(theta) Tz(d) Tx(a) Rx(alpha).
+/// Classic Denavit-Hartenberg parameters, and Hayati's beta: T(i-1,i) = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta).
 struct DhParameters {
     std::array<double, 6> a{};      ///< [m]
     std::array<double, 6> d{};      ///< [m]
     std::array<double, 6> alpha{};  ///< [rad]
     std::array<double, 6> theta{};  ///< joint offsets of a calibrated robot [rad]
+    /// Where the axes of a calibrated robot are not quite parallel [rad]: see kinematics/parallel_axes.h
+    std::array<double, 6> beta{};
+
+    bool operator==(const DhParameters&) const = default;
 };
 
 /// One link, in its own DH frame: mass [kg], centre of mass [m],

@@ -125,11 +125,18 @@ void keep(const DhParameters& dh, const Eigen::Isometry3d& target, JointPosition
 
 }  // namespace
 
+Eigen::Isometry3d linkTransform(const DhParameters& dh, int joint, double q) {
+    const auto i = static_cast<std::size_t>(joint);
+    const Eigen::Isometry3d T = link(dh.a[i], dh.d[i], dh.alpha[i], q + dh.theta[i]);
+    return dh.beta[i] == 0 ? T : T * Eigen::AngleAxisd(dh.beta[i], Eigen::Vector3d::UnitY());
+}
+
 std::array<Eigen::Isometry3d, 7> linkFrames(const DhParameters& dh, const JointPositions& q) {
     std::array<Eigen::Isometry3d, 7> frames;
     frames[0].setIdentity();
-    for (std::size_t i = 0; i < 6; ++i) {
-        frames[i + 1] = frames[i] * link(dh.a[i], dh.d[i], dh.alpha[i], q[static_cast<int>(i)] + dh.theta[i]);
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        const auto i = static_cast<std::size_t>(joint);
+        frames[i + 1] = frames[i] * linkTransform(dh, joint, q[joint]);
     }
     return frames;
 }

@@ -16,6 +16,11 @@
 
 namespace tiller::kinematics {
 
+/// T(joint, joint + 1): from the frame before a joint to the one behind it.
+/// joint  0 (base) to 5 (wrist 3); q  its position [rad]
+/// Threads  any. Real-time: yes
+Eigen::Isometry3d linkTransform(const DhParameters& dh, int joint, double q);
+
 /// T_base_i for i = 0 (base) ... 6 (flange).
 /// Threads  any. Real-time: yes
 std::array<Eigen::Isometry3d, 7> linkFrames(const DhParameters& dh, const JointPositions& q);
@@ -38,8 +43,8 @@ struct InverseSolutions {
 };
 
 /// T_base_flange to joints. At a wrist singularity, where wrist 3 is free, `wrist3AtSingularity` is used
-/// [rad], or the angle nearest to it with which the arm gets there. Works on the nominal DH (theta offsets applied; other calibration deltas are refined by Newton
-/// steps).
+/// [rad], or the angle nearest to it with which the arm gets there. Closed form on lengths and offsets; what a
+/// calibration adds to them is met by Newton steps, once parallel_axes.h has put the frames at their links.
 /// Threads  any. Real-time: yes (no allocation)
 InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base_flange,
                          double wrist3AtSingularity = 0.0);

@@ -136,7 +136,7 @@ private Q_SLOTS:
                 for (const Stance& stance : kStances) {
                     SceneView view;
                     view.resize(960, 720);
-                    view.setModel(model.id);
+                    view.setModel(model);
                     view.setTcpOffset(Pose(0, 0, 0.12, 0, 0, 0));
                     view.setToolRadius(0.03);
                     view.setJoints(stance.q);

@@ -70,6 +70,30 @@ private Q_SLOTS:
     }
     void cleanup() { bench_.reset(); }
 
+    // Each arm is some tenths of a millimetre another one than its model, and tells it with frames that stand far
+    // from its links.
+    void theArmIsDrawnAndReckonedByItsOwnCalibration() {
+        simulator::SimulatorOptions robot = VirtualCell::options();
+        robot.calibration = 2;
+        bench_.reset();
+        bench_ = std::make_unique<WindowBench>(robot);
+        bench_->show(QSize(1280, 720));
+        QVERIFY2(bench_->cell.bringUp(), qPrintable(bench_->cell.what()));
+        bench_->cell.advanceMs(100);
+        const SessionState& state = window().session().state();
+        const DhParameters& nominal = robotModel(state.model).dh;
+        QVERIFY(state.dh != nominal);
+        QVERIFY(window().document().robot().dh == state.dh);
+        const auto off = [&](const DhParameters& dh) {
+            return distanceMm(kinematics::forwardTcp(dh, state.q, state.tcpOffset), state.tcpPose);
+        };
+        QVERIFY2(off(nominal) > 0.5, qPrintable(QString::number(off(nominal))));
+        QVERIFY2(off(state.dh) < 1e-6, qPrintable(QString::number(off(state.dh))));
+        // The picture is of an arm, not of links all over the place.
+        QVERIFY(isInThePicture(state.q));
+        keepPicture(view(), QStringLiteral("scene-calibrated"));
+    }
+
     // An upright arm was cut off at the top.
     void theGhostOfHomeIsInThePicture() {
         view().grab();

@@ -376,8 +376,8 @@ void JogColumn::showSpeeds() {
     const auto text = [&](const MoveRequest& request) {
         return known ? moveSpeedText(request, state_) : QString();
     };
-    homeKey_->setDetail(text(
-        homeMove(selection(), state_.q, home_, robotModel(state_.model), state_.tcpOffset, port_.limits())));
+    homeKey_->setDetail(
+        text(homeMove(selection(), state_.q, home_, state_.arm(), state_.tcpOffset, port_.limits())));
     align_->setDetail(text(alignMove(selection(), state_.tcpPose, port_.limits())));
     MoveRequest back;
     back.q = track_->nextPlace().value_or(state_.q);
@@ -598,8 +598,7 @@ void JogColumn::connectKeys() {
 
 void JogColumn::connectBottom() {
     const auto home = [this] {
-        return homeMove(selection(), state_.q, home_, robotModel(state_.model), state_.tcpOffset,
-                        port_.limits());
+        return homeMove(selection(), state_.q, home_, state_.arm(), state_.tcpOffset, port_.limits());
     };
     guardKey(
         homeKey_, [this, home] { return beginMove(home()); }, Steps::None);
@@ -623,10 +622,8 @@ void JogColumn::connectBottom() {
         const control::MotionLimits limits = port_.limits();
         const SpeedClass chosen = chosenSpeed(selection());
         const double tcpSpeed = std::min(chosen.tcp, limits.tcpSpeed);
-        return std::min(
-            {chosen.joint, limits.jointSpeed,
-             kinematics::jointSpeedBound(robotModel(state_.model).dh, from, to, state_.tcpOffset, tcpSpeed)
-                 .speed});
+        return std::min({chosen.joint, limits.jointSpeed,
+                         kinematics::jointSpeedBound(state_.dh, from, to, state_.tcpOffset, tcpSpeed).speed});
     });
     guardMotion(back_, track_->motion(), false);
     for (HoldButton* key : {homeKey_, align_, back_}) {

@@ -39,8 +39,7 @@ void KeyGhosts::show(const Offer& offer) {
                 .speed = target->speed,
                 .acceleration = target->acceleration};
     if (ghost.linear) {
-        const auto q =
-            kinematics::inverseNearest(robotModel(state_.model).dh, target->pose, state_.tcpOffset, state_.q);
+        const auto q = kinematics::inverseNearest(state_.dh, target->pose, state_.tcpOffset, state_.q);
         ghost.reachable = q.has_value();
         ghost.q = q.value_or(state_.q);
     }

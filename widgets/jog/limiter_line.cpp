@@ -37,7 +37,7 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
         QString advice;
         QString orElse;
     };
-    const DhParameters& dh = robotModel(state.model).dh;
+    const DhParameters& dh = state.dh;
     const auto measure = kinematics::singularityMeasure(dh, state.q);
     const auto degrees = [](double sine) { return toDegrees(std::asin(std::min(1.0, std::abs(sine)))); };
     const Kind kinds[] = {
@@ -83,7 +83,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
     if (nearest >= 0) {
         const QString name = jointName(nearest);
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
-        const int key = wayOut(robotModel(state.model).dh, state.q, state.tcpOffset, R_base_frame, nearest);
+        const int key = wayOut(state.dh, state.q, state.tcpOffset, R_base_frame, nearest);
         return {LimiterAdviceText::tr("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
                 key < 0 ? LimiterAdviceText::tr("turn %1 %2").arg(name, back)
                         : LimiterAdviceText::tr("jog %1 or turn %2 %3").arg(travelKeyName(key), name, back)};

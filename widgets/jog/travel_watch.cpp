@@ -84,7 +84,7 @@ void TravelWatch::look() {
     const bool turns = key->key().axis >= 3;
     Vector6 direction = Vector6::Zero();
     direction.segment<3>(turns ? 3 : 0) = axes.col(key->key().axis % 3) * key->key().direction;
-    const Travel travel = travelLeft(robotModel(state_.model).dh, state_.q, state_.tcpOffset, direction);
+    const Travel travel = travelLeft(state_.dh, state_.q, state_.tcpOffset, direction);
     travel_.at(static_cast<std::size_t>(index)) = travel;
     const bool little = travel.end != Travel::End::Open && travel.left < (turns ? toRadians(10) : 0.03);
     key->setTravel(textOf(travel, turns), little);

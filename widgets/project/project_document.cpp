@@ -16,14 +16,14 @@ namespace tiller {
 
 ProjectDocument::ProjectDocument(QObject* parent)
     : QObject(parent)
-    , robot_(&robotModel(RobotModelId::UR5e))
+    , robot_(robotModel(RobotModelId::UR5e))
     , author_(qEnvironmentVariable("USER", qEnvironmentVariable("USERNAME"))) {}
 
-void ProjectDocument::setRobot(RobotModelId robot) {
-    if (robot_->id == robot) {
+void ProjectDocument::setRobot(const RobotModel& robot) {
+    if (robot_.id == robot.id && robot_.dh == robot.dh) {
         return;
     }
-    robot_ = &robotModel(robot);
+    robot_ = robot;
     refreshReach();
     tellAllChanged();
 }
@@ -46,7 +46,7 @@ void ProjectDocument::setProject(project::Project project) {
 void ProjectDocument::refreshReach() {
     reach_.clear();
     for (const project::Waypoint& point : waypoints()) {
-        reach_.push_back(project::reach(*robot_, point, frames()));
+        reach_.push_back(project::reach(robot_, point, frames()));
     }
 }
 
@@ -467,7 +467,7 @@ void ProjectDocument::insertRaw(int row, const std::vector<project::Waypoint>& w
     int at = row;
     for (const project::Waypoint& waypoint : waypoints) {
         project_.waypoints.insert(at++, waypoint);
-        reaches.push_back(project::reach(*robot_, waypoint, frames()));
+        reaches.push_back(project::reach(robot_, waypoint, frames()));
     }
     reach_.insert(reach_.begin() + row, reaches.begin(), reaches.end());
     Q_EMIT waypointsInserted(row, last);
@@ -501,7 +501,7 @@ void ProjectDocument::replaceRaw(const std::vector<project::Waypoint>& waypoints
     for (const project::Waypoint& waypoint : waypoints) {
         const int row = project_.waypoints.indexOf(waypoint.id);
         project_.waypoints.replace(row, waypoint);
-        reach_.at(static_cast<std::size_t>(row)) = project::reach(*robot_, waypoint, frames());
+        reach_.at(static_cast<std::size_t>(row)) = project::reach(robot_, waypoint, frames());
         first = std::min(first, row);
         last = std::max(last, row);
     }

@@ -23,9 +23,9 @@ public:
     const project::Project& project() const { return project_; }
     const project::WaypointList& waypoints() const { return project_.waypoints; }
     const project::FrameList& frames() const { return project_.frames; }
-    const RobotModel& robot() const { return *robot_; }
+    const RobotModel& robot() const { return robot_; }
     /// Reach depends on the arm.
-    void setRobot(RobotModelId robot);
+    void setRobot(const RobotModel& robot);
     const project::Reach& reach(int row) const { return reach_.at(static_cast<std::size_t>(row)); }
     const project::Tooling& tooling() const { return project_.tooling; }
     const project::Positions& positions() const { return project_.positions; }
@@ -135,7 +135,7 @@ private:
 
     project::Project project_;
     std::vector<project::Reach> reach_;  ///< of the waypoints, in their order
-    const RobotModel* robot_;
+    RobotModel robot_;
     QUndoStack undo_;
     QString author_;
 };

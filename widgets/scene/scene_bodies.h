@@ -36,6 +36,7 @@ public:
     SceneBodies();
     ~SceneBodies();
 
+    /// It is kept, and has to stay.
     void setModel(const RobotModel& model);
     /// Nothing: no arm is shown.
     void setArm(const std::optional<JointPositions>& q, bool stale);

@@ -44,10 +44,10 @@ constexpr int kSoonMs = 4;       // as good as now
 
 SceneView::SceneView(QWidget* parent)
     : QWidget(parent)
-    , model_(&robotModel(RobotModelId::UR5e))
+    , model_(robotModel(RobotModelId::UR5e))
     , bodies_(std::make_unique<SceneBodies>())
     , keys_(new SceneKeys(this)) {
-    bodies_->setModel(*model_);
+    bodies_->setModel(model_);
     setObjectName(QStringLiteral("scene"));
     setAccessibleName(tr("View of the arm"));
     setAccessibleDescription(
@@ -56,7 +56,7 @@ SceneView::SceneView(QWidget* parent)
            "Nothing here moves the robot."));
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);  // the ground is drawn over all of it
-    camera_.reset(collision::uprightHeight(*model_));
+    camera_.reset(collision::uprightHeight(model_));
     connect(keys_, &SceneKeys::lookWanted, this, &SceneView::lookFrom);
     connect(keys_, &SceneKeys::fitWanted, this, &SceneView::fitAll);
     placeKeys();
@@ -90,15 +90,15 @@ bool SceneView::armHasMoved() const {
     if (q_ == drawnAt_) {
         return false;
     }
-    const auto before = kinematics::linkFrames(model_->dh, drawnAt_);
-    const auto now = kinematics::linkFrames(model_->dh, q_);
+    const auto before = kinematics::linkFrames(model_.dh, drawnAt_);
+    const auto now = kinematics::linkFrames(model_.dh, q_);
     const double limit = kSeenMove / devicePixelRatioF();
     const auto isSeen = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         const QPointF by = camera_.project(to).point - camera_.project(from).point;
         return std::hypot(by.x(), by.y()) >= limit;
     };
     // The axes of each frame reach beyond the housing, so that what turns about its own axis is seen, too.
-    const double beside = kToolAxes * model_->reach / 0.85;
+    const double beside = kToolAxes * model_.reach / 0.85;
     const auto hasMoved = [&](const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
         if (isSeen(from.translation(), to.translation())) {
             return true;
@@ -120,16 +120,19 @@ bool SceneView::armHasMoved() const {
     return hasMoved(before.back() * tool, now.back() * tool);
 }
 
-void SceneView::setModel(RobotModelId model) {
-    if (model_->id == model) {
+void SceneView::setModel(const RobotModel& model) {
+    const bool another = model_.id != model.id;
+    if (!another && model_.dh == model.dh) {
         return;
     }
-    model_ = &robotModel(model);
-    bodies_->setModel(*model_);
+    model_ = model;
+    bodies_->setModel(model_);
     rebuildCheck();
-    camera_.reset(collision::uprightHeight(*model_));
-    beforeGhost_.reset();
-    keptInSight_ = fitWanted_ = true;
+    if (another) {
+        camera_.reset(collision::uprightHeight(model_));
+        beforeGhost_.reset();
+        keptInSight_ = fitWanted_ = true;
+    }
     trace_.clear();
     updateGhost();
     changed();
@@ -265,14 +268,16 @@ void SceneView::setState(const SessionState& state) {
         setStale(true, lost ? tr("NO DATA") : tr("Not connected"));
         return;
     }
-    setModel(state.model);
+    if (model_.id != state.model || model_.dh != state.dh) {
+        setModel(state.arm());
+    }
     setTcpOffset(state.tcpOffset);
     setSpeedFraction(state.speedFraction);
     setJoints(state.q);
     setStale(state.link != LinkState::Live);
     // Its new end is where the arm is, and is drawn with it.
     const double began = trace_.begins();
-    trace_.extend(state.robotTime, kinematics::forwardTcp(model_->dh, q_, tcpOffset_).position);
+    trace_.extend(state.robotTime, kinematics::forwardTcp(model_.dh, q_, tcpOffset_).position);
     if (trace_.begins() != began) {
         changed();
     }
@@ -283,9 +288,9 @@ void SceneView::updateGhost() {
     report_.reset();
     if (ghost_ && ghost_->reachable && haveJoints_) {
         if (!check_) {
-            check_.emplace(*model_, collision::ToolBody{tcpOffset_, toolRadius_}, surroundings_);
+            check_.emplace(model_, collision::ToolBody{tcpOffset_, toolRadius_}, surroundings_);
         }
-        report_ = collision::examineMove(*model_, *check_, tcpOffset_,
+        report_ = collision::examineMove(model_, *check_, tcpOffset_,
                                          {q_, ghost_->q, ghost_->linear, ghost_->speed, ghost_->acceleration},
                                          speedFraction_);
     }
@@ -335,16 +340,16 @@ std::vector<Camera::Ball> SceneView::inSight() const {
     std::vector<Camera::Ball> balls;
     const auto add = [&](const JointPositions& q) {
         for (const collision::LinkCapsule& part :
-             collision::placedCapsules(collision::armCapsules(*model_), model_->dh, q)) {
+             collision::placedCapsules(collision::armCapsules(model_), model_.dh, q)) {
             balls.push_back({part.shape.from, part.shape.radius});
             balls.push_back({part.shape.to, part.shape.radius});
         }
     };
-    const double reach = model_->reach;
+    const double reach = model_.reach;
     if (haveJoints_) {
         add(q_);
         balls.push_back(
-            {kinematics::forwardTcp(model_->dh, q_, tcpOffset_).position, kToolAxes * reach / 0.85});
+            {kinematics::forwardTcp(model_.dh, q_, tcpOffset_).position, kToolAxes * reach / 0.85});
     } else {
         add(JointPositions(0, -std::numbers::pi / 2, 0, -std::numbers::pi / 2, 0, 0));  // upright
     }
@@ -440,7 +445,7 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
     }
     if (secondGhost_ && haveJoints_) {
         const auto addGhost = [&](const Ghost& ghost, const QString& text) {
-            add(kinematics::forwardTcp(model_->dh, ghost.q, tcpOffset_).position, text.arg(ghost.name), true);
+            add(kinematics::forwardTcp(model_.dh, ghost.q, tcpOffset_).position, text.arg(ghost.name), true);
         };
         addGhost(*secondGhost_, tr("“%1” as it will be"));
         if (ghost_ && ghost_->reachable) {
@@ -501,7 +506,7 @@ void SceneView::drawGround(QPainter& painter, const QSize& size) {
         ground_.setDevicePixelRatio(scale);
         ground_.fill(theme.panel);
         QPainter onGround(&ground_);
-        ScenePainter(onGround, camera_, theme).ground(model_->reach, floorHeight());
+        ScenePainter(onGround, camera_, theme).ground(model_.reach, floorHeight());
     }
     painter.drawImage(QPointF(0, 0), ground_);
 }
@@ -545,13 +550,13 @@ QRectF SceneView::drawJog(ScenePainter& scene) {
     }
     const Theme& theme = Theme::current();
     constexpr double kTurnRadius = 0.13;  // of the arm's reach
-    const double radius = kTurnRadius * model_->reach;
+    const double radius = kTurnRadius * model_.reach;
     if (jog_->joint >= 0) {
-        const auto frames = kinematics::linkFrames(model_->dh, q_);
+        const auto frames = kinematics::linkFrames(model_.dh, q_);
         const auto joint = static_cast<std::size_t>(jog_->joint);
         // Where the joint's housing is, not only its axis.
         Eigen::Vector3d centre = frames[joint].translation();
-        for (const collision::LinkCapsule& part : collision::armCapsules(*model_)) {
+        for (const collision::LinkCapsule& part : collision::armCapsules(model_)) {
             if (part.link == jog_->joint + 1) {
                 centre = frames[joint + 1] * part.shape.from;
                 break;
@@ -560,17 +565,16 @@ QRectF SceneView::drawJog(ScenePainter& scene) {
         return scene.turn(centre, frames[joint].linear().col(2) * jog_->sign, radius, theme.moving,
                           jog_->label);
     }
-    const Eigen::Vector3d tcp = kinematics::forwardTcp(model_->dh, q_, tcpOffset_).position;
-    return jog_->turns
-               ? scene.turn(tcp, jog_->direction, radius, theme.axis(jog_->axis), jog_->label)
-               : scene.arrow(tcp, jog_->direction, model_->reach, theme.axis(jog_->axis), jog_->label);
+    const Eigen::Vector3d tcp = kinematics::forwardTcp(model_.dh, q_, tcpOffset_).position;
+    return jog_->turns ? scene.turn(tcp, jog_->direction, radius, theme.axis(jog_->axis), jog_->label)
+                       : scene.arrow(tcp, jog_->direction, model_.reach, theme.axis(jog_->axis), jog_->label);
 }
 
 void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     const Theme& theme = Theme::current();
     frame(size);
     ScenePainter scene(painter, camera_, theme);
-    const double reach = model_->reach;
+    const double reach = model_.reach;
     drawnAt_ = q_;
     drawGround(painter, size.toSize());
     const bool showsGhost = ghost_ && ghost_->reachable && haveJoints_;
@@ -590,7 +594,7 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     drawPaths(scene);
     QRectF arrowName;
     if (haveJoints_) {
-        const Eigen::Isometry3d T_base_tcp = kinematics::forwardTcp(model_->dh, q_, tcpOffset_).transform();
+        const Eigen::Isometry3d T_base_tcp = kinematics::forwardTcp(model_.dh, q_, tcpOffset_).transform();
         scene.axes(T_base_tcp, kToolAxes * reach / 0.85, stale_);
         arrowName = drawJog(scene);
     }

@@ -48,7 +48,7 @@ public:
     explicit SceneView(QWidget* parent = nullptr);
     ~SceneView() override;
 
-    void setModel(RobotModelId model);
+    void setModel(const RobotModel& model);
     void setJoints(const JointPositions& q);
     void setTcpOffset(const Pose& offset);
     void setGhost(const std::optional<Ghost>& ghost);
@@ -150,7 +150,7 @@ private:
     void drawGround(QPainter& painter, const QSize& size);
     void drawPaths(ScenePainter& scene);
 
-    const RobotModel* model_;
+    RobotModel model_;
     JointPositions q_;
     JointPositions drawnAt_;  ///< the joints in the last picture
     Pose tcpOffset_;

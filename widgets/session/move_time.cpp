@@ -37,7 +37,7 @@ double lineBound(const SessionState& state, const Pose& to, double cap) {
         return std::numeric_limits<double>::infinity();
     }
     // Where the model has the TCP, not where the robot says: both figures shall be of one line.
-    const DhParameters& dh = robotModel(state.model).dh;
+    const DhParameters& dh = state.dh;
     const LineWay way = lineWay(kinematics::forwardTcp(dh, state.q, state.tcpOffset), to);
     const double tcp = kinematics::lineSpeedBound(dh, state.q, to, state.tcpOffset, cap,
                                                   std::numeric_limits<double>::infinity())
@@ -68,7 +68,7 @@ QString moveSpeedText(const MoveRequest& request, const SessionState& state) {
         }
         // The bound is in proportion to the cap: for a cap of 1 m/s it is the way of the joint per metre.
         const kinematics::SpeedBound bound =
-            kinematics::jointSpeedBound(robotModel(state.model).dh, state.q, request.q, state.tcpOffset, 1.0);
+            kinematics::jointSpeedBound(state.dh, state.q, request.q, state.tcpOffset, 1.0);
         tcp = request.speed / bound.speed;
         turn = request.speed;
     } else {
@@ -84,10 +84,9 @@ QString moveSpeedText(const MoveRequest& request, const SessionState& state) {
 
 MoveRequest slowedTo(const HeldSpeed& speed, MoveRequest request, const SessionState& state) {
     if (request.kind == MoveRequest::Kind::MoveJ) {
-        request.speed = std::min({request.speed, speed.joint,
-                                  kinematics::jointSpeedBound(robotModel(state.model).dh, state.q, request.q,
-                                                              state.tcpOffset, speed.tcp)
-                                      .speed});
+        request.speed = std::min(
+            {request.speed, speed.joint,
+             kinematics::jointSpeedBound(state.dh, state.q, request.q, state.tcpOffset, speed.tcp).speed});
         return request;
     }
     // The longer of way and turn leads a line; each keeps below its own speed.

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "robot/kinematics/parallel_axes.h"
 #include "robot/receive/robot_state.h"
 #include "widgets/session/texts.h"
 
@@ -93,12 +94,12 @@ void SessionBackend::readLink() {
     state.portOffset = address.portOffset;
     state.simulated = address.simulated;
     state.version = receiver.version();
-    if (link->primary) {
-        if (const auto configuration = link->primary->configuration()) {
-            state.model =
-                robotModelByType(configuration->robotType, state.version.isCb3()).value_or(state.model);
-        }
+    const auto told = link->primary ? link->primary->configuration() : std::nullopt;
+    if (told) {
+        state.model = robotModelByType(told->robotType, state.version.isCb3()).value_or(state.model);
     }
+    const RobotModel& model = robotModel(state.model);
+    state.dh = told ? kinematics::calibrated(model, told->dh) : model.dh;
 }
 
 void SessionBackend::readSample() {

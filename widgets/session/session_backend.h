@@ -100,6 +100,7 @@ struct SessionBackend {
     SessionWorker files;
     SessionWorker controlling;  ///< takes control and gives it back
     SessionWorker worker;
+    SessionWorker pulses;  ///< each takes as long as its output is on: nothing else waits for that
     FurtherStream further{*clock, worker};
 
     /// Asks the robot for furtherFields, where there is one.

@@ -70,6 +70,7 @@ struct SessionState {
     bool simulated = false;
     SoftwareVersion version;
     RobotModelId model = RobotModelId::UR5e;
+    DhParameters dh = robotModel(RobotModelId::UR5e).dh;  ///< the arm's own where it tells its calibration
     LinkQuality quality;
 
     // modes
@@ -121,6 +122,12 @@ struct SessionState {
     double robotTime = 0;        ///< the controller's time stamp [s]
     std::uint64_t sequence = 0;  ///< of the sample shown; 0 = none yet
 
+    /// Its model, by its own calibration.
+    RobotModel arm() const {
+        RobotModel own = robotModel(model);
+        own.dh = dh;
+        return own;
+    }
     /// True when a press on a jog key would move the arm.
     bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
     /// The safety value to show and to act on, of the two the controller sends.

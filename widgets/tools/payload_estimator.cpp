@@ -146,10 +146,10 @@ Result<MotionPort::Id> PayloadEstimator::beginMove() {
     request.kind = MoveRequest::Kind::MoveJ;
     request.q = nextPose();
     const control::MotionLimits limits = port_.limits();
-    request.speed = std::min({kProposedSpeed, limits.jointSpeed,
-                              kinematics::jointSpeedBound(robotModel(state_.model).dh, state_.q, request.q,
-                                                          state_.tcpOffset, limits.tcpSpeed)
-                                  .speed});
+    request.speed = std::min(
+        {kProposedSpeed, limits.jointSpeed,
+         kinematics::jointSpeedBound(state_.dh, state_.q, request.q, state_.tcpOffset, limits.tcpSpeed)
+             .speed});
     request.acceleration = kProposedAcceleration;
     request = slowedTo(heldSpeed_(), request, state_);
     bounds_ = {HoldBounds::longestOf(moveSeconds(request, state_)), HoldRules::silenceAt(0, request.speed)};

@@ -13,7 +13,7 @@ StandstillMean::Outcome StandstillMean::add(const SessionState& state) {
     if (state.moving || state.motionActive) {
         return Outcome::Moved;
     }
-    const Eigen::Matrix3d R = kinematics::forward(robotModel(state.model).dh, state.q).linear();
+    const Eigen::Matrix3d R = kinematics::forward(state.dh, state.q).linear();
     const Wrench felt =
         state.rawWrenchKnown
             ? state.rawWrench

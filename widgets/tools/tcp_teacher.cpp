@@ -110,7 +110,7 @@ std::optional<Eigen::Isometry3d> TcpTeacher::flange() const {
     if (state_.link != LinkState::Live) {
         return std::nullopt;
     }
-    return kinematics::forward(robotModel(state_.model).dh, state_.q);
+    return kinematics::forward(state_.dh, state_.q);
 }
 
 void TcpTeacher::takeNext() {

@@ -23,7 +23,7 @@ constexpr int kLookedAt = 32;
 /// Where the arm is after the move.
 SessionState after(const MoveRequest& move, SessionState state) {
     state.q = move.q;
-    state.tcpPose = kinematics::forwardTcp(robotModel(state.model).dh, move.q, state.tcpOffset);
+    state.tcpPose = kinematics::forwardTcp(state.dh, move.q, state.tcpOffset);
     return state;
 }
 

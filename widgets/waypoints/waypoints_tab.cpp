@@ -183,8 +183,8 @@ void WaypointsTab::buildLayout(MotionPort port) {
 
 void WaypointsTab::onState(const SessionState& state) {
     state_ = state;
-    if (document_.robot().id != state.model) {
-        document_.setRobot(state.model);
+    if (document_.robot().id != state.model || document_.robot().dh != state.dh) {
+        document_.setRobot(state.arm());
         Q_EMIT ghostChanged();
     }
     if (!detailsTimer_.isActive()) {

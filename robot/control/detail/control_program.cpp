@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "robot/core/wait_until.h"
+#include "robot/kinematics/parallel_axes.h"
 #include "robot/script/script_client.h"
 
 namespace tiller::control {
@@ -48,8 +49,9 @@ Result<void> ControlProgram::listen(const SoftwareVersion& version, const Deadli
     if (const auto told = listener->configuration()) {
         // The robot tells its type, but not what torques its joints can give.
         const auto model = robotModelByType(told->robotType, version.isCb3());
-        limits = {told->dh, told->minPosition, told->maxPosition, told->maxSpeed,
-                  robotModel(model.value_or(options_.model)).maxTorque};
+        const RobotModel& arm = robotModel(model.value_or(options_.model));
+        limits = {kinematics::calibrated(arm, told->dh), told->minPosition, told->maxPosition, told->maxSpeed,
+                  arm.maxTorque};
     }
     const std::lock_guard lock(guard_);
     arm_ = limits;

@@ -36,6 +36,9 @@ ArmGeometry::ArmGeometry(const RobotModel& model) : model_(model) {
     const auto alpha = Vector6::Map(model.dh.alpha.data()).array();
     sinAlpha_ = alpha.sin();
     cosAlpha_ = alpha.cos();
+    for (std::size_t i = 0; i < turned_.size(); ++i) {
+        turned_[i] = Eigen::AngleAxisd(model.dh.beta[i], Eigen::Vector3d::UnitY()).toRotationMatrix();
+    }
     const auto& a = model.dh.a;
     determinantScale_ = std::abs(a[1] * a[2]) * (std::abs(a[1]) + std::abs(a[2]));
 }
@@ -59,6 +62,9 @@ void ArmGeometry::placeLinks(const Vector6& q, std::array<Eigen::Isometry3d, 7>&
         T.linear().col(0) = x;
         T.linear().col(1) = cosAlpha_[i] * y + sinAlpha_[i] * before.col(2);
         T.linear().col(2) = cosAlpha_[i] * before.col(2) - sinAlpha_[i] * y;
+        if (model_.dh.beta[k] != 0) {
+            T.linear() = (T.linear() * turned_[k]).eval();
+        }
         T.translation() = frames[k].translation() + model_.dh.a[k] * x + model_.dh.d[k] * before.col(2);
         T.makeAffine();
     }

@@ -53,6 +53,7 @@ private:
     const RobotModel& model_;
     Vector6 sinAlpha_;
     Vector6 cosAlpha_;
+    std::array<Eigen::Matrix3d, 6> turned_;  ///< by beta
     Pose tcp_;
     Eigen::Isometry3d T_flange_tcp_ = Eigen::Isometry3d::Identity();
     double determinantScale_ = 1;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "robot/kinematics/parallel_axes.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 
@@ -64,6 +65,23 @@ double executionTime(std::uint64_t tick, bool programActive) {
     return (programActive ? 0.52 : 0.45) + 0.06 * scatter;
 }
 
+/// An arm as it was built, not as it was meant: off by up to so many mm and mrad.
+RobotModel deviating(const RobotModel& model, double size) {
+    RobotModel result = model;
+    DhParameters& dh = result.dh;
+    for (std::size_t i = 0; i < dh.a.size() && size != 0; ++i) {
+        // Any fixed pattern will do; it has to be the same each time, because clients make a hash of it.
+        const double off = size * 1e-3 * std::sin(1.0 + 2.0 * static_cast<double>(i));
+        const bool parallel = i == 1 || i == 2;
+        dh.theta[i] += off;
+        dh.a[i] += off;
+        dh.d[i] -= parallel ? 0 : off;
+        dh.alpha[i] -= off;
+        dh.beta[i] += parallel ? off : 0;
+    }
+    return result;
+}
+
 arm::DriveState driveState(const PowerSystem& power) {
     if (power.mode() == RobotMode::Running || power.mode() == RobotMode::Backdrive) {
         return arm::DriveState::Running;
@@ -94,8 +112,9 @@ JointMode jointMode(const PowerSystem& power) {
 
 Plant::Plant(const SimulatorOptions& options)
     : options_(options)
-    , arm_(robotModel(options.model), armOptions(options))
-    , reported_(robotModel(options.model))
+    , model_(deviating(robotModel(options.model), options.calibration))
+    , arm_(model_, armOptions(options))
+    , reported_(model_)
     , power_(options.poweredOn)
     , host_(std::make_unique<ScriptHost>(*this))
     , programs_(std::make_unique<ProgramRunner>(*this, *host_))
@@ -317,16 +336,8 @@ void Plant::setRemoteControl(bool remote) {
 }
 
 void Plant::setCalibrationError(double size) {
-    reported_ = arm_.model();
-    DhParameters& dh = reported_.dh;
-    for (std::size_t i = 0; i < dh.a.size(); ++i) {
-        // Any fixed pattern will do; it has to be the same each time, because clients make a hash of it.
-        const double wave = std::sin(1.0 + 2.0 * static_cast<double>(i));
-        dh.theta[i] += size * 1e-3 * wave;
-        dh.a[i] += size * 1e-3 * wave;
-        dh.d[i] -= size * 1e-3 * wave;
-        dh.alpha[i] -= size * 1e-3 * wave;
-    }
+    reported_ = deviating(model_, size);
+    reported_.dh = kinematics::asDenavitHartenberg(reported_.dh);
     ++identity_;
 }
 

@@ -127,6 +127,7 @@ private:
     void refreshTelemetry();
 
     SimulatorOptions options_;
+    RobotModel model_;  ///< with the arm's own calibration
     arm::Arm arm_;
     RobotModel reported_;  ///< the model as told to clients
     Registers registers_;

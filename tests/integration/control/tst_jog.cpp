@@ -40,6 +40,46 @@ private Q_SLOTS:
         QVERIFY(!cell.controller->status().moving);
     }
 
+    // Real arms tell frames that stand hundreds of metres away, and an upper arm of some centimetres: neither
+    // may hold the arm back, nor let the elbow run.
+    void anArmWithACalibrationOfItsOwnMovesAsFast() {
+        for (const double size : {0.0, 1.0, 3.0}) {
+            Cell cell([size](auto& options) { options.calibration = size; });
+            QVERIFY(cell.takeControl().ok());
+            const Pose before = cell.tcp();
+            const auto jog = cell.motions().startJog(linearJog(0, 0, 0.1));
+            QVERIFY(jog.ok());
+            QVERIFY(cell.hold(*jog, 600));
+            QCOMPARE(cell.controller->status().limiter.kind, LimiterKind::None);
+            QVERIFY2(cell.robot.truth().tcpSpeed.linear.norm() > 0.098, qPrintable(QString::number(size)));
+            QVERIFY(jog->cancel(StopCause::Released));
+            QVERIFY(cell.ticksToStandstill(1000) >= 0);
+            const Eigen::Vector3d way = cell.tcp().position - before.position;
+            QVERIFY(way.head<2>().norm() < 0.0002);
+        }
+    }
+
+    void theElbowOfAnArmWithACalibrationOfItsOwnIsHeldToTheCap() {
+        for (const double size : {0.0, 1.0, 3.0}) {
+            // Folded up: of all that turns about the shoulder the elbow is the farthest out.
+            Cell cell([size](auto& options) {
+                options.calibration = size;
+                options.startJoints = {0.0, -1.57, 2.7, -1.0, 1.2, 0.0};
+            });
+            QVERIFY(cell.takeControl().ok());
+            QVERIFY(cell.controller->setSpeedCap(0.1).ok());
+            const auto joint = cell.motions().startJog(jointJog(1, 1.0));
+            QVERIFY2(joint.ok(), joint ? "" : qPrintable(joint.error().toString()));
+            QVERIFY(cell.hold(*joint, 400));
+            const double upperArm = std::abs(robotModel(RobotModelId::UR5e).dh.a[1]);
+            const double elbow = upperArm * std::abs(cell.robot.truth().qd[1]);
+            QCOMPARE(cell.controller->status().limiter.kind, LimiterKind::ElbowSpeed);
+            QVERIFY2(elbow > 0.097 && elbow < 0.102, qPrintable(QString::number(elbow)));
+            QVERIFY(joint->cancel(StopCause::Released));
+            QVERIFY(cell.ticksToStandstill(1000) >= 0);
+        }
+    }
+
     void motionBeginsWithin20MsOfThePress() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

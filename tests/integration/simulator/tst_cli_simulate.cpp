@@ -207,6 +207,7 @@ private Q_SLOTS:
         row("assumption", {"simulate", "--assume", "gravity=off"}, "safeguard-reset");
         row("assumption without its value", {"simulate", "--assume", "registers"}, "kept or zeroed");
         row("boot time", {"simulate", "--boot-time", "long"}, "3600");
+        row("calibration", {"simulate", "--calibration", "7"}, "5");
         row("headless and local", {"simulate", "--headless", "--local"}, "--local");
         row("fault without address", {"fault"}, "127.0.0.1");
         row("fault command without words", {"fault", "127.0.0.1"}, "protective-stop");

@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/raw_client.h"
 
 using namespace tiller;
@@ -449,12 +450,29 @@ private Q_SLOTS:
         const QByteArray wrong = firstWithKinematics(primary);
         QVERIFY(!wrong.isEmpty());
         QVERIFY(wrong != right);
-        const double deviation = std::abs(doubleAt(wrong, 77 + 8) - doubleAt(right, 77 + 8));  // a of joint 2
-        QVERIFY(deviation > 1e-5 && deviation <= 1e-3);
+        // As real ones tell it: frames far away, and the flange less than a centimetre off.
+        QCOMPARE(dhIn(right).d[1], 0.0);
+        QVERIFY(std::abs(dhIn(wrong).d[1]) > 1);
+        const JointPositions q = robot.controller.truth().q;
+        const double deviation = (kinematics::forward(dhIn(wrong), q).translation() -
+                                  kinematics::forward(dhIn(right), q).translation())
+                                     .norm();
+        QVERIFY(deviation > 1e-4 && deviation <= 1e-2);
         QVERIFY((robot.controller.truth().tcpPose.position - before.position).norm() < 1e-4);
     }
 
 private:
+    static DhParameters dhIn(const QByteArray& kinematicsInfo) {
+        DhParameters dh;
+        for (int i = 0; i < 6; ++i) {
+            const auto joint = static_cast<std::size_t>(i);
+            dh.theta[joint] = doubleAt(kinematicsInfo, 29 + 8 * i);
+            dh.a[joint] = doubleAt(kinematicsInfo, 77 + 8 * i);
+            dh.d[joint] = doubleAt(kinematicsInfo, 125 + 8 * i);
+            dh.alpha[joint] = doubleAt(kinematicsInfo, 173 + 8 * i);
+        }
+        return dh;
+    }
     /// KinematicsInfo of the first state that has one, among what is here.
     static QByteArray firstWithKinematics(RawPrimary& primary) {
         for (const QByteArray& package : primary.packages()) {
