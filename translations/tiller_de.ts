@@ -2333,6 +2333,14 @@
         <source>Speed slider: %1 %</source>
         <translation>Geschwindigkeitsregler: %1 %</translation>
     </message>
+    <message>
+        <source>%1: on for %2 s</source>
+        <translation>%1: %2 s lang an</translation>
+    </message>
+    <message>
+        <source>%1: off for %2 s</source>
+        <translation>%1: %2 s lang aus</translation>
+    </message>
 </context>
 <context>
     <name>RobotServices</name>
@@ -4557,6 +4565,10 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>The gripper did not take the command.</source>
         <translation>Der Greifer nahm den Befehl nicht an.</translation>
+    </message>
+    <message>
+        <source>Gripper: stop</source>
+        <translation>Greifer: anhalten</translation>
     </message>
 </context>
 <context>

@@ -2333,6 +2333,14 @@
         <source>%1: off</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: on for %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: off for %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RobotServices</name>
@@ -4554,6 +4562,10 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     </message>
     <message>
         <source>The gripper did not take the command.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper: stop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2333,6 +2333,14 @@
         <source>Speed slider: %1 %</source>
         <translation>Deslizador de velocidad: %1 %</translation>
     </message>
+    <message>
+        <source>%1: on for %2 s</source>
+        <translation>%1: activada %2 s</translation>
+    </message>
+    <message>
+        <source>%1: off for %2 s</source>
+        <translation>%1: desactivada %2 s</translation>
+    </message>
 </context>
 <context>
     <name>RobotServices</name>
@@ -4557,6 +4565,10 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     <message>
         <source>The gripper did not take the command.</source>
         <translation>La pinza no aceptó la orden.</translation>
+    </message>
+    <message>
+        <source>Gripper: stop</source>
+        <translation>Pinza: parar</translation>
     </message>
 </context>
 <context>

@@ -2333,6 +2333,14 @@
         <source>Speed slider: %1 %</source>
         <translation>Curseur de vitesse : %1 %</translation>
     </message>
+    <message>
+        <source>%1: on for %2 s</source>
+        <translation>%1 : activée %2 s</translation>
+    </message>
+    <message>
+        <source>%1: off for %2 s</source>
+        <translation>%1 : désactivée %2 s</translation>
+    </message>
 </context>
 <context>
     <name>RobotServices</name>
@@ -4557,6 +4565,10 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     <message>
         <source>The gripper did not take the command.</source>
         <translation>La pince n’a pas accepté la commande.</translation>
+    </message>
+    <message>
+        <source>Gripper: stop</source>
+        <translation>Pince : arrêter</translation>
     </message>
 </context>
 <context>

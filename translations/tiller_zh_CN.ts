@@ -2333,6 +2333,14 @@
         <source>Speed slider: %1 %</source>
         <translation>速度滑块：%1 %</translation>
     </message>
+    <message>
+        <source>%1: on for %2 s</source>
+        <translation>%1：接通 %2 s</translation>
+    </message>
+    <message>
+        <source>%1: off for %2 s</source>
+        <translation>%1：断开 %2 s</translation>
+    </message>
 </context>
 <context>
     <name>RobotServices</name>
@@ -4549,6 +4557,10 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
     <message>
         <source>The gripper did not take the command.</source>
         <translation>夹爪未接受命令。</translation>
+    </message>
+    <message>
+        <source>Gripper: stop</source>
+        <translation>夹爪：停止</translation>
     </message>
 </context>
 <context>

@@ -287,4 +287,8 @@ Result<void> RobotiqClient::move(int position, int speed, int force, const Deadl
     }
 }
 
+Result<void> RobotiqClient::stop(const Deadline& deadline) {
+    return set({{"GTO", 0}}, deadline);
+}
+
 }  // namespace tiller::io

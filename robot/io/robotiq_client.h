@@ -95,6 +95,8 @@ public:
     /// position, speed, force  0 ... 255
     /// Errors  InvalidArgument; Rejected: it does not take the request
     Result<void> move(int position, int speed, int force, const Deadline& deadline);
+    /// Lets the fingers stand where they are; what they hold they go on holding. The next move() goes on.
+    Result<void> stop(const Deadline& deadline);
 
 private:
     struct Link;

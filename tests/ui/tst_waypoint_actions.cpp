@@ -9,10 +9,12 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTest>
+#include <QThread>
 #include <QTimer>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_window_test.h"
+#include "widgets/common/figure_box.h"
 #include "widgets/io/gripper_panel.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/project/project_document.h"
@@ -117,6 +119,33 @@ private:
             window().session().refresh();
             QTest::qWait(1);
         }
+    }
+    GripperPanel& useRobotiq() {
+        window().showTab("gripper");
+        auto& panel = bench_->find<GripperPanel>("gripper");
+        auto& kind = bench_->find<QComboBox>("gripper.kind");
+        kind.setFocus();
+        QTest::keyClick(&kind, Qt::Key_Home);
+        QTest::keyClick(&kind, Qt::Key_Down);
+        until([&] { return panel.robotiq().state().has_value(); });
+        window().showTab("waypoints");
+        pass(40);
+        return panel;
+    }
+    bool activate(GripperPanel& panel) {
+        window().showTab("gripper");
+        auto& key = bench_->find<QAbstractButton>("gripper.activate");
+        if (!until([&] { return key.isEnabled(); })) {
+            return false;
+        }
+        QTest::mouseClick(&key, Qt::LeftButton);
+        const bool active = until([&] {
+            return panel.robotiq().state() &&
+                   panel.robotiq().state()->activation == io::RobotiqActivation::Active;
+        });
+        window().showTab("waypoints");
+        pass(40);
+        return active;
     }
     /// Two waypoints a little apart; `actions` are done at the first.
     void teach(const project::WaypointActions& actions, double blend = 0) {
@@ -398,32 +427,57 @@ private Q_SLOTS:
 
     void aRobotiqIsWaitedFor() {
         teach({gripper(true)});
-        window().showTab("gripper");
-        auto& panel = bench_->find<GripperPanel>("gripper");
-        auto& kind = bench_->find<QComboBox>("gripper.kind");
-        kind.setFocus();
-        QTest::keyClick(&kind, Qt::Key_Home);
-        QTest::keyClick(&kind, Qt::Key_Down);
-        QVERIFY(panel.choice().kind == GripperChoice::Kind::Robotiq);
-        QVERIFY(until([&] { return panel.robotiq().state().has_value(); }));
-        window().showTab("waypoints");
-        pass(40);
+        GripperPanel& panel = useRobotiq();
         holdToTheEnd(through());
         QVERIFY2(wasSaid("Activate the gripper first") && wasSaid("point 1"), qPrintable(said_.join('\n')));
         QVERIFY(isAt(0));
-        window().showTab("gripper");
-        auto& activate = bench_->find<QAbstractButton>("gripper.activate");
-        QVERIFY(until([&] { return activate.isEnabled(); }));
-        QTest::mouseClick(&activate, Qt::LeftButton);
-        QVERIFY(until([&] {
-            return panel.robotiq().state() &&
-                   panel.robotiq().state()->activation == io::RobotiqActivation::Active;
-        }));
-        window().showTab("waypoints");
-        pass(40);
+        QVERIFY(activate(panel));
         holdToTheEnd(through());
         QVERIFY(panel.robotiq().state()->position > 200);
         QVERIFY(isAt(1));
+    }
+
+    // Fingers on their way can pinch: they stand once the key is up, and go on with the next press.
+    void letGoWhileTheFingersMoveTheyStand() {
+        teach({gripper(true)});
+        GripperPanel& panel = useRobotiq();
+        QVERIFY(activate(panel));
+        bench_->find<FigureBox>("gripper.speed").setValue(0);
+        const auto position = [&] {
+            return panel.robotiq().state() ? panel.robotiq().state()->position : -1;
+        };
+        QVERIFY(until([&] { return position() >= 0 && position() < 20; }));
+        hold(through());
+        QVERIFY(until([&] { return position() > 50; }));
+        release(through());
+        QVERIFY(until([&] { return panel.robotiq().state() && !panel.robotiq().state()->goTo; }));
+        pass(300);
+        const int stood = position();
+        QVERIFY2(stood > 50 && stood < 180, qPrintable(QString::number(stood)));
+        pass(2000);
+        QCOMPARE(position(), stood);
+        QVERIFY(isAt(0));
+        holdToTheEnd(through());
+        QVERIFY(position() > 200);
+        QVERIFY(isAt(1));
+    }
+
+    // A window that hangs holds nothing: what it switched on for a while does not stay on.
+    void aWindowThatHangsEndsThePulse() {
+        teach({pulse(2, 60), setOutput(1, true)});
+        hold(through());
+        QVERIFY(until([&] { return output(2) && doing().contains("DO 2"); }));
+        pass(500);
+        QVERIFY2(output(2), "it lasts while the key is held");
+        int hung = 0;
+        for (; output(2) && hung < 20'000; hung += 20) {
+            cell().advanceWithFrozenInterface(20);
+            QThread::msleep(2);
+        }
+        QVERIFY2(!output(2) && hung < 20'000, qPrintable(QString::number(hung)));
+        pass(500);
+        QVERIFY(!output(1));
+        QVERIFY(!output(2));
     }
 
     void theyAreEditedByKeyboardAndUndone() {

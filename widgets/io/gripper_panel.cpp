@@ -426,6 +426,7 @@ GripperPort GripperPanel::port() {
             [this](bool close, const CancelToken& token) {
                 move(close ? io::kRobotiqMost : 0, close ? tr("Gripper: close") : tr("Gripper: open"), token);
             },
+        .stop = [this] { robotiq_.stop(tr("Gripper: stop")); },
         .outcome = [this](bool close) { return robotiqOutcome(close); },
     };
 }

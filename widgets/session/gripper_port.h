@@ -18,8 +18,10 @@ struct GripperPort {
     /// Of a Robotiq: why it cannot be moved now, as a sentence; empty when it can.
     std::function<QString()> obstacle = {};
     /// Of a Robotiq: opens or closes it as far as it goes, as fast and as strong as its panel says.
-    /// token  cancelled: it is not sent any more; what has been sent goes to its end
+    /// token  cancelled: it is not sent any more; for what has been sent there is stop
     std::function<void(bool close, const CancelToken& token)> move = {};
+    /// Of a Robotiq: its fingers stand where they are; what they hold they go on holding.
+    std::function<void()> stop = {};
     /// Of a Robotiq: nothing while it is on its way to where `close` sends it, then how that ended. What it
     /// holds is an end too.
     std::function<std::optional<Result<void>>(bool close)> outcome = {};

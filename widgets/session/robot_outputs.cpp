@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "robot/core/wait_until.h"
 #include "robot/io/input_registers.h"
 #include "widgets/session/session_backend.h"
 #include "widgets/session/texts.h"
@@ -15,11 +16,48 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kConfirmTime{2000};
+constexpr milliseconds kQuickTime{500};
 constexpr milliseconds kConnectTime{3000};
+constexpr std::chrono::hours kLongestPulse{1};
 
 QString holderOf(const Result<void>& can) {
     // Not connected is no holder: setting tries to connect by itself.
     return can || can.error().code == ErrorCode::NotConnected ? QString() : can.error().context;
+}
+
+/// Outputs and what they shall be.
+struct Levels {
+    std::uint32_t mask;
+    std::uint32_t values;
+};
+
+/// Waits until a pulse is over, or until nobody is there any more who asked for it, and lets the outputs go back.
+/// begun    what came of setting them: it may have been done even where nobody heard so
+/// leaving  the connection ends: what is still to be done has to be quick
+/// ended    taken back, or leaving
+Result<void> endOfPulse(io::Outputs& outputs, const Levels& back, const OutputOrder::Pulse& pulse,
+                        const Clock& clock, const Result<void>& begun, const CancelToken& leaving,
+                        const CancelToken& ended) {
+    constexpr std::int64_t kMuteNs = 200 * kNsPerMs;
+    if (begun) {
+        const std::int64_t beganNs = clock.nowNs();
+        const auto lengthNs = static_cast<std::int64_t>(pulse.seconds * static_cast<double>(kNsPerSecond));
+        std::int64_t heardNs = beganNs;
+        std::uint32_t heard = pulse.holds ? pulse.holds() : 0;
+        waitUntil(Deadline::after(kLongestPulse, ended), [&] {
+            const std::int64_t nowNs = clock.nowNs();
+            if (const std::uint32_t holds = pulse.holds ? pulse.holds() : 0; holds != heard) {
+                heard = holds;
+                heardNs = nowNs;
+            }
+            return nowNs - beganNs >= lengthNs || (pulse.holds && nowNs - heardNs > kMuteNs);
+        });
+    } else if (begun.error().code != ErrorCode::Cancelled && begun.error().code != ErrorCode::Timeout) {
+        return begun;  // it was refused
+    }
+    const Result<void> gone = outputs.setDigitalOutputs(
+        back.mask, back.values, Deadline::after(leaving.isCancelled() ? kQuickTime : kConfirmTime));
+    return begun ? gone : begun;
 }
 
 }  // namespace
@@ -90,6 +128,15 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
     });
 }
 
+QString RobotOutputs::changeText(int output, bool on, const std::optional<OutputOrder::Pulse>& pulse) const {
+    const QString terminal = terminalText(ioTerminal(true, output));
+    if (!pulse) {
+        return (on ? tr("%1: on") : tr("%1: off")).arg(terminal);
+    }
+    return (on ? tr("%1: on for %2 s") : tr("%1: off for %2 s"))
+        .arg(terminal, QString::number(pulse->seconds, 'g', 6));
+}
+
 void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
                                      const OutputOrder& order) {
     if (!d_.link) {
@@ -101,20 +148,23 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
     QStringList each;
     for (int output = 0; output < io::kDigitalOutputs; ++output) {
         if ((mask >> output & 1U) != 0) {
-            const QString terminal = terminalText(ioTerminal(true, output));
-            each << ((values >> output & 1U) != 0 ? tr("%1: on") : tr("%1: off")).arg(terminal);
+            each << changeText(output, (values >> output & 1U) != 0, order.pulse);
         }
     }
     const QString done = tr("%1 (%2)").arg(what, each.join(QStringLiteral(", ")));
-    const std::uint64_t generation = d_.generation;
-    d_.worker.post(&session_, [this, generation, mask, values, done, order,
-                               outputs = d_.link->outputs](const CancelToken& token) {
+    SessionWorker& worker = order.pulse ? d_.pulses : d_.worker;
+    worker.post(&session_, [this, generation = d_.generation, mask, values, done, order, clock = d_.clock,
+                            outputs = d_.link->outputs](const CancelToken& token) {
         Result<void> result = Error{ErrorCode::Cancelled, done, {}};
-        if (!order.token.isCancelled() && (!order.wanted || order.wanted())) {
-            // Taken back while it connects, it is not sent either.
-            const CancelToken either(
-                [token, own = order.token] { return token.isCancelled() || own.isCancelled(); });
+        // Taken back while it connects, it is not sent either.
+        const CancelToken either(
+            [token, own = order.token] { return token.isCancelled() || own.isCancelled(); });
+        if (!either.isCancelled()) {
             result = outputs->setDigitalOutputs(mask, values, Deadline::after(kConfirmTime, either));
+            if (order.pulse) {
+                result =
+                    endOfPulse(*outputs, {mask, ~values & mask}, *order.pulse, *clock, result, token, either);
+            }
         }
         return std::function<void()>([this, generation, done, order, result] {
             if (result || result.error().code != ErrorCode::Cancelled) {

@@ -22,10 +22,17 @@ struct SessionBackend;
 
 /// For a command that somebody waits for, or may take back while it waits for its turn.
 struct OutputOrder {
-    /// Cancelled: it is not sent any more. What has been sent is not undone.
+    /// For a while only: then all of it goes back.
+    struct Pulse {
+        double seconds = 0;
+        /// Asked on the worker. Grows while whoever gave the order is there: once it has not for 200 ms, the
+        /// pulse ends.
+        std::function<std::uint32_t()> holds = {};
+    };
+
+    /// Cancelled: it is not sent any more. What has been sent is not undone, but for a pulse, which ends.
     CancelToken token = {};
-    /// Asked on the worker when its turn has come; false: it is not sent. May be empty.
-    std::function<bool()> wanted = {};
+    std::optional<Pulse> pulse = {};
     /// What came of it, in the window's thread: Cancelled when it was not sent. May be empty: the log tells anyway.
     std::function<void(const Result<void>&)> done = {};
 };
@@ -60,6 +67,7 @@ public:
 
 private:
     QString terminalText(const QString& terminal) const;
+    QString changeText(int output, bool on, const std::optional<OutputOrder::Pulse>& pulse) const;
     void report(std::uint64_t generation, const QString& done, const Result<void>& result);
 
     RobotSession& session_;

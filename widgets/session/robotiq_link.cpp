@@ -227,6 +227,18 @@ void RobotiqLink::move(int position, int speed, int force, const QString& what, 
           false, token});
 }
 
+void RobotiqLink::stop(const QString& what) {
+    if (client_ == nullptr) {
+        return;
+    }
+    next_.reset();
+    // Behind what is on its way, not after a look at what that did.
+    post({what, [](io::RobotiqClient& client, const Deadline& deadline) {
+              const Result<void> connected = client.isConnected() ? Result<void>() : client.connect(deadline);
+              return connected ? client.stop(deadline) : connected;
+          }});
+}
+
 void RobotiqLink::send(const Command& command) {
     if (client_ == nullptr) {
         return;
@@ -235,6 +247,10 @@ void RobotiqLink::send(const Command& command) {
         next_ = command;
         return;
     }
+    post(command);
+}
+
+void RobotiqLink::post(const Command& command) {
     busy_ = true;
     carriedOut_ = false;
     held_ = false;
@@ -243,7 +259,9 @@ void RobotiqLink::send(const Command& command) {
         activating_.emplace().start();
     }
     worker_.post(this, [this, generation = generation_, command, client = client_](const CancelToken& token) {
-        const Deadline deadline = Deadline::after(kCommandTime, token);
+        const CancelToken either(
+            [token, own = command.token] { return token.isCancelled() || own.isCancelled(); });
+        const Deadline deadline = Deadline::after(kCommandTime, either);
         // Never over a new connection: what was shown when it was asked for may no longer be so.
         const Result<void> result = command.token.isCancelled()
                                         ? Error{ErrorCode::Cancelled, command.what, {}}

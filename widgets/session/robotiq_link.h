@@ -5,7 +5,8 @@
 // a thread of its own, so that a mute gripper makes neither the window nor an output wait. What it does not say
 // is not known, and shown so with the reason. Every command and what came of it goes into the log.
 //
-// The gripper is no part of the arm's motion: a stop of the arm does not reach it, it goes on holding.
+// The gripper is no part of the arm's motion: a stop of the arm does not reach it, it goes on holding. What a held
+// key sent it to do ends with the key, by stop().
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -56,6 +57,8 @@ public:
     /// While a command is on its way the newest one waits for it, and takes the place of one that waits.
     /// token  cancelled: it is not sent any more
     void move(int position, int speed, int force, const QString& what, const CancelToken& token = {});
+    /// The fingers stand where they are, whatever was asked for before; over a new connection where it is lost.
+    void stop(const QString& what);
 
 Q_SIGNALS:
     void changed();
@@ -77,6 +80,7 @@ private:
     void note(const io::RobotiqState& now);
     void learnEnds(const io::RobotiqState& now);
     void send(const Command& command);
+    void post(const Command& command);
     QString errorText(const Error& error) const;
     static QString textOf(io::RobotiqFault fault);
 

@@ -57,19 +57,15 @@ double ActionStep::longestOf(const project::WaypointAction& action) {
     }
 }
 
-std::shared_ptr<ActionStep::Order> ActionStep::send(const ActionPort& port, std::uint32_t mask,
-                                                    std::uint32_t values,
-                                                    const std::shared_ptr<Order>& after) {
+std::shared_ptr<ActionStep::Order> ActionStep::send(std::uint32_t mask, std::uint32_t values) const {
     auto order = std::make_shared<Order>();
-    port.setOutputs(mask, values, tr("Go through"),
-                    {.token = order->token,
-                     .wanted =
-                         [order, after] {
-                             // Only what has begun has an end.
-                             order->begun = !after || after->begun;
-                             return order->begun.load();
-                         },
-                     .done = [order](const Result<void>& result) { order->result = result; }});
+    OutputOrder asked;
+    asked.token = order->token;
+    asked.done = [order](const Result<void>& result) { order->result = result; };
+    if (action_.kind == ActionKind::PulseOutput) {
+        asked.pulse = {action_.seconds, [order] { return order->holds.load(); }};
+    }
+    port_.setOutputs(mask, values, tr("Go through"), asked);
     return order;
 }
 
@@ -88,13 +84,14 @@ Result<void> ActionStep::begin(std::uint64_t) {
     beganAt_ = state_.robotTime;
     const bool close = action_.kind == ActionKind::CloseGripper;
     if (action_.kind == ActionKind::SetOutput || action_.kind == ActionKind::PulseOutput) {
-        order_ = send(port_, pin(), action_.value ? pin() : 0);
+        order_ = send(pin(), action_.value ? pin() : 0);
     } else if (isGrip(action_) && gripper.usesOutputs()) {
-        order_ = send(port_, gripper.outputs(), gripper.outputsTo(close));
+        order_ = send(gripper.outputs(), gripper.outputsTo(close));
     } else if (isGrip(action_)) {
         if (const QString why = port_.gripper.obstacle(); !why.isEmpty()) {
             return sentence(why);
         }
+        gripping_ = true;
         port_.gripper.move(close, gripper_);
     }
     return {};
@@ -132,30 +129,22 @@ Result<SequenceStep::State> ActionStep::holdInput() const {
 }
 
 Result<SequenceStep::State> ActionStep::holdOutput() {
-    const std::shared_ptr<Order>& order = back_ ? back_ : order_;
-    if (!order->result) {
+    ++order_->holds;
+    if (!order_->result) {
         return State::Going;
     }
-    if (!*order->result) {
-        const Error& error = order->result->error();
+    if (!*order_->result) {
+        const Error& error = order_->result->error();
         return sentence(tr("%1 was not done. %2").arg(ActionWords::of(action_), texts::errorText(error)));
     }
-    if (action_.kind != ActionKind::PulseOutput || back_) {
-        return State::Done;
-    }
-    if (!std::exchange(pulsing_, true)) {
-        beganAt_ = state_.robotTime;
-    }
-    if (elapsed() >= action_.seconds) {
-        back_ = send(port_, pin(), action_.value ? 0 : pin(), order_);
-    }
-    return State::Going;
+    return State::Done;
 }
 
-Result<SequenceStep::State> ActionStep::holdRobotiq() const {
+Result<SequenceStep::State> ActionStep::holdRobotiq() {
     const std::optional<Result<void>> outcome =
         port_.gripper.outcome(action_.kind == ActionKind::CloseGripper);
     if (outcome) {
+        gripping_ = false;
         return *outcome ? Result<State>(State::Done) : outcome->error();
     }
     if (elapsed() < kLongestGrip) {
@@ -170,13 +159,11 @@ void ActionStep::end(control::StopCause) {
 
 void ActionStep::giveUp() {
     gripper_.cancel();
-    if (!order_) {
-        return;
+    if (std::exchange(gripping_, false)) {
+        port_.gripper.stop();
     }
-    order_->token.cancel();
-    // A pulse that has begun is not left standing.
-    if (action_.kind == ActionKind::PulseOutput && !back_) {
-        back_ = send(port_, pin(), action_.value ? 0 : pin(), order_);
+    if (order_) {
+        order_->token.cancel();
     }
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 // One action at a waypoint as a step of what a key holds: an output, a wait, the gripper. Nothing of it is sent once
-// the key is let go, and whatever would end a motion ends it too. Time is the robot's own, and inputs are looked at
-// once a frame: a change that is over within 16 ms may be missed. What the fingers of a Robotiq have begun they end: half a grip
-// holds nothing.
+// the key is let go, and whatever would end a motion ends it too: the fingers of a Robotiq stand where they are, an
+// output that pulses goes back, also when the window hangs. Time is the robot's own, and inputs are looked at once a
+// frame: a change that is over within 16 ms may be missed.
 
 #include <QCoreApplication>
 #include <atomic>
@@ -50,14 +50,13 @@ private:
     /// One command to the outputs, shared with the worker that carries it out.
     struct Order {
         CancelToken token;
-        std::atomic<bool> begun{false};  ///< it may have been sent
+        std::atomic<std::uint32_t> holds{0};  ///< grows while the key is held
         std::optional<Result<void>> result;
     };
-    static std::shared_ptr<Order> send(const ActionPort& port, std::uint32_t mask, std::uint32_t values,
-                                       const std::shared_ptr<Order>& after = {});
+    std::shared_ptr<Order> send(std::uint32_t mask, std::uint32_t values) const;
     Result<State> holdOutput();
     Result<State> holdInput() const;
-    Result<State> holdRobotiq() const;
+    Result<State> holdRobotiq();
     bool mayGoOn() const;
     double elapsed() const { return state_.robotTime - beganAt_; }  ///< [s]
     std::uint32_t pin() const { return 1U << project::channelOf(action_.group, action_.pin); }
@@ -66,11 +65,10 @@ private:
     const ActionPort& port_;
     const SessionState& state_;
     project::WaypointAction action_;
-    double beganAt_ = 0;  ///< robot's time [s]; of a pulse: when it was confirmed
+    double beganAt_ = 0;  ///< robot's time [s]
     std::shared_ptr<Order> order_;
-    std::shared_ptr<Order> back_;  ///< the end of a pulse
     CancelToken gripper_;
-    bool pulsing_ = false;
+    bool gripping_ = false;  ///< a Robotiq was sent somewhere, and is not there yet
 };
 
 }  // namespace tiller
