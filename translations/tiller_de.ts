@@ -8158,6 +8158,22 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <source>position “%1”</source>
         <translation>Stellung „%1“</translation>
     </message>
+    <message>
+        <source>Go through</source>
+        <translation>Durchfahren</translation>
+    </message>
+    <message>
+        <source>Shows the keys of Go through in place of the figures.</source>
+        <translation>Zeigt die Tasten von Durchfahren an der Stelle der Zahlen.</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Shows the figures in place of the keys of Go through.</source>
+        <translation>Zeigt die Zahlen an der Stelle der Tasten von Durchfahren.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>

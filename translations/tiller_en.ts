@@ -8145,6 +8145,22 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <source>position “%1”</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Go through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the keys of Go through in place of the figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the figures in place of the keys of Go through.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>

@@ -8158,6 +8158,22 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <source>position “%1”</source>
         <translation>posición «%1»</translation>
     </message>
+    <message>
+        <source>Go through</source>
+        <translation>Recorrer</translation>
+    </message>
+    <message>
+        <source>Shows the keys of Go through in place of the figures.</source>
+        <translation>Muestra las teclas de Recorrer en lugar de las cifras.</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Cifras</translation>
+    </message>
+    <message>
+        <source>Shows the figures in place of the keys of Go through.</source>
+        <translation>Muestra las cifras en lugar de las teclas de Recorrer.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>

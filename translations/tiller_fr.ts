@@ -8158,6 +8158,22 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <source>position “%1”</source>
         <translation>position « %1 »</translation>
     </message>
+    <message>
+        <source>Go through</source>
+        <translation>Parcourir</translation>
+    </message>
+    <message>
+        <source>Shows the keys of Go through in place of the figures.</source>
+        <translation>Affiche les touches de Parcourir à la place des chiffres.</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Chiffres</translation>
+    </message>
+    <message>
+        <source>Shows the figures in place of the keys of Go through.</source>
+        <translation>Affiche les chiffres à la place des touches de Parcourir.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>

@@ -8134,6 +8134,22 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <source>position “%1”</source>
         <translation>位置「%1」</translation>
     </message>
+    <message>
+        <source>Go through</source>
+        <translation>通しで移動</translation>
+    </message>
+    <message>
+        <source>Shows the keys of Go through in place of the figures.</source>
+        <translation>数値の代わりに「通しで移動」のキーを表示します。</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Shows the figures in place of the keys of Go through.</source>
+        <translation>「通しで移動」のキーの代わりに数値を表示します。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>

@@ -8134,6 +8134,22 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <source>position “%1”</source>
         <translation>位置“%1”</translation>
     </message>
+    <message>
+        <source>Go through</source>
+        <translation>依次通过</translation>
+    </message>
+    <message>
+        <source>Shows the keys of Go through in place of the figures.</source>
+        <translation>在数值的位置显示“依次通过”的按键。</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Shows the figures in place of the keys of Go through.</source>
+        <translation>在“依次通过”的按键位置显示数值。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>

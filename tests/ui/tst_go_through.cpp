@@ -6,10 +6,12 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QPushButton>
 #include <QTest>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_window_test.h"
+#include "tests/support/pictures.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/project/project_document.h"
@@ -236,7 +238,39 @@ private:
     }
 
 private Q_SLOTS:
-    // In the arrangement that everybody begins with. On a lower screen the panel has no room for them.
+    // On a low screen there is room for its keys or for the figures of the waypoint: one key changes between them.
+    void onALowScreenItsKeysTakeThePlaceOfTheFigures() {
+        window().setTheme("light");
+        teach({0.2, 0.4}, 0);
+        window().resize(1280, 720);
+        cell().advanceMs(40);
+        auto& place = bench_->find<QPushButton>("waypoint.details.place");
+        auto& figures = bench_->find<QWidget>("waypoint.details.x");
+        QVERIFY(place.isVisible() && figures.isVisible() && !through().isVisible());
+        const QSize before = tab().size();
+        QTest::mouseClick(&place, Qt::LeftButton);
+        cell().advanceMs(40);
+        QVERIFY(place.isVisible() && !figures.isVisible());
+        QCOMPARE(tab().size(), before);
+        for (const char* name : {"waypoint.goThrough", "waypoint.stepBack", "waypoint.stepOn"}) {
+            QVERIFY2(key(name).isVisible() && tab().rect().contains(key(name).geometry().translated(
+                                                  key(name).parentWidget()->mapTo(&tab(), QPoint()))),
+                     name);
+        }
+        keepPicture(window(), QStringLiteral("go-through-low"));
+        hold(through());
+        QVERIFY(until([&] { return isAt(0); }));
+        release(through());
+        QTest::mouseClick(&place, Qt::LeftButton);
+        cell().advanceMs(40);
+        QVERIFY(figures.isVisible() && !through().isVisible());
+        // Higher again there is room for both, and nothing to choose.
+        window().resize(1920, 1080);
+        cell().advanceMs(40);
+        QVERIFY(!place.isVisible() && figures.isVisible() && through().isVisible());
+    }
+
+    // In the arrangement that everybody begins with.
     void itsKeysAreInSightOnAnOrdinaryScreen() {
         window().setTheme("light");
         teach({0.2, 0.4}, 0);

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QStringList>
 #include <QVBoxLayout>
@@ -35,9 +36,9 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     , facts_(new ElidedLabel)
     , advice_(new QLabel)
     , frame_(new ChoiceBox)
-    , pose_(
-          new PoseEditor(QStringLiteral("waypoint.details"), tr("TCP"),
-                         tr("In the waypoint's frame. Return applies it; nothing moves but the waypoint."))) {
+    , pose_(new PoseEditor(QStringLiteral("waypoint.details"), tr("TCP"),
+                           tr("In the waypoint's frame. Return applies it; nothing moves but the waypoint.")))
+    , place_(new QPushButton) {
     setObjectName(QStringLiteral("waypoint.details"));
     setAccessibleName(tr("Selected waypoint"));
     name_->setObjectName(QStringLiteral("waypoint.details.name"));
@@ -68,6 +69,22 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
         refresh();
     });
 
+    place_->setObjectName(QStringLiteral("waypoint.details.place"));
+    place_->setCheckable(true);
+    place_->setFocusPolicy(Qt::TabFocus);
+    place_->hide();
+    // It says what a press brings.
+    const auto name = [this](bool keysShown) {
+        place_->setText(keysShown ? tr("Figures") : tr("Go through"));
+        place_->setToolTip(keysShown ? tr("Shows the figures in place of the keys of Go through.")
+                                     : tr("Shows the keys of Go through in place of the figures."));
+    };
+    name(false);
+    connect(place_, &QPushButton::toggled, this, [this, name](bool wanted) {
+        name(wanted);
+        Q_EMIT placeWanted();
+    });
+
     auto* words = new QWidget;
     auto* wordsLayout = new QHBoxLayout(words);
     wordsLayout->setContentsMargins(0, 0, 0, 0);
@@ -80,6 +97,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     auto* headline = new QHBoxLayout;
     headline->setSpacing(6);
     headline->addWidget(headlines_, 1);
+    headline->addWidget(place_);
     headline->addWidget(frame_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
@@ -116,6 +134,30 @@ void WaypointDetails::setUsedIn(std::optional<int> steps) {
     refresh();
 }
 
+void WaypointDetails::offerPlace(bool offered) {
+    place_->setVisible(offered);
+}
+
+bool WaypointDetails::isPlaceWanted() const {
+    return place_->isChecked();
+}
+
+void WaypointDetails::setFiguresShown(bool shown) {
+    if (shown == figuresShown_) {
+        return;
+    }
+    figuresShown_ = shown;
+    QSizePolicy policy = pose_->sizePolicy();
+    policy.setRetainSizeWhenHidden(shown);
+    pose_->setSizePolicy(policy);
+    refresh();
+    layout()->activate();  // now: a panel that is asked meanwhile would make room for what has gone
+}
+
+int WaypointDetails::figuresHeight() const {
+    return pose_->minimumSizeHint().height() + layout()->spacing();
+}
+
 QString WaypointDetails::headline() const {
     return name_->text() + QLatin1Char(' ') + facts_->fullText();
 }
@@ -123,7 +165,7 @@ QString WaypointDetails::headline() const {
 void WaypointDetails::refresh() {
     const bool shown = row_ >= 0 && row_ < model_.rowCount();
     headlines_->setVisible(shown);
-    pose_->setVisible(shown);
+    pose_->setVisible(shown && figuresShown_);
     frame_->setVisible(shown);
     if (!shown) {
         return;

@@ -11,6 +11,7 @@
 #include "widgets/session/session_state.h"
 
 class QLabel;
+class QPushButton;
 class QStackedWidget;
 
 namespace tiller {
@@ -34,10 +35,20 @@ public:
     void setWayLimit(const QString& text);
     /// How many program steps use the waypoint; nothing is said before this has been told.
     void setUsedIn(std::optional<int> steps);
+    /// A key that lets other keys of the tab take the place of the figures, where there is no room for both.
+    void offerPlace(bool offered);
+    /// The operator wants that place for those keys.
+    bool isPlaceWanted() const;
+    void setFiguresShown(bool shown);
+    bool areFiguresShown() const { return figuresShown_; }
+    int figuresHeight() const;  ///< With what is between them and the headline [px].
 
     QString headline() const;
     /// Its pose in words, for screen readers.
     QString poseLine() const { return poseLine_; }
+
+Q_SIGNALS:
+    void placeWanted();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -59,6 +70,8 @@ private:
     QLabel* advice_;
     ChoiceBox* frame_;
     PoseEditor* pose_;
+    QPushButton* place_;
+    bool figuresShown_ = true;
     QString poseLine_;
 };
 

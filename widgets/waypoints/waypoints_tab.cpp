@@ -158,6 +158,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     });
     connect(paths_, &PathControls::exported, this,
             [this](const QString& summary) { Q_EMIT message(Severity::Info, summary); });
+    connect(details_, &WaypointDetails::placeWanted, this, &WaypointsTab::fitRoutes);
     connect(goThrough_, &GoThroughBar::comingChanged, this, &WaypointsTab::onComing);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             [this] { goThrough_->setSelection(currentRow(), table_->selectedRows()); });
@@ -212,14 +213,25 @@ void WaypointsTab::onComing() {
 
 void WaypointsTab::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    fitRoutes();
+}
+
+void WaypointsTab::fitRoutes() {
     // In a narrow panel "Record path" is left to the menu.
     paths_->setVisible(true);
     paths_->setVisible(routes_->sizeHint().width() <= width());
-    routes_->fitInto({width(), height() - minimumSizeHint().height()});
+    const int spare = height() - minimumSizeHint().height();
+    const bool both = routes_->sizeHint().height() <= spare;
+    const bool instead = !both && details_->isPlaceWanted();
+    details_->offerPlace(!both);
+    details_->setFiguresShown(!instead);
+    routes_->fitInto({width(), instead ? spare + details_->figuresHeight() : spare});
 }
 
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
+    // Also while Go through has the place of the figures: the panel stays as it is.
+    least.rheight() += details_->areFiguresShown() ? 0 : details_->figuresHeight();
     if (details_->isHidden()) {
         // They come with the first waypoint; a low panel then moves no key from under the pointer.
         least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();

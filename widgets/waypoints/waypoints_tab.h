@@ -105,6 +105,7 @@ Q_SIGNALS:
 private:
     void buildActions();
     void buildLayout(MotionPort port);
+    void fitRoutes();
     void onState(const SessionState& state);
     void onSelection();
     void refreshDetails();
