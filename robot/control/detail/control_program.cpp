@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "robot/core/wait_until.h"
-#include "robot/kinematics/parallel_axes.h"
 #include "robot/script/script_client.h"
 
 namespace tiller::control {
@@ -49,9 +48,7 @@ Result<void> ControlProgram::listen(const SoftwareVersion& version, const Deadli
     if (const auto told = listener->configuration()) {
         // The robot tells its type, but not what torques its joints can give.
         const auto model = robotModelByType(told->robotType, version.isCb3());
-        const RobotModel& arm = robotModel(model.value_or(options_.model));
-        limits = {kinematics::calibrated(arm, told->dh), told->minPosition, told->maxPosition, told->maxSpeed,
-                  arm.maxTorque};
+        limits = ArmLimits::of(robotModel(model.value_or(options_.model)), *told);
     }
     const std::lock_guard lock(guard_);
     arm_ = limits;

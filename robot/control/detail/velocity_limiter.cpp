@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/kinematics/parallel_axes.h"
 
 namespace tiller::control {
 
@@ -105,6 +106,23 @@ ArmLimits ArmLimits::of(const RobotModel& model) {
     limits.maxPosition.fill(kJointPositionLimit);
     limits.maxSpeed = model.maxJointSpeed;
     limits.maxTorque = model.maxTorque;
+    return limits;
+}
+
+ArmLimits ArmLimits::of(const RobotModel& model, const script::RobotConfiguration& told) {
+    ArmLimits limits = of(model);
+    limits.dh = kinematics::calibrated(model, told.dh);
+    for (std::size_t joint = 0; joint < limits.maxSpeed.size(); ++joint) {
+        const double least = told.minPosition[joint];
+        const double most = told.maxPosition[joint];
+        if (std::isfinite(most - least) && most > least) {
+            limits.minPosition[joint] = least;
+            limits.maxPosition[joint] = most;
+        }
+        if (const double speed = told.maxSpeed[joint]; std::isfinite(speed) && speed > 0) {
+            limits.maxSpeed[joint] = speed;
+        }
+    }
     return limits;
 }
 

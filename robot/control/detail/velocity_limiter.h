@@ -9,6 +9,7 @@
 #include "robot/control/control_status.h"
 #include "robot/control/motion_types.h"
 #include "robot/core/robot_model.h"
+#include "robot/script/controller_message.h"
 
 namespace tiller::control {
 
@@ -21,6 +22,8 @@ struct ArmLimits {
     std::array<double, 6> maxTorque{};    ///< [Nm]
 
     static ArmLimits of(const RobotModel& model);
+    /// What the robot tells of itself; the model's where it tells nothing that can be.
+    static ArmLimits of(const RobotModel& model, const script::RobotConfiguration& told);
 };
 
 /// Slows down so that joints stop before their limits and the arm before its singularities; motion away from

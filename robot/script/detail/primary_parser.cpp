@@ -173,6 +173,7 @@ bool PrimaryParser::subPackage(std::uint8_t type, std::span<const std::uint8_t> 
             RobotConfiguration next = configuration_.value_or(RobotConfiguration{});
             next.dh = dh;
             configuration_ = next;
+            calibrated_ = true;
         }
         return true;
     } else if (type == kConfigurationData) {
@@ -186,10 +187,15 @@ bool PrimaryParser::subPackage(std::uint8_t type, std::span<const std::uint8_t> 
             in.skip(8);  // acceleration
         }
         in.skip(5 * 8);  // defaults
-        readSix(in, next.dh.a);
-        readSix(in, next.dh.d);
-        readSix(in, next.dh.alpha);
-        readSix(in, next.dh.theta);
+        DhParameters dh;
+        readSix(in, dh.a);
+        readSix(in, dh.d);
+        readSix(in, dh.alpha);
+        readSix(in, dh.theta);
+        // KinematicsInfo knows better, whichever comes first.
+        if (!calibrated_) {
+            next.dh = dh;
+        }
         in.skip(2 * 4);  // boards
         next.robotType = in.i32();
         next.robotSubType = in.i32();

@@ -41,6 +41,7 @@ private:
     std::vector<ControllerMessage> messages_;
     PrimaryState state_;
     std::optional<RobotConfiguration> configuration_;
+    bool calibrated_ = false;  ///< its DH parameters are of KinematicsInfo
     std::uint64_t malformed_ = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <QTest>
 #include <cmath>
+#include <limits>
 
 #include "robot/control/detail/velocity_limiter.h"
 #include "robot/kinematics/arm_kinematics.h"
@@ -50,6 +51,35 @@ private Q_SLOTS:
         const Limiter limiter = limitAt(linear(0.05, 0, 0), kGoodPose);
         QCOMPARE(limiter.kind, LimiterKind::None);
         QCOMPARE(limiter.scale, 1.0);
+    }
+
+    // A robot that tells a part only, or nonsense, is held to what its model bears, and can be moved.
+    void whatTheRobotDoesNotTellIsTheModels() {
+        const ArmLimits model = ArmLimits::of(ur5e());
+        script::RobotConfiguration told;
+        told.dh = ur5e().dh;
+        ArmLimits limits = ArmLimits::of(ur5e(), told);  // KinematicsInfo alone
+        QVERIFY(limits.minPosition == model.minPosition && limits.maxPosition == model.maxPosition);
+        QVERIFY(limits.maxSpeed == model.maxSpeed && limits.maxTorque == model.maxTorque);
+        QCOMPARE(VelocityLimiter(limits, {}).limit(linear(0.05, 0, 0), kGoodPose, tcpAt(kGoodPose)).scale,
+                 1.0);
+        for (const double nonsense : {std::nan(""), -1.0, std::numeric_limits<double>::infinity()}) {
+            told.maxSpeed.fill(nonsense);
+            told.maxPosition.fill(nonsense);
+            told.dh.a.fill(std::nan(""));
+            limits = ArmLimits::of(ur5e(), told);
+            QVERIFY(limits.maxSpeed == model.maxSpeed && limits.maxPosition == model.maxPosition);
+            QVERIFY(limits.dh == model.dh);
+        }
+        told = {};
+        told.dh = ur5e().dh;
+        told.minPosition.fill(-1.0);
+        told.maxPosition.fill(2.0);
+        told.maxSpeed.fill(0.5);
+        limits = ArmLimits::of(ur5e(), told);
+        QCOMPARE(limits.minPosition[3], -1.0);
+        QCOMPARE(limits.maxPosition[3], 2.0);
+        QCOMPARE(limits.maxSpeed[3], 0.5);
     }
 
     void theTcpIsHeldToTheCapInEveryDirection() {

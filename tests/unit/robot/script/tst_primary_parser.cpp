@@ -131,6 +131,29 @@ private Q_SLOTS:
         QVERIFY(parser.configuration().has_value());
     }
 
+    // Its own calibration stands in KinematicsInfo, and counts whichever of the two comes first.
+    void theCalibrationIsThatOfKinematicsInfo() {
+        Wire own;
+        for (int i = 0; i < 6; ++i) {
+            own.u32(0xffffffff);
+        }
+        for (int i = 0; i < 24; ++i) {  // theta, a, d, alpha
+            own.f64(0.01 * i);
+        }
+        const QByteArray kinematics = package(5, own.u32(0).bytes());
+        for (const QByteArray& parts : {kinematics + configurationData(), configurationData() + kinematics}) {
+            PrimaryParser parser;
+            parser.feed(view(robotState(robotModeData(7, false) + parts)), 0);
+            QVERIFY(parser.configuration().has_value());
+            const RobotConfiguration& c = *parser.configuration();
+            QCOMPARE(c.dh.theta[1], 0.01);
+            QCOMPARE(c.dh.a[1], 0.07);
+            QCOMPARE(c.dh.d[1], 0.13);
+            QCOMPARE(c.dh.alpha[1], 0.19);
+            QCOMPARE(c.maxSpeed[0], 3.3);
+        }
+    }
+
     void unknownSubPackagesAndExtraBytesAreSkipped() {
         PrimaryParser parser;
         QByteArray longer = masterboardData(1);
