@@ -13,7 +13,6 @@ import base64
 import hashlib
 import os
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
@@ -21,31 +20,15 @@ import sysconfig
 import tempfile
 import zipfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "linux"))
+import libraries  # noqa: E402: the folder has to be known first
+
 MODULES = ("rtde_control", "rtde_receive", "rtde_io", "dashboard_client", "script_client", "robotiq_gripper")
-# Every Linux that Python's wheels are for has these.
-SYSTEM = re.compile(r"^(ld-linux.*|lib(c|m|dl|rt|util|pthread|resolv|gcc_s|stdc\+\+)\.so\.\d+)$")
 LICENCES = "MIT AND GPL-3.0-or-later AND LGPL-3.0-only"
 
 
-def said(*command):
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
-
-
 def needed(path):
-    return [name for name in said("patchelf", "--print-needed", str(path)).split() if not SYSTEM.match(name)]
-
-
-def libraries_of(paths):
-    """Everything they load, directly or not, by name: where it is."""
-    found = {}
-    for path in paths:
-        for name, place in re.findall(r"^\s*(\S+) => (\S+) \(", said("ldd", str(path)), re.MULTILINE):
-            if not SYSTEM.match(name):
-                found[name] = os.path.realpath(place)
-        missing = re.findall(r"^\s*(\S+) => not found", said("ldd", str(path)), re.MULTILINE)
-        if missing:
-            sys.exit(f"{path} wants {', '.join(missing)}, which this system has not")
-    return found
+    return [name for name in libraries.said("patchelf", "--print-needed", str(path)).split() if not libraries.SYSTEM.match(name)]
 
 
 def own_name(name):
@@ -56,7 +39,7 @@ def own_name(name):
 def bundle(folder, programs, libs):
     """Copies into folder/libs what the programs load, and makes them look there."""
     (folder / libs).mkdir()
-    found = libraries_of(programs)
+    found = libraries.libraries_of(programs)
     for name, place in found.items():
         shutil.copy(place, folder / libs / own_name(name))
         os.chmod(folder / libs / own_name(name), 0o755)
@@ -75,11 +58,8 @@ def bundle(folder, programs, libs):
 
 def platform_of(paths):
     """The tag of the oldest glibc that has all the symbols these want: manylinux_2_36_x86_64."""
-    newest = (2, 17)
-    for path in paths:
-        for major, minor in re.findall(r"\bGLIBC_(\d+)\.(\d+)\b", said("objdump", "-T", str(path))):
-            newest = max(newest, (int(major), int(minor)))
-    return f"manylinux_{newest[0]}_{newest[1]}_{os.uname().machine}"
+    major, minor = max((2, 17), libraries.newest_symbols("GLIBC", paths)[:2])
+    return f"manylinux_{major}_{minor}_{os.uname().machine}"
 
 
 def pack(folder, output, name, version, tag, pure, metadata, entry_points, top_level):
@@ -157,9 +137,7 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, required=True)
     parser.add_argument("--version", required=True)
     options = parser.parse_args()
-    for program in ("patchelf", "ldd", "objdump"):
-        if not shutil.which(program):
-            sys.exit(f"make_wheel.py needs {program}: apt-get install patchelf binutils")
+    libraries.want_tools("patchelf", "ldd", "objdump")
     shutil.rmtree(options.output, ignore_errors=True)
     options.output.mkdir(parents=True)
     for make in (tiller, simulator):
