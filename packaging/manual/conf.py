@@ -3,6 +3,8 @@
 import pathlib
 import re
 
+from docutils import nodes
+
 project = "Tiller"
 author = copyright = "The Tiller maintainers"
 _cmake = (pathlib.Path(__file__).parents[2] / "CMakeLists.txt").read_text(encoding="utf-8")
@@ -20,3 +22,16 @@ if tags.has("window"):  # noqa: F821: Sphinx gives it
     html_theme_options = {}
     html_permalinks = False
     html_use_index = False
+
+
+def give_pictures_a_line(app, doctree, page):
+    """The window's help puts a picture between paragraphs into the line of the heading above it."""
+    for picture in list(doctree.findall(nodes.image)):
+        if isinstance(picture.parent, nodes.section):
+            paragraph = nodes.paragraph()
+            picture.replace_self(paragraph)
+            paragraph += picture
+
+
+def setup(app):
+    app.connect("doctree-resolved", give_pictures_a_line)

@@ -35,6 +35,19 @@ class Links(html.parser.HTMLParser):
 
 
 class TestManual(unittest.TestCase):
+    def test_every_part_of_the_window_has_a_picture_that_is_small(self):
+        there = {path.name for path in (MANUAL / "pictures").iterdir()}
+        shown = set()
+        for page in [*MANUAL.glob("*.rst"), *MANUAL.glob("window/*.rst")]:
+            found = re.findall(r"^\.\. image:: (\S+)\n   :alt: \S.*$", page.read_text(encoding="utf-8"), re.MULTILINE)
+            self.assertEqual(len(found), page.read_text(encoding="utf-8").count("image::"), f"{page.name}: a picture without words")
+            self.assertTrue(found or page.parent == MANUAL, f"{page.name} has no picture")
+            shown |= {os.path.basename(name) for name in found}
+        self.assertEqual(there, shown)
+        sizes = {name: (MANUAL / "pictures" / name).stat().st_size for name in there}
+        self.assertLess(max(sizes.values()), 80_000, sizes)
+        self.assertLess(sum(sizes.values()), 600_000, sizes)
+
     def test_every_link_leads_somewhere(self):
         if subprocess.run(["/usr/bin/python3", "-c", "import sphinx"], capture_output=True, check=False).returncode != 0:
             self.skipTest("python3-sphinx is not installed")

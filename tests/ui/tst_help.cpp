@@ -5,15 +5,20 @@
 
 #include <QApplication>
 #include <QDialog>
+#include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QKeySequenceEdit>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTest>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTimer>
 
 #include "app/action_table.h"
 #include "app/help_page.h"
@@ -113,13 +118,108 @@ private Q_SLOTS:
             QCoreApplication::processEvents();
         }
         bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
-        // These two come with a robot that is in trouble, and with a file.
-        const QStringList elsewhere{"recoveryPage", "importSettings"};
+        // These two come with a robot that is in trouble, and with a file; the questions are everyDialogHasItsPage's.
+        const QStringList elsewhere{
+            "recoveryPage",   "importSettings",    "waypoint.actions", "waypoint.properties",
+            "waypoint.shift", "waypoint.history",  "pattern",          "programDialog",
+            "commandPalette", "perspectiveDialog", "perspectiveDelete"};
         for (const app::ManualPlace& place : app::manualPlaces()) {
             QVERIFY2(
                 elsewhere.contains(place.widget) || bench.window.findChild<QWidget*>(place.widget) != nullptr,
                 qPrintable("there is no " + place.widget));
         }
+    }
+
+    // Of a command that asks something, the question has a page of its own, not only the contents. Commands that move,
+    // end or leave something, and the dialogs of the desktop, are not begun.
+    void everyDialogHasItsPage() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.waypoints().teach();
+        bench.window.frames().teachFromTcp();
+        bench.cell.advanceMs(300);
+        bench.window.waypoints().selectRow(0);
+        const QStringList left{"app.quit",
+                               "app.help",
+                               "app.exportSettings",
+                               "app.importSettings",
+                               "log.action.export",
+                               "plots.action.export",
+                               "project.open",
+                               "project.saveAs",
+                               "waypoint.action.import",
+                               "waypoint.action.export"};
+        QMap<QString, QString> pages;
+        QString now;
+        // Some run an event loop of their own.
+        QTimer look;
+        const auto closeWhatIsOpen = [&] {
+            QList<QPointer<QDialog>> open;
+            for (QWidget* top : QApplication::topLevelWidgets()) {
+                open.append(qobject_cast<QDialog*>(top));
+            }
+            for (const QPointer<QDialog>& dialog : open) {
+                if (dialog != nullptr && dialog->isVisible()) {
+                    if (!dialog->inherits("QFileDialog")) {
+                        pages.insert(dialog->objectName(), app::manualPageOf(dialog));
+                    }
+                    dialog->reject();
+                }
+            }
+        };
+        connect(&look, &QTimer::timeout, this, closeWhatIsOpen);
+        look.start(20);
+        const QList<QAction*> all = bench.window.actions().all();
+        for (QAction* action : all) {
+            // The three dots promise a question.
+            const bool asks =
+                action->text().contains(QStringLiteral("…")) ||
+                QStringList{"robot.connect", "app.settings", "app.palette", "power.recover"}.contains(
+                    action->objectName());
+            if (!asks || left.contains(action->objectName()) ||
+                action->objectName().startsWith(QLatin1String("project.recent"))) {
+                continue;
+            }
+            action->setEnabled(true);
+            action->trigger();
+            QCoreApplication::processEvents();
+            closeWhatIsOpen();
+        }
+        for (const char* question :
+             {"waypoint.actions", "waypoint.properties", "waypoint.shift", "waypoint.history", "pattern",
+              "programDialog", "commandPalette", "perspectiveDialog", "perspectiveDelete"}) {
+            QVERIFY2(pages.contains(QLatin1String(question)), question);
+        }
+        const QStringList without = pages.keys(QStringLiteral("index.html"));
+        QVERIFY2(without.isEmpty(), qPrintable(without.join(QStringLiteral(", "))));
+    }
+
+    void picturesAreThereAndFitThePage() {
+        NEEDS_MANUAL();
+        app::HelpPage help(20, {}, manual());
+        help.show();
+        auto* browser = help.findChild<QTextBrowser*>("help.manual");
+        int pictures = 0;
+        for (const QString& file : QDir(manual() + "/window").entryList({"*.html"})) {
+            help.showManual("window/" + file);
+            QCoreApplication::processEvents();
+            QVERIFY2(browser->horizontalScrollBar()->maximum() == 0,
+                     qPrintable(file + " is wider than the page"));
+            for (QTextBlock block = browser->document()->begin(); block.isValid(); block = block.next()) {
+                for (auto part = block.begin(); !part.atEnd(); ++part) {
+                    const QTextImageFormat image = part.fragment().charFormat().toImageFormat();
+                    if (!image.isValid()) {
+                        continue;
+                    }
+                    const QUrl place = browser->source().resolved(QUrl(image.name()));
+                    QVERIFY2(!QImage(place.toLocalFile()).isNull(), qPrintable(file + ": " + image.name()));
+                    QVERIFY2(block.text().trimmed().size() == 1,
+                             qPrintable(file + ": in one line with " + block.text()));
+                    ++pictures;
+                }
+            }
+        }
+        QVERIFY(pictures >= 12);
     }
 
     void theKeyShowsThePageOfWhatHasTheFocus_data() {
@@ -135,6 +235,9 @@ private Q_SLOTS:
         QTest::newRow("waypoints") << "waypoints"
                                    << "waypoint.table"
                                    << "window/waypoints.html";
+        QTest::newRow("going through") << "waypoints"
+                                       << "waypoint.routeScope"
+                                       << "window/going_through.html";
         QTest::newRow("frames") << "frames"
                                 << "frame.table"
                                 << "window/frames.html";

@@ -1,20 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures for people to look at, and for the README: every arm in two poses, every tab, a pattern and actions being
-// taught. Made in the folder that TILLER_PICTURES names; without it nothing is done.
+// Pictures for people to look at, for the README and for the manual (packaging/manual/make_pictures): every arm in two
+// poses, every tab, a pattern and actions being taught, every part of the window. Made in the folder that TILLER_PICTURES
+// names; without it nothing is done.
 
 #include <QDialog>
 #include <QDir>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
 #include <QTest>
 #include <QTimer>
 
+#include "app/action_table.h"
 #include "resources/resources.h"
 #include "robot/core/robot_model.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/window_bench.h"
+#include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
 #include "widgets/project/project_document.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/status/preflight_page.h"
 #include "widgets/waypoints/waypoint_dialogs.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -23,6 +31,7 @@ using namespace tiller::test;
 
 namespace {
 
+constexpr int kPageWidth = 720;  // of the manual, as the window's help shows it [px]
 constexpr double kRight = 1.5707963267948966;
 struct Stance {
     const char* name;
@@ -41,9 +50,9 @@ private:
     std::unique_ptr<WindowBench> bench_;
 
     app::MainWindow& window() { return bench_->window; }
+    void keep(QWidget& widget, const QString& name) { keep(widget.grab().toImage(), name); }
     /// Fails where nothing was drawn: one colour is no picture.
-    void keep(QWidget& widget, const QString& name) {
-        const QImage image = widget.grab().toImage();
+    void keep(const QImage& image, const QString& name) {
         const QRgb first = image.pixel(0, 0);
         bool drawn = false;
         for (int y = 0; y < image.height() && !drawn; y += 3) {
@@ -65,6 +74,50 @@ private:
                 keep(window(),
                      QStringLiteral("%1-%2-%3").arg(name).arg(size.width()).arg(QLatin1String(theme)));
             }
+        }
+    }
+    /// No wider than a page of the manual.
+    void keepForManual(const QImage& image, const char* name) {
+        keep(image.width() > kPageWidth ? image.scaledToWidth(kPageWidth, Qt::SmoothTransformation) : image,
+             QStringLiteral("manual-") + QLatin1String(name));
+    }
+    void keepForManual(QWidget& widget, const char* name) { keepForManual(widget.grab().toImage(), name); }
+    /// A line that is wider than a page, in two rows.
+    static QImage inTwoRows(const QImage& line) {
+        const int half = (line.width() + 1) / 2;
+        QImage rows(half, 2 * line.height() + 8, QImage::Format_RGB32);
+        rows.fill(Qt::white);
+        QPainter painter(&rows);
+        painter.drawImage(0, 0, line, 0, 0, half);
+        painter.drawImage(0, line.height() + 8, line, half, 0, half);
+        return rows;
+    }
+    void jog(const char* key, int ms) {
+        auto& button = bench_->find<HoldButton>(key);
+        driveKeys(bench_->cell, {&button});
+        press(button);
+        bench_->cell.advanceMs(ms);
+        release(button);
+        bench_->cell.advanceMs(400);
+    }
+    /// The dialog a command opens, once it is laid out.
+    QDialog& opened(const char* id, const char* name) {
+        window().actions().find(QLatin1String(id))->trigger();
+        QTest::qWait(100);
+        bench_->cell.advanceMs(100);
+        auto* dialog = window().findChild<QDialog*>(QLatin1String(name));
+        if (dialog == nullptr) {
+            qFatal("%s opens no %s", id, name);
+        }
+        return *dialog;
+    }
+    void selectRows(const QList<int>& rows) {
+        auto* table = window().findChild<QAbstractItemView*>("waypoint.table");
+        for (const int row : rows) {
+            table->selectionModel()->select(
+                table->model()->index(row, 0),
+                QItemSelectionModel::Rows | (row == rows.first() ? QItemSelectionModel::ClearAndSelect
+                                                                 : QItemSelectionModel::Select));
         }
     }
     void teachTray() {
@@ -160,13 +213,7 @@ private Q_SLOTS:
             keepWindow(QStringLiteral("tab-%1").arg(QLatin1String(tab)));
         }
         window().showTab("waypoints");
-        auto* table = window().findChild<QAbstractItemView*>("waypoint.table");
-        for (const int row : {0, 1, 2}) {
-            table->selectionModel()->select(
-                table->model()->index(row, 0),
-                QItemSelectionModel::Rows |
-                    (row == 0 ? QItemSelectionModel::ClearAndSelect : QItemSelectionModel::Select));
-        }
+        selectRows({0, 1, 2});
         inDialog(
             "pattern", [this] { window().waypoints().dialogs().pattern(); },
             [this](QDialog& dialog) { keep(dialog, QStringLiteral("pattern")); });
@@ -177,6 +224,84 @@ private Q_SLOTS:
         window().waypoints().touchUp();
         bench_->cell.advanceMs(100);
         keepWindow(QStringLiteral("touch-up"));
+        bench_.reset();
+    }
+
+    void everyPartForTheManual() {
+        applyTheme(*qApp, Theme::light());
+        bench_ = std::make_unique<WindowBench>();
+        bench_->show(QSize(1280, 720));
+        keepForManual(opened("robot.connect", "connectDialog"), "connect");
+        window().findChild<QDialog*>("connectDialog")->close();
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        QVERIFY2(bench_->cell.bringUp(), qPrintable(bench_->cell.what()));
+        bench_->cell.advanceMs(200);
+        teachTray();
+        window().actions().find("plots.action.span.10")->trigger();
+        for (const char* key : {"jog.Z+", "jog.Y-", "jog.Z-", "jog.Rz+"}) {
+            jog(key, 1500);
+        }
+        window().waypoints().selectRow(3);
+        bench_->cell.advanceMs(200);
+        keepForManual(window(), "window");
+        keepForManual(inTwoRows(bench_->find<QWidget>("headerBar").grab().toImage()), "header");
+        keepForManual(bench_->find<QWidget>("jogColumn"), "jog");
+        // The parts by themselves may be larger.
+        window().resize(1560, 980);
+        bench_->cell.advanceMs(200);
+        QTest::qWait(100);
+        keepForManual(bench_->find<QWidget>("viewDock"), "view");
+        window().showTab("tools");
+        bench_->find<QPushButton>("tcp.fromRobot").click();
+        for (const char* tab : {"waypoints", "tools", "io", "log"}) {
+            window().showTab(QLatin1String(tab));
+            bench_->cell.advanceMs(200);
+            keepForManual(bench_->find<QWidget>("tabsDock"), tab);
+        }
+        window().showTab("frames");
+        window().actions().find("frame.action.threePoints")->trigger();
+        bench_->cell.advanceMs(200);
+        keepForManual(bench_->find<QWidget>("tabsDock"), "frames");
+        window().showTab("waypoints");
+        selectRows({0, 1, 2});
+        inDialog(
+            "pattern", [this] { window().waypoints().dialogs().pattern(); },
+            [this](QDialog& dialog) { keepForManual(dialog, "pattern"); });
+        window().waypoints().selectRow(4);
+        inDialog(
+            "waypoint.actions", [this] { window().waypoints().dialogs().actions(); },
+            [this](QDialog& dialog) { keepForManual(dialog, "actions"); });
+
+        QDialog& palette = opened("app.palette", "commandPalette");
+        QTest::keyClicks(palette.findChild<QLineEdit*>("paletteWords"), "wayp");
+        keepForManual(palette, "commands");
+        palette.close();
+        QDialog& settings = opened("app.settings", "settingsPage");
+        settings.resize(kPageWidth, 600);
+        QTest::qWait(50);
+        keepForManual(settings, "settings");
+        settings.close();
+        auto& plots = bench_->find<QDockWidget>("plotsDock");
+        plots.setFloating(true);
+        plots.resize(kPageWidth, 420);
+        bench_->cell.advanceMs(300);
+        QTest::qWait(50);
+        keepForManual(bench_->find<QWidget>("plots"), "plots");
+        plots.setFloating(false);
+
+        bench_->cell.robot.protectiveStop();
+        bench_->cell.advanceMs(6000);
+        keepForManual(opened("power.recover", "recoveryPage"), "recovery");
+        window().findChild<QDialog*>("recoveryPage")->close();
+        window().showPreflight({QStringLiteral("UR5e"), QStringLiteral("127.0.0.254"), 0, false});
+        auto* checks = window().findChild<PreflightPage*>();
+        QTRY_VERIFY_WITH_TIMEOUT(checks->isFinished(), 60'000);
+        QTest::qWait(200);
+        checks->resize(kPageWidth, checks->height());
+        QTest::qWait(50);
+        keepForManual(*checks, "preflight");
+        checks->close();
         bench_.reset();
     }
 };
