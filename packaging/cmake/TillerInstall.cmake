@@ -43,7 +43,8 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot CO
     FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE
     PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE
     # Those need more libraries than the backend has; they are the application's for now.
-    PATTERN "mcap" EXCLUDE PATTERN "hdf5" EXCLUDE PATTERN "formats" EXCLUDE PATTERN "live" EXCLUDE PATTERN "collision" EXCLUDE)
+    PATTERN "mcap" EXCLUDE PATTERN "hdf5" EXCLUDE PATTERN "formats" EXCLUDE PATTERN "live" EXCLUDE PATTERN "collision" EXCLUDE
+    PATTERN "divergence" EXCLUDE)
 foreach(room ur_rtde simulator)
     foreach(header ${${room}_headers})
         cmake_path(GET header PARENT_PATH folder)

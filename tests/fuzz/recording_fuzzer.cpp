@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Any bytes as a recording: MCAP behind its first eight bytes, or text. Whatever they are, opening them and reading all
-// that is said to be there ends, and soon. HDF5 is left to libhdf5.
+// Any bytes as a recording: MCAP behind its first eight bytes, or text. Whatever they are, opening them, reading all
+// that is said to be there and comparing it with the model of an arm ends, and soon. HDF5 is left to libhdf5.
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <cstdint>
 
+#include "robot/divergence/divergence.h"
 #include "robot/recording/csv_recording.h"
 #include "robot/recording/mcap/mcap_recording.h"
 
@@ -28,6 +29,10 @@ void readAll(const recording::Recording& recording) {
     for (const QString& name : recording.attachments()) {
         static_cast<void>(recording.attachment(name));
     }
+    divergence::Choice choice;
+    choice.model = RobotModelId::UR5e;
+    choice.until = 5;
+    static_cast<void>(divergence::compare(recording, choice));
 }
 
 }  // namespace

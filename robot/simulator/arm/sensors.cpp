@@ -45,7 +45,7 @@ double Noise::uniform() {
 
 double Noise::operator()(double standardDeviation) {
     const double sum = uniform() + uniform() + uniform() + uniform() - 2.0;
-    return sum * standardDeviation * 1.7320508075688772;
+    return scale_ * sum * standardDeviation * 1.7320508075688772;
 }
 
 Eigen::Vector3d Noise::vector(double standardDeviation) {

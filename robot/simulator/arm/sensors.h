@@ -20,16 +20,20 @@ public:
     explicit Noise(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull + 0x1234567ull) {}
     double operator()(double standardDeviation);
     Eigen::Vector3d vector(double standardDeviation);
+    /// Off: every value is 0.
+    void setOn(bool on) { scale_ = on ? 1 : 0; }
 
 private:
     double uniform();
     std::uint64_t state_;
+    double scale_ = 1;
 };
 
 class Sensors {
 public:
     Sensors(const ArmGeometry& geometry, double period, std::uint64_t seed, bool ideal);
 
+    void setNoise(bool on) { noise_.setOn(on); }
     void setGravity(const Eigen::Vector3d& gravity);
     const Eigen::Vector3d& gravity() const { return gravity_; }
     void setPayload(const Payload& payload);

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Drives and sensors of the simulated arm without its motion generator: where the joints shall go is told from outside,
+// one target a control period, as a recording has them. Deterministic, without noise; no threads, nothing allocates in
+// step().
+//
+//     DrivenArm arm(robotModel(RobotModelId::UR5e), 0.002);
+//     arm.place(q);
+//     arm.step(q, qd);
+//     arm.state().actualCurrent;
+
+#include <memory>
+
+#include "robot/core/joints.h"
+#include "robot/core/robot_model.h"
+#include "robot/simulator/arm/arm_state.h"
+
+namespace tiller::simulator::arm {
+
+class DrivenArm {
+public:
+    /// period  of the control [s], above 0
+    DrivenArm(const RobotModel& model, double period);
+    ~DrivenArm();
+    DrivenArm(const DrivenArm&) = delete;
+    DrivenArm& operator=(const DrivenArm&) = delete;
+
+    double period() const;  ///< [s]
+    const RobotModel& model() const;
+
+    /// As the controller knows it; the arm carries exactly this.
+    void setPayload(const Payload& payload);
+    /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
+    void setGravity(const Eigen::Vector3d& gravity);
+    /// The next target finds the arm where it is itself, without lag, however far that is from here.
+    void place(const JointPositions& q);
+    /// One control period with this target.
+    void step(const JointPositions& q, const JointVelocities& qd);
+    /// What is measured after the last step; nothing touches the arm.
+    const ArmState& state() const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tiller::simulator::arm
