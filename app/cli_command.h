@@ -39,5 +39,7 @@ int exportRecording(const QStringList& arguments);
 int serve(const QStringList& arguments);
 /// Recordings as demonstrations to learn from.
 int episodes(const QStringList& arguments);
+/// When the arm of a recording parted from its model.
+int divergence(const QStringList& arguments);
 
 }  // namespace tiller::app

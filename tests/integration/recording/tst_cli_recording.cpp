@@ -61,6 +61,7 @@ private Q_SLOTS:
     void endsInOrderOnASignal();
     void aKilledRecorderLosesHalfASecondAtMost();
     void exportsAPart();
+    void findsThePushBehindAStop();
     void wrongArgumentsSaySo_data();
     void wrongArgumentsSaySo();
     void whatCannotBeReadSaysSo();
@@ -157,6 +158,49 @@ void TestCliRecording::exportsAPart() {
     QCOMPARE(openRecording(path("again.csv")).value()->rows(), whole->rows());
 }
 
+void TestCliRecording::findsThePushBehindAStop() {
+    QProcess process;
+    process.start(QStringLiteral(TILLER_CLI), {"record", address_, "--out", path("pushed.mcap")});
+    const auto goesOn = [this](double seconds) {
+        const double until = simulator_->truth().timestamp + seconds;
+        return QTest::qWaitFor([&] { return simulator_->truth().timestamp > until; }, kPatienceMs);
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("pushed.mcap")).size() > 100'000, kPatienceMs);
+    simulator_->pressHand({{0, 0, -80}, {0, 0, 0}});
+    QVERIFY(goesOn(0.3));
+    simulator_->protectiveStop();
+    QVERIFY(goesOn(0.3));
+    simulator_->pressHand({});
+    ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+    QVERIFY(process.waitForFinished(kPatienceMs));
+
+    const auto recording = openRecording(path("pushed.mcap")).value();
+    const auto column = [&](const char* name) {
+        return recording->read(std::vector{recording->indexOf(name).value()}, {0, recording->rows()})
+            .value()
+            .front();
+    };
+    const std::vector<double> forces = column("actual_TCP_force_2");
+    const std::vector<double> modes = column("safety_mode");
+    const auto push = std::find_if(forces.begin(), forces.end(), [](double z) { return z < -60; });
+    const auto stop = std::find(modes.begin(), modes.end(), 3.0);
+    QVERIFY(push != forces.end() && stop != modes.end());
+    QVERIFY(push - forces.begin() < stop - modes.begin());
+
+    const Answer told = run({"divergence", path("pushed.mcap"), "--json"});
+    QCOMPARE(told.err, QString());
+    QCOMPARE(told.code, 1);
+    const QJsonObject first = QJsonDocument::fromJson(told.out.toUtf8()).object()["first"].toObject();
+    QCOMPARE(first["row"].toInt(), static_cast<int>(push - forces.begin()));
+    const QString seconds = QString::number(first["seconds"].toDouble() - 0.01);
+    QCOMPARE(run({"divergence", path("pushed.mcap"), "--until", seconds}).code, 0);
+    const Answer text = run({"divergence", path("pushed.mcap")});
+    QVERIFY2(text.out.contains("arm and model part at"), qPrintable(text.out));
+    QCOMPARE(run({"divergence", path("pushed.mcap"), "--force", "0", "--current", "0"}).code, 0);
+    const Answer other = run({"divergence", path("pushed.mcap"), "--model", "ur20"});
+    QVERIFY2(other.out.contains("never were together"), qPrintable(other.out));
+}
+
 void TestCliRecording::wrongArgumentsSaySo_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QString>("said");
@@ -175,6 +219,10 @@ void TestCliRecording::wrongArgumentsSaySo_data() {
     QTest::newRow("no option") << QStringList{"record", address_, "--inp", "b.csv"} << "inp";
     QTest::newRow("info of nothing") << QStringList{"info"} << "file";
     QTest::newRow("export of nothing") << QStringList{"export", "--out", "a.csv"} << "recording";
+    QTest::newRow("divergence of nothing") << QStringList{"divergence"} << "recording";
+    QTest::newRow("divergence of no arm") << QStringList{"divergence", "a.mcap", "--model", "kr6"} << "UR5e";
+    QTest::newRow("divergence by no limit")
+        << QStringList{"divergence", "a.mcap", "--joint", "-1"} << "--joint";
     QTest::newRow("export to a picture") << QStringList{"export", "a.mcap", "--out", "a.png"} << ".h5";
 }
 
@@ -191,7 +239,7 @@ void TestCliRecording::whatCannotBeReadSaysSo() {
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write("hello\1\2") > 0);
     file.close();
     for (const QStringList& arguments :
-         {QStringList{"info", path("broken.mcap")},
+         {QStringList{"info", path("broken.mcap")}, QStringList{"divergence", path("broken.mcap")},
           QStringList{"export", path("broken.mcap"), "--out", path("x.csv")}}) {
         const Answer answer = run(arguments);
         QCOMPARE(answer.code, 1);
@@ -210,7 +258,7 @@ void TestCliRecording::nobodyThereIsAFailure() {
 
 void TestCliRecording::helpIsThere_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command : {"record", "info", "export", "serve"}) {
+    for (const char* command : {"record", "info", "export", "serve", "divergence"}) {
         QTest::newRow(command) << command;
     }
 }
