@@ -349,6 +349,10 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::connectReplay() {
+    connect(plots_, &PlotDock::partedFromModel, this,
+            [this](const QString& text, const QString& details, const QString& path, double seconds) {
+                log_->appendMoment(Severity::Warning, text, details, path, seconds);
+            });
     connect(plots_, &PlotDock::replayChanged, this, [this](const Replay& moment) {
         scene_->setReplay(moment);
         io_->setReplay(moment);
@@ -646,8 +650,8 @@ void MainWindow::setTheme(const QString& theme) {
 void MainWindow::keepIncidentsIn(const QString& folder) {
     incidents_ = new IncidentWatch(*session_, folder, this);
     connect(incidents_, &IncidentWatch::told, log_, &LogTab::appendRecording);
-    connect(log_, &LogTab::recordingWanted, this, [this](const QString& path) {
-        plots_->openRecording(path);
+    connect(log_, &LogTab::recordingWanted, this, [this](const QString& path, std::optional<double> moment) {
+        plots_->openRecording(path, moment);
         stage_->reveal(*plotsDock_);
     });
     keepProject();

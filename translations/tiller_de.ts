@@ -221,6 +221,98 @@
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Joint positions</source>
+        <translation>Gelenkstellungen</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>TCP-Position</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Gelenkströme</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>Kraft am TCP</translation>
+    </message>
+    <message>
+        <source>%1: not compared</source>
+        <translation>%1: nicht verglichen</translation>
+    </message>
+    <message>
+        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <translation>%1: nicht verglichen, die Aufzeichnung hat kein %2; alle Signale aufzeichnen, als MCAP</translation>
+    </message>
+    <message>
+        <source>%1: no values</source>
+        <translation>%1: keine Werte</translation>
+    </message>
+    <message>
+        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <translation>%1: nie über %2, höchstens %3 bei %4 s</translation>
+    </message>
+    <message>
+        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <translation>%1: über %2 ab %3 s (%4), höchstens %5 bei %6 s</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>TCP 6.2 mm</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <translation>Arm und Modell trennen sich bei %1 s: %2 liegt um %3 daneben</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <translation>Arm und Modell trennen sich bei %1 s: der TCP liegt um %2 daneben</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <translation>Arm und Modell trennen sich bei %1 s: %2 braucht %3 mehr oder weniger als erwartet</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <translation>Arm und Modell trennen sich bei %1 s: eine Kraft von %2 drückt auf den TCP</translation>
+    </message>
+    <message>
+        <source>The arm did what the model of a %1 does</source>
+        <translation>Der Arm tat, was das Modell eines %1 tut</translation>
+    </message>
+    <message>
+        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <translation>Nichts konnte verglichen werden: der Arm war immer stromlos oder wurde von Hand geführt.</translation>
+    </message>
+    <message>
+        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <translation>Sie waren nie beisammen: prüfen Sie die dem Roboter genannte Nutzlast, das Modell und was den Arm berührt.</translation>
+    </message>
+    <message>
+        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <translation>Von da an drückte oder hielt etwas den Arm, seine Last war eine andere, oder ein Gelenk folgte nicht.</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: es fehlt, was den Gelenken befohlen war oder wo sie standen. Zeichnen Sie alle Signale auf, als MCAP.</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: ihre Zeilen liegen zu weit auseinander. Zeichnen Sie jedes Paket auf.</translation>
+    </message>
+    <message>
+        <source>Not compared with the model of the arm.</source>
+        <translation>Nicht mit dem Modell des Arms verglichen.</translation>
+    </message>
+</context>
+<context>
     <name>ControllerCodes</name>
     <message>
         <source>Near a joint limit</source>
@@ -3626,6 +3718,88 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ComparisonBand</name>
+    <message>
+        <source>Comparison with the model of the arm</source>
+        <translation>Vergleich mit dem Modell des Arms</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen…</translation>
+    </message>
+    <message>
+        <source>Compare this recording with the model of its arm, with other limits</source>
+        <translation>Diese Aufzeichnung mit dem Modell ihres Arms vergleichen, mit anderen Grenzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Dorthin</translation>
+    </message>
+    <message>
+        <source>Compare no further</source>
+        <translation>Nicht weiter vergleichen</translation>
+    </message>
+    <message>
+        <source>Put cursor A where arm and model part</source>
+        <translation>Cursor A dorthin setzen, wo Arm und Modell sich trennen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ComparisonDialog</name>
+    <message>
+        <source>Compare with the model of the arm</source>
+        <translation>Mit dem Modell des Arms vergleichen</translation>
+    </message>
+    <message>
+        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <translation>Was den Gelenken befohlen war, bekommt der simulierte Arm, und was er tut, wird mit der Aufzeichnung verglichen. Den simulierten Arm berührt nichts, und er kennt keine Reibung.</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>Modell des Arms</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>Gelenkstellungen</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>TCP-Position</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Gelenkströme</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>Kraft am TCP</translation>
+    </message>
+    <message>
+        <source>For longer than</source>
+        <translation>Länger als</translation>
+    </message>
+    <message>
+        <source>What has a limit of 0 is not compared.</source>
+        <translation>Was die Grenze 0 hat, wird nicht verglichen.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until the program ends)</source>
@@ -5170,6 +5344,10 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <source>Open the recording of this incident, at the moment of the stop</source>
         <translation>Die Aufzeichnung dieses Vorfalls im Augenblick des Stopps öffnen</translation>
     </message>
+    <message>
+        <source>Open the recording at this moment</source>
+        <translation>Die Aufzeichnung an diesem Augenblick öffnen</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -6084,6 +6262,21 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
 </context>
 <context>
+    <name>tiller::PlotComparison</name>
+    <message>
+        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <translation>Nicht mit dem Modell des Arms verglichen: welcher Arm das ist, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Arm and model part: %1</source>
+        <translation>Arm und Modell trennen sich: %1</translation>
+    </message>
+    <message>
+        <source>Comparing the arm with its model: %1</source>
+        <translation>Der Arm wird mit seinem Modell verglichen: %1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6493,6 +6686,10 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     <message>
         <source>MCAP: every field, the log and the project, for ROS tools</source>
         <translation>MCAP: jedes Feld, Log und Projekt, für ROS-Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Compare with the model of the arm…</source>
+        <translation>Mit dem Modell des Arms vergleichen…</translation>
     </message>
 </context>
 <context>

@@ -221,6 +221,98 @@
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Joint positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>TCP 6.2 mm</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm did what the model of a %1 does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not compared with the model of the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ControllerCodes</name>
     <message>
         <source>Near a joint limit</source>
@@ -3625,6 +3717,88 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ComparisonBand</name>
+    <message>
+        <source>Comparison with the model of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare this recording with the model of its arm, with other limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare no further</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put cursor A where arm and model part</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ComparisonDialog</name>
+    <message>
+        <source>Compare with the model of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For longer than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What has a limit of 0 is not compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until the program ends)</source>
@@ -5166,6 +5340,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>Open the recording of this incident, at the moment of the stop</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open the recording at this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -6078,6 +6256,21 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
 </context>
 <context>
+    <name>tiller::PlotComparison</name>
+    <message>
+        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and model part: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing the arm with its model: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6486,6 +6679,10 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
     <message>
         <source>MCAP: every field, the log and the project, for ROS tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with the model of the arm…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -221,6 +221,98 @@
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Joint positions</source>
+        <translation>Posiciones de las articulaciones</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>Posición del TCP</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Corrientes de las articulaciones</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>Fuerza en el TCP</translation>
+    </message>
+    <message>
+        <source>%1: not compared</source>
+        <translation>%1: no se comparan</translation>
+    </message>
+    <message>
+        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <translation>%1: no se comparan, la grabación no tiene %2; grabe todas las señales, en MCAP</translation>
+    </message>
+    <message>
+        <source>%1: no values</source>
+        <translation>%1: sin valores</translation>
+    </message>
+    <message>
+        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <translation>%1: nunca más de %2, como máximo %3 a los %4 s</translation>
+    </message>
+    <message>
+        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <translation>%1: más de %2 desde los %3 s (%4), como máximo %5 a los %6 s</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>TCP 6.2 mm</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <translation>El brazo y el modelo se separan a los %1 s: %2 se desvía %3</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <translation>El brazo y el modelo se separan a los %1 s: el TCP se desvía %2</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <translation>El brazo y el modelo se separan a los %1 s: %2 necesita %3 más o menos de lo debido</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <translation>El brazo y el modelo se separan a los %1 s: una fuerza de %2 empuja el TCP</translation>
+    </message>
+    <message>
+        <source>The arm did what the model of a %1 does</source>
+        <translation>El brazo hizo lo que hace el modelo de un %1</translation>
+    </message>
+    <message>
+        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <translation>No se pudo comparar nada: el brazo estuvo siempre sin energía o se guiaba con la mano.</translation>
+    </message>
+    <message>
+        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <translation>Nunca estuvieron juntos: compruebe la carga útil indicada al robot, el modelo y lo que toca el brazo.</translation>
+    </message>
+    <message>
+        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <translation>A partir de ahí algo empujó o sujetó el brazo, su carga era otra o una articulación no siguió.</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <translation>Esta grabación no se puede comparar con un modelo: falta lo que se ordenó a las articulaciones o dónde estaban. Grabe todas las señales, en MCAP.</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <translation>Esta grabación no se puede comparar con un modelo: sus filas están demasiado separadas. Grabe cada paquete.</translation>
+    </message>
+    <message>
+        <source>Not compared with the model of the arm.</source>
+        <translation>No comparado con el modelo del brazo.</translation>
+    </message>
+</context>
+<context>
     <name>ControllerCodes</name>
     <message>
         <source>Near a joint limit</source>
@@ -3626,6 +3718,88 @@ Clic derecho o F2 para renombrar y escalar.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ComparisonBand</name>
+    <message>
+        <source>Comparison with the model of the arm</source>
+        <translation>Comparación con el modelo del brazo</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Comparar…</translation>
+    </message>
+    <message>
+        <source>Compare this recording with the model of its arm, with other limits</source>
+        <translation>Comparar esta grabación con el modelo de su brazo, con otros límites</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Ir allí</translation>
+    </message>
+    <message>
+        <source>Compare no further</source>
+        <translation>No seguir comparando</translation>
+    </message>
+    <message>
+        <source>Put cursor A where arm and model part</source>
+        <translation>Poner el cursor A donde el brazo y el modelo se separan</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ComparisonDialog</name>
+    <message>
+        <source>Compare with the model of the arm</source>
+        <translation>Comparar con el modelo del brazo</translation>
+    </message>
+    <message>
+        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <translation>Lo que se ordenó a las articulaciones se da al brazo simulado, y lo que este hace se compara con lo grabado. Nada toca el brazo simulado, y no conoce la fricción.</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>Modelo del brazo</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Brazo</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>Posiciones de las articulaciones</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>Posición del TCP</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Corrientes de las articulaciones</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>Fuerza en el TCP</translation>
+    </message>
+    <message>
+        <source>For longer than</source>
+        <translation>Durante más de</translation>
+    </message>
+    <message>
+        <source>What has a limit of 0 is not compared.</source>
+        <translation>Lo que tiene el límite 0 no se compara.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until the program ends)</source>
@@ -5170,6 +5344,10 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <source>Open the recording of this incident, at the moment of the stop</source>
         <translation>Abrir la grabación de este incidente en el momento de la parada</translation>
     </message>
+    <message>
+        <source>Open the recording at this moment</source>
+        <translation>Abrir la grabación en este momento</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -6084,6 +6262,21 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
 </context>
 <context>
+    <name>tiller::PlotComparison</name>
+    <message>
+        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <translation>No comparado con el modelo del brazo: no se sabe qué brazo es.</translation>
+    </message>
+    <message>
+        <source>Arm and model part: %1</source>
+        <translation>El brazo y el modelo se separan: %1</translation>
+    </message>
+    <message>
+        <source>Comparing the arm with its model: %1</source>
+        <translation>Comparando el brazo con su modelo: %1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6493,6 +6686,10 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     <message>
         <source>MCAP: every field, the log and the project, for ROS tools</source>
         <translation>MCAP: todos los campos, el registro y el proyecto, para herramientas de ROS</translation>
+    </message>
+    <message>
+        <source>Compare with the model of the arm…</source>
+        <translation>Comparar con el modelo del brazo…</translation>
     </message>
 </context>
 <context>

@@ -221,6 +221,98 @@
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Joint positions</source>
+        <translation>Positions des articulations</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>Position du TCP</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Courants des articulations</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>Force au TCP</translation>
+    </message>
+    <message>
+        <source>%1: not compared</source>
+        <translation>%1 : pas comparé</translation>
+    </message>
+    <message>
+        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <translation>%1 : pas comparé, l’enregistrement n’a pas %2 ; enregistrez tous les signaux, en MCAP</translation>
+    </message>
+    <message>
+        <source>%1: no values</source>
+        <translation>%1 : aucune valeur</translation>
+    </message>
+    <message>
+        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <translation>%1 : jamais au-delà de %2, au plus %3 à %4 s</translation>
+    </message>
+    <message>
+        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <translation>%1 : au-delà de %2 dès %3 s (%4), au plus %5 à %6 s</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>TCP 6.2 mm</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <translation>Le bras et le modèle se séparent à %1 s : %2 est décalé de %3</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <translation>Le bras et le modèle se séparent à %1 s : le TCP est décalé de %2</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <translation>Le bras et le modèle se séparent à %1 s : %2 demande %3 de plus ou de moins que prévu</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <translation>Le bras et le modèle se séparent à %1 s : une force de %2 pousse le TCP</translation>
+    </message>
+    <message>
+        <source>The arm did what the model of a %1 does</source>
+        <translation>Le bras a fait ce que fait le modèle d’un %1</translation>
+    </message>
+    <message>
+        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <translation>Rien n’a pu être comparé : le bras était toujours hors tension ou guidé à la main.</translation>
+    </message>
+    <message>
+        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <translation>Ils n’ont jamais été ensemble : vérifiez la charge utile indiquée au robot, le modèle et ce qui touche le bras.</translation>
+    </message>
+    <message>
+        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <translation>À partir de là, quelque chose poussait ou retenait le bras, sa charge était autre, ou une articulation ne suivait pas.</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <translation>Cet enregistrement ne peut pas être comparé à un modèle : il manque ce qui a été commandé aux articulations, ou leur position. Enregistrez tous les signaux, en MCAP.</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <translation>Cet enregistrement ne peut pas être comparé à un modèle : ses lignes sont trop espacées. Enregistrez chaque paquet.</translation>
+    </message>
+    <message>
+        <source>Not compared with the model of the arm.</source>
+        <translation>Pas comparé au modèle du bras.</translation>
+    </message>
+</context>
+<context>
     <name>ControllerCodes</name>
     <message>
         <source>Near a joint limit</source>
@@ -3626,6 +3718,88 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ComparisonBand</name>
+    <message>
+        <source>Comparison with the model of the arm</source>
+        <translation>Comparaison avec le modèle du bras</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Comparer…</translation>
+    </message>
+    <message>
+        <source>Compare this recording with the model of its arm, with other limits</source>
+        <translation>Comparer cet enregistrement au modèle de son bras, avec d’autres limites</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Y aller</translation>
+    </message>
+    <message>
+        <source>Compare no further</source>
+        <translation>Ne plus comparer</translation>
+    </message>
+    <message>
+        <source>Put cursor A where arm and model part</source>
+        <translation>Placer le curseur A là où le bras et le modèle se séparent</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ComparisonDialog</name>
+    <message>
+        <source>Compare with the model of the arm</source>
+        <translation>Comparer au modèle du bras</translation>
+    </message>
+    <message>
+        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <translation>Ce qui a été commandé aux articulations est donné au bras simulé, et ce qu’il fait est comparé à l’enregistrement. Rien ne touche le bras simulé, et il ignore le frottement.</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>Modèle du bras</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>Positions des articulations</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>Position du TCP</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>Courants des articulations</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>Force au TCP</translation>
+    </message>
+    <message>
+        <source>For longer than</source>
+        <translation>Plus longtemps que</translation>
+    </message>
+    <message>
+        <source>What has a limit of 0 is not compared.</source>
+        <translation>Ce dont la limite est 0 n’est pas comparé.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until the program ends)</source>
@@ -5170,6 +5344,10 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <source>Open the recording of this incident, at the moment of the stop</source>
         <translation>Ouvrir l’enregistrement de cet incident au moment de l’arrêt</translation>
     </message>
+    <message>
+        <source>Open the recording at this moment</source>
+        <translation>Ouvrir l’enregistrement à cet instant</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -6084,6 +6262,21 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
 </context>
 <context>
+    <name>tiller::PlotComparison</name>
+    <message>
+        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <translation>Pas comparé au modèle du bras : on ne sait pas de quel bras il s’agit.</translation>
+    </message>
+    <message>
+        <source>Arm and model part: %1</source>
+        <translation>Le bras et le modèle se séparent : %1</translation>
+    </message>
+    <message>
+        <source>Comparing the arm with its model: %1</source>
+        <translation>Comparaison du bras avec son modèle : %1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6493,6 +6686,10 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     <message>
         <source>MCAP: every field, the log and the project, for ROS tools</source>
         <translation>MCAP : tous les champs, le journal et le projet, pour les outils ROS</translation>
+    </message>
+    <message>
+        <source>Compare with the model of the arm…</source>
+        <translation>Comparer au modèle du bras…</translation>
     </message>
 </context>
 <context>

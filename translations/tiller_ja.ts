@@ -221,6 +221,98 @@
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Joint positions</source>
+        <translation>関節の位置</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>TCP の位置</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>関節の電流</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>TCP の力</translation>
+    </message>
+    <message>
+        <source>%1: not compared</source>
+        <translation>%1：比較していません</translation>
+    </message>
+    <message>
+        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <translation>%1：比較していません。記録に %2 がありません。すべての信号を MCAP に記録してください</translation>
+    </message>
+    <message>
+        <source>%1: no values</source>
+        <translation>%1：値がありません</translation>
+    </message>
+    <message>
+        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <translation>%1：%2 を超えず、最大 %3（%4 s）</translation>
+    </message>
+    <message>
+        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <translation>%1：%3 s から %2 を超過（%4）、最大 %5（%6 s）</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>TCP 6.2 mm</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <translation>%1 s でアームとモデルが分かれます：%2 が %3 ずれています</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <translation>%1 s でアームとモデルが分かれます：TCP が %2 ずれています</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <translation>%1 s でアームとモデルが分かれます：%2 の電流が予想と %3 違います</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <translation>%1 s でアームとモデルが分かれます：TCP に %2 の力がかかっています</translation>
+    </message>
+    <message>
+        <source>The arm did what the model of a %1 does</source>
+        <translation>アームは %1 のモデルと同じ動きをしました</translation>
+    </message>
+    <message>
+        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <translation>比較できるものがありませんでした：アームはずっと電源が切れていたか、手で動かされていました。</translation>
+    </message>
+    <message>
+        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <translation>最初から一致していません：ロボットに設定したペイロード、モデル、アームに触れているものを確認してください。</translation>
+    </message>
+    <message>
+        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <translation>それ以降、何かがアームを押したか押さえた、荷重が違った、または関節が追従しませんでした。</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <translation>この記録はモデルと比較できません：関節への指令または関節の位置がありません。すべての信号を MCAP に記録してください。</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <translation>この記録はモデルと比較できません：行の間隔が広すぎます。すべてのパケットを記録してください。</translation>
+    </message>
+    <message>
+        <source>Not compared with the model of the arm.</source>
+        <translation>アームのモデルとは比較していません。</translation>
+    </message>
+</context>
+<context>
     <name>ControllerCodes</name>
     <message>
         <source>Near a joint limit</source>
@@ -3624,6 +3716,88 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ComparisonBand</name>
+    <message>
+        <source>Comparison with the model of the arm</source>
+        <translation>アームのモデルとの比較</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>比較…</translation>
+    </message>
+    <message>
+        <source>Compare this recording with the model of its arm, with other limits</source>
+        <translation>この記録をアームのモデルと別の限界値で比較します</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>そこへ移動</translation>
+    </message>
+    <message>
+        <source>Compare no further</source>
+        <translation>比較を中止します</translation>
+    </message>
+    <message>
+        <source>Put cursor A where arm and model part</source>
+        <translation>アームとモデルが分かれる時点にカーソル A を置きます</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ComparisonDialog</name>
+    <message>
+        <source>Compare with the model of the arm</source>
+        <translation>アームのモデルと比較</translation>
+    </message>
+    <message>
+        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <translation>関節への指令をシミュレーションのアームに与え、その動きを記録と比較します。シミュレーションのアームには何も触れず、摩擦もありません。</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>アームのモデル</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>アーム</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>関節の位置</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>TCP の位置</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>関節の電流</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>TCP の力</translation>
+    </message>
+    <message>
+        <source>For longer than</source>
+        <translation>継続時間の下限</translation>
+    </message>
+    <message>
+        <source>What has a limit of 0 is not compared.</source>
+        <translation>限界値が 0 のものは比較しません。</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比較</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until the program ends)</source>
@@ -5162,6 +5336,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>Open the recording of this incident, at the moment of the stop</source>
         <translation>このインシデントの記録を停止の瞬間で開く</translation>
     </message>
+    <message>
+        <source>Open the recording at this moment</source>
+        <translation>この時点で記録を開きます</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -6069,6 +6247,21 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
 </context>
 <context>
+    <name>tiller::PlotComparison</name>
+    <message>
+        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <translation>アームのモデルとは比較していません：どのアームの記録か分かりません。</translation>
+    </message>
+    <message>
+        <source>Arm and model part: %1</source>
+        <translation>アームとモデルが分かれます：%1</translation>
+    </message>
+    <message>
+        <source>Comparing the arm with its model: %1</source>
+        <translation>アームをモデルと比較中：%1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6475,6 +6668,10 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     <message>
         <source>MCAP: every field, the log and the project, for ROS tools</source>
         <translation>MCAP: すべてのフィールド、ログ、プロジェクト。ROSツール用</translation>
+    </message>
+    <message>
+        <source>Compare with the model of the arm…</source>
+        <translation>アームのモデルと比較…</translation>
     </message>
 </context>
 <context>

@@ -221,6 +221,98 @@
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Joint positions</source>
+        <translation>关节位置</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>TCP 位置</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>关节电流</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>TCP 力</translation>
+    </message>
+    <message>
+        <source>%1: not compared</source>
+        <translation>%1：未比较</translation>
+    </message>
+    <message>
+        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <translation>%1：未比较，记录中没有 %2；请将所有信号记录为 MCAP</translation>
+    </message>
+    <message>
+        <source>%1: no values</source>
+        <translation>%1：没有数值</translation>
+    </message>
+    <message>
+        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <translation>%1：从未超过 %2，最大 %3（%4 s）</translation>
+    </message>
+    <message>
+        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <translation>%1：自 %3 s 起超过 %2（%4），最大 %5（%6 s）</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>TCP 6.2 mm</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <translation>机械臂与模型在 %1 s 分离：%2 偏差 %3</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <translation>机械臂与模型在 %1 s 分离：TCP 偏差 %2</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <translation>机械臂与模型在 %1 s 分离：%2 的电流与应有值相差 %3</translation>
+    </message>
+    <message>
+        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <translation>机械臂与模型在 %1 s 分离：有 %2 的力作用在 TCP 上</translation>
+    </message>
+    <message>
+        <source>The arm did what the model of a %1 does</source>
+        <translation>机械臂的表现与 %1 的模型一致</translation>
+    </message>
+    <message>
+        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <translation>无法比较：机械臂一直没有上电，或被手动引导。</translation>
+    </message>
+    <message>
+        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <translation>从一开始就不一致：请检查告知机器人的有效载荷、型号以及接触机械臂的物体。</translation>
+    </message>
+    <message>
+        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <translation>从那时起，有物体推动或挡住机械臂，负载不同，或某个关节没有跟随。</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <translation>此记录无法与模型比较：缺少关节的指令或位置。请将所有信号记录为 MCAP。</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <translation>此记录无法与模型比较：行间隔过大。请记录每个数据包。</translation>
+    </message>
+    <message>
+        <source>Not compared with the model of the arm.</source>
+        <translation>未与机械臂模型比较。</translation>
+    </message>
+</context>
+<context>
     <name>ControllerCodes</name>
     <message>
         <source>Near a joint limit</source>
@@ -3624,6 +3716,88 @@ Right click or F2 to rename and scale.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ComparisonBand</name>
+    <message>
+        <source>Comparison with the model of the arm</source>
+        <translation>与机械臂模型的比较</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>比较…</translation>
+    </message>
+    <message>
+        <source>Compare this recording with the model of its arm, with other limits</source>
+        <translation>用其他限值将此记录与其机械臂模型比较</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>转到该处</translation>
+    </message>
+    <message>
+        <source>Compare no further</source>
+        <translation>停止比较</translation>
+    </message>
+    <message>
+        <source>Put cursor A where arm and model part</source>
+        <translation>将光标 A 置于机械臂与模型分离处</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ComparisonDialog</name>
+    <message>
+        <source>Compare with the model of the arm</source>
+        <translation>与机械臂模型比较</translation>
+    </message>
+    <message>
+        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <translation>将关节收到的指令交给仿真机械臂，并把它的表现与记录比较。仿真机械臂不受任何接触，也没有摩擦。</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Joint positions</source>
+        <translation>关节位置</translation>
+    </message>
+    <message>
+        <source>TCP position</source>
+        <translation>TCP 位置</translation>
+    </message>
+    <message>
+        <source>Joint currents</source>
+        <translation>关节电流</translation>
+    </message>
+    <message>
+        <source>TCP force</source>
+        <translation>TCP 力</translation>
+    </message>
+    <message>
+        <source>For longer than</source>
+        <translation>持续时间超过</translation>
+    </message>
+    <message>
+        <source>What has a limit of 0 is not compared.</source>
+        <translation>限值为 0 的项目不参与比较。</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until the program ends)</source>
@@ -5162,6 +5336,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <source>Open the recording of this incident, at the moment of the stop</source>
         <translation>在停止时刻打开此事件的录制</translation>
     </message>
+    <message>
+        <source>Open the recording at this moment</source>
+        <translation>在此时刻打开记录</translation>
+    </message>
 </context>
 <context>
     <name>tiller::LogTab</name>
@@ -6069,6 +6247,21 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
 </context>
 <context>
+    <name>tiller::PlotComparison</name>
+    <message>
+        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <translation>未与机械臂模型比较：不知道这是哪种机械臂。</translation>
+    </message>
+    <message>
+        <source>Arm and model part: %1</source>
+        <translation>机械臂与模型分离：%1</translation>
+    </message>
+    <message>
+        <source>Comparing the arm with its model: %1</source>
+        <translation>正在将机械臂与其模型比较：%1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PlotDock</name>
     <message>
         <source>5 s</source>
@@ -6475,6 +6668,10 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     <message>
         <source>MCAP: every field, the log and the project, for ROS tools</source>
         <translation>MCAP：所有字段、日志和项目，用于 ROS 工具</translation>
+    </message>
+    <message>
+        <source>Compare with the model of the arm…</source>
+        <translation>与机械臂模型比较…</translation>
     </message>
 </context>
 <context>

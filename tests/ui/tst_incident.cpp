@@ -24,7 +24,9 @@
 #include "widgets/io/io_tab.h"
 #include "widgets/log/log_model.h"
 #include "widgets/log/log_tab.h"
+#include "widgets/plots/comparison_band.h"
 #include "widgets/plots/plot_dock.h"
+#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/scene/scene_dock.h"
@@ -122,6 +124,7 @@ private Q_SLOTS:
     void oneClickOpensItAtTheStop();
     void theScrubberMovesEverythingTogether();
     void aReplayMovesNoKey();
+    void armAndModelPartWhereItWasPushed();
 };
 
 void TestIncident::oneClickOpensItAtTheStop() {
@@ -167,6 +170,10 @@ void TestIncident::oneClickOpensItAtTheStop() {
             .sampleAt(name, stop - 0.001)
             .at(*bench.plots().store().sampleAt(name, stop).layout->indexOfComponent("safety_mode"));
     QCOMPARE(before, 1.0);
+    // A stop that nothing caused: the arm did what its model does.
+    auto& comparison = bench.find<ComparisonBand>("plots.comparison");
+    QVERIFY(bench.within([&] { return comparison.words().contains("The arm did what"); }));
+    QVERIFY2(comparison.details().contains("never beyond"), qPrintable(comparison.details()));
     // It stands where it happened: what is live has the same values there.
     QVERIFY(std::abs(bench.valueAtA({}, "actual_q_0") - bench.valueAtA(name, "actual_q_0")) < 0.01);
     // The view: the arm as it stood, said to be a replay.
@@ -324,6 +331,87 @@ void TestIncident::aReplayMovesNoKey() {
     QVERIFY(bench.within([&] { return !band.isVisible(); }));
     QTest::qWait(1);
     QCOMPARE(measures(), live);
+}
+
+// Something pushes the arm while it moves, and the controller stops it half a second later: what is marked is the push.
+void TestIncident::armAndModelPartWhereItWasPushed() {
+    Bench bench;
+    QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+    QVERIFY(bench.hasKept(200));
+    QVERIFY(bench.move(2.0));
+    QVERIFY(bench.hasKept(bench.watch().packets() + 200));
+    bench.cell.robot.pressHand({{0, 0, -80}, {0, 0, 0}});
+    QVERIFY(bench.hasKept(bench.watch().packets() + 250));
+    bench.cell.robot.protectiveStop();
+    QVERIFY(bench.within([&] { return bench.state().safetyMode == SafetyMode::ProtectiveStop; }));
+    bench.cell.robot.pressHand({});
+    QVERIFY(bench.hasKept(bench.watch().packets() + 5200));
+    bench.window.showTab("log");
+    QTableView& table = bench.logTable();
+    const auto rowOf = [&](const char* words) {
+        for (int i = 0; i < table.model()->rowCount(); ++i) {
+            const bool openable =
+                !table.model()->index(i, 0).data(LogModel::RecordingRole).toString().isEmpty();
+            if (openable && table.model()->index(i, LogModel::Text).data().toString().contains(words)) {
+                return i;
+            }
+        }
+        return -1;
+    };
+    const auto click = [&](int row) {
+        const QModelIndex open = table.model()->index(row, LogModel::Open);
+        int height = -1;
+        const bool ready = bench.within([&] {
+            table.scrollTo(open);
+            return std::exchange(height, table.viewport()->height()) == table.viewport()->height() &&
+                   table.viewport()->rect().contains(table.visualRect(open).center());
+        });
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(open).center());
+        return ready;
+    };
+    QVERIFY(bench.within([&] { return rowOf("Incident recorded") >= 0; }));
+    QVERIFY(click(rowOf("Incident recorded")));
+    auto& band = bench.find<ComparisonBand>("plots.comparison");
+    QVERIFY(bench.within([&] { return band.isVisible() && band.words().contains("part at"); }));
+    const PlotView& view = bench.plots().view();
+    const QString name = view.page().name;
+    const double stop = view.cursor(PlotView::Cursor::A).value();
+    QCOMPARE(bench.valueAtA(name, "safety_mode"), 3.0);
+
+    // The mark: on the very packet with which the push came, well before the stop.
+    const auto& marks = bench.plots().marks().marks();
+    const auto mark =
+        std::find_if(marks.begin(), marks.end(), [&](const PlotMark& one) { return one.recording == name; });
+    QVERIFY(mark != marks.end());
+    QVERIFY2(mark->time < stop - 0.4 && mark->time > stop - 1,
+             qPrintable(QString::number(mark->time - stop)));
+    auto& key = bench.find<QToolButton>("plots.comparison.key");
+    QTest::mouseClick(&key, Qt::LeftButton);
+    QCOMPARE(view.cursor(PlotView::Cursor::A), std::optional(mark->time));
+    QVERIFY(bench.valueAtA(name, "actual_TCP_force_2") < -70);
+    QVERIFY(std::abs(bench.plots()
+                         .store()
+                         .sampleAt(name, mark->time - 0.001)
+                         .at(*bench.plots()
+                                  .store()
+                                  .sampleAt(name, mark->time)
+                                  .layout->indexOfComponent("actual_TCP_force_2"))) < 5);
+    // The log of the recording has it, too, at the cursor.
+    QVERIFY2(table.currentIndex().siblingAtColumn(LogModel::Text).data().toString().contains("part at"),
+             qPrintable(bench.log().shownText()));
+
+    // Live again, there is no such line under the plots, and no mark; the log leads back to the moment.
+    bench.plots().endReplay();
+    QVERIFY(bench.within([&] { return !band.isVisible(); }));
+    const int row = rowOf("part at");
+    QVERIFY2(row >= 0, qPrintable(bench.log().shownText()));
+    QVERIFY(click(row));
+    QVERIFY(bench.within([&] { return bench.plots().replay().has_value(); }));
+    QCOMPARE(bench.plots().view().cursor(PlotView::Cursor::A), std::optional(mark->time));
+    QVERIFY(band.isVisible());
+    bench.plots().closeRecordings();
+    QVERIFY(!band.isVisible());
+    QVERIFY(bench.plots().marks().marks().empty());
 }
 
 QTEST_MAIN(TestIncident)

@@ -40,11 +40,11 @@ QString LogModel::originWord(Origin origin) {
 }
 
 void LogModel::append(const QDateTime& time, Severity severity, const QString& text, Origin origin,
-                      const QString& detail, const QString& recording) {
+                      const QString& detail, const QString& recording, std::optional<double> moment) {
     if (!entries_.empty()) {
         Entry& entry = entries_.back();
         if (entry.severity == severity && entry.origin == origin && entry.text == text &&
-            entry.detail == detail && entry.recording == recording) {
+            entry.detail == detail && entry.recording == recording && entry.moment == moment) {
             ++entry.count;
             entry.last = time;
             const int row = rowCount() - 1;
@@ -58,7 +58,7 @@ void LogModel::append(const QDateTime& time, Severity severity, const QString& t
         endRemoveRows();
     }
     beginInsertRows({}, rowCount(), rowCount());
-    entries_.push_back({time, time, severity, text, origin, detail, recording, 1});
+    entries_.push_back({time, time, severity, text, origin, detail, recording, moment, 1});
     endInsertRows();
 }
 
@@ -127,7 +127,8 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
                                                       : shown(entry, kClock);
         case Qt::ToolTipRole:
             if (index.column() == Open && !entry.recording.isEmpty()) {
-                return tr("Open the recording of this incident, at the moment of the stop");
+                return entry.moment ? tr("Open the recording at this moment")
+                                    : tr("Open the recording of this incident, at the moment of the stop");
             }
             return details(index.row());
         case Qt::FontRole:
@@ -149,6 +150,8 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
             return rowText(index.row());
         case RecordingRole:
             return entry.recording;
+        case MomentRole:
+            return entry.moment ? QVariant(*entry.moment) : QVariant();
         case SeverityRole:
             return static_cast<int>(entry.severity);
         case TextRole:

@@ -9,6 +9,7 @@
 #include <QDateTime>
 #include <QSortFilterProxyModel>
 #include <deque>
+#include <optional>
 
 #include "widgets/session/robot_session.h"
 
@@ -19,14 +20,15 @@ class LogModel : public QAbstractTableModel {
 
 public:
     enum Column { Time, SeverityColumn, Open, Text, ColumnCount };
-    enum Role { SeverityRole = Qt::UserRole, TextRole, RecordingRole };
+    enum Role { SeverityRole = Qt::UserRole, TextRole, RecordingRole, MomentRole };
     static constexpr int kCapacity = 5000;
 
     explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
     /// recording  a file that shows what the row tells of; empty: none
+    /// moment     where in it [s]; nothing: at the incident
     void append(const QDateTime& time, Severity severity, const QString& text, Origin origin = Origin::Tiller,
-                const QString& detail = {}, const QString& recording = {});
+                const QString& detail = {}, const QString& recording = {}, std::optional<double> moment = {});
     void clear();
     /// The last row that began at or before this time; -1: none did.
     int rowAt(const QDateTime& time) const;
@@ -55,6 +57,7 @@ private:
         Origin origin = Origin::Tiller;
         QString detail;
         QString recording;
+        std::optional<double> moment;
         int count = 1;
     };
     QString shown(const Entry& entry, const QString& clock) const;

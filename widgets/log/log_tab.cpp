@@ -159,10 +159,16 @@ void LogTab::appendRecording(Severity severity, const QString& text, const QStri
     add(severity, text, Origin::Tiller, detail, path);
 }
 
+void LogTab::appendMoment(Severity severity, const QString& text, const QString& detail, const QString& path,
+                          double seconds) {
+    add(severity, text, Origin::Tiller, detail, path, seconds);
+}
+
 void LogTab::openRecording() {
-    if (const QString path = table_->currentIndex().data(LogModel::RecordingRole).toString();
-        !path.isEmpty()) {
-        Q_EMIT recordingWanted(path);
+    const QModelIndex current = table_->currentIndex();
+    const QVariant moment = current.data(LogModel::MomentRole);
+    if (const QString path = current.data(LogModel::RecordingRole).toString(); !path.isEmpty()) {
+        Q_EMIT recordingWanted(path, moment.isValid() ? std::optional(moment.toDouble()) : std::nullopt);
     }
 }
 
@@ -225,11 +231,11 @@ void LogTab::setReplay(const Replay& moment) {
 }
 
 void LogTab::add(Severity severity, const QString& text, Origin origin, const QString& detail,
-                 const QString& recording) {
+                 const QString& recording, std::optional<double> moment) {
     // Follows the newest line unless the reader has scrolled back.
     const QScrollBar* bar = table_->verticalScrollBar();
     const bool follow = bar->value() == bar->maximum();
-    model_->append(now_(), severity, text, origin, detail, recording);
+    model_->append(now_(), severity, text, origin, detail, recording, moment);
     if (!recording.isEmpty()) {
         table_->setColumnHidden(LogModel::Open, false);
     }

@@ -7,6 +7,7 @@
 #include <QDateTime>
 #include <QWidget>
 #include <functional>
+#include <optional>
 
 #include "robot/core/result.h"
 #include "widgets/session/replay_moment.h"
@@ -53,6 +54,9 @@ public Q_SLOTS:
     /// The same with the recording of an incident, which can be opened from its row.
     void appendRecording(tiller::Severity severity, const QString& text, const QString& detail,
                          const QString& path);
+    /// The same with a moment of a recording [s], at which it is opened.
+    void appendMoment(tiller::Severity severity, const QString& text, const QString& detail,
+                      const QString& path, double seconds);
     /// Asks for the recording of the current row to be opened; nothing happens when it has none.
     void openRecording();
     /// Copies the selected rows, or all that are shown when none is selected.
@@ -65,7 +69,8 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     /// A row's recording is to be opened.
-    void recordingWanted(const QString& path);
+    /// moment  where in it [s]; nothing: at its incident
+    void recordingWanted(const QString& path, std::optional<double> moment);
     /// From a replay back to what is live.
     void liveWanted();
 
@@ -81,7 +86,7 @@ private:
     void select(int row);
     void showNothingFound();
     void add(Severity severity, const QString& text, Origin origin, const QString& detail,
-             const QString& recording);
+             const QString& recording, std::optional<double> moment = {});
     QString textOf(const QList<int>& rows) const;
 
     std::function<QDateTime()> now_;

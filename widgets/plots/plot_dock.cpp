@@ -33,8 +33,10 @@
 #include "widgets/common/format.h"
 #include "widgets/common/give_way.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/comparison_band.h"
 #include "widgets/plots/lane_text.h"
 #include "widgets/plots/plot_analysis.h"
+#include "widgets/plots/plot_comparison.h"
 #include "widgets/plots/plot_export.h"
 #include "widgets/plots/plot_feed.h"
 #include "widgets/plots/plot_marks.h"
@@ -161,7 +163,14 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     auto* beneath = new QSplitter(Qt::Vertical);
     beneath->setObjectName(QStringLiteral("plots.beneath"));
     beneath->setChildrenCollapsible(false);
-    beneath->addWidget(pages_);
+    comparisonBand_ = new ComparisonBand;
+    auto* plots = new QWidget;
+    auto* plotsLayout = new QVBoxLayout(plots);
+    plotsLayout->setContentsMargins(0, 0, 0, 0);
+    plotsLayout->setSpacing(0);
+    plotsLayout->addWidget(pages_, 1);
+    plotsLayout->addWidget(comparisonBand_);
+    beneath->addWidget(plots);
     beneath->addWidget(values_);
     analysis_ = new PlotAnalysis(*store_);
     analysis_->hide();
@@ -171,11 +180,16 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({kUsualSide, kUsualSide * 5});
     setContent(splitter);
+    replay_ = std::make_unique<PlotReplay>(*store_, *pages_);
+    comparison_ = std::make_unique<PlotComparison>(
+        PlotComparison::Place{*store_, *pages_, *marks_, *replay_, session_, *comparisonBand_});
     buildHeader();
 
-    replay_ = std::make_unique<PlotReplay>(*store_, *pages_);
     pages_->setClock([this](double time) { return replay_->clockAt(time); });
     connect(replay_.get(), &PlotReplay::changed, this, &PlotDock::replayChanged);
+    connect(comparison_.get(), &PlotComparison::parted, this, &PlotDock::partedFromModel);
+    connect(comparison_.get(), &PlotComparison::limitsChanged, this, &PlotDock::arrangementChanged);
+    connect(comparison_.get(), &PlotComparison::bandChanged, this, &PlotDock::makeWay);
     connect(pages_, &PlotPages::windowChanged, this, [this] {
         updateHeader();
         replay_->follow();
@@ -200,6 +214,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
         values_->follow(view());
         analysis_->follow(&view());
         replay_->follow();
+        comparison_->follow();
         Q_EMIT arrangementChanged();
     });
     connect(pages_, &PlotPages::tooManySignals, this,
@@ -226,6 +241,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
 }
 
 PlotDock::~PlotDock() {
+    comparison_.reset();
     // The views let go of their signals: before the store goes.
     delete content();
 }
@@ -239,11 +255,14 @@ const SeriesBuffer& PlotDock::history() const {
 }
 
 QByteArray PlotDock::arrangement() const {
-    return pages_->arrangement().toJson();
+    PlotLayout layout = pages_->arrangement();
+    layout.modelLimits = comparison_->limits();
+    return layout.toJson();
 }
 
 void PlotDock::arrange(const QByteArray& json) {
     if (const Result<PlotLayout> layout = PlotLayout::fromJson(json); layout && json != arrangement()) {
+        comparison_->setLimits(layout->modelLimits);
         pages_->arrange(*layout);
     }
 }
@@ -279,12 +298,19 @@ void PlotDock::setValuesShown(bool shown) {
     // The plots make way for the table: a panel as low as it can be would grow, and the key go from under the pointer.
     auto* beneath = static_cast<QSplitter*>(values_->parentWidget());
     const int table = values_->minimumSizeHint().height();
-    giveWay(*pages_, shown ? table + beneath->handleWidth() : 0);
+    makeWay();
     if (shown && analysis_->isHidden() && beneath->height() < pages_->sizeHint().height()) {
         // Where room is short the plots have what the table can do without.
         beneath->setSizes({beneath->height() - table - beneath->handleWidth(), table, 0});
     }
     valuesKey_->setChecked(shown);
+}
+
+void PlotDock::makeWay() {
+    const auto* beneath = static_cast<const QSplitter*>(values_->parentWidget());
+    const int table = values_->isHidden() ? 0 : values_->minimumSizeHint().height() + beneath->handleWidth();
+    const int band = comparisonBand_->isHidden() ? 0 : comparisonBand_->sizeHint().height();
+    giveWay(*pages_, table + band);
 }
 
 void PlotDock::addNote(double time, const QString& text) {
@@ -388,6 +414,9 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.closeRecordings", tr("Close the recordings"), [this] {
         closeRecordings();
     })->setEnabled(store_->hasRecordings());
+    add(menu, "plots.layout.compare", tr("Compare with the model of the arm…"), [this] {
+        compareWithModel();
+    })->setEnabled(!comparison_->recordingInFront().isEmpty());
     menu->addSeparator();
     add(menu, "plots.layout.copy", tr("Copy the plots as a picture"), [this] { copyPicture(); });
     menu->addSeparator();
@@ -427,15 +456,16 @@ Result<void> PlotDock::openArrangement(const QString& path) {
     if (!layout) {
         return layout.error();
     }
+    comparison_->setLimits(layout->modelLimits);
     pages_->arrange(*layout);
     return {};
 }
 
-void PlotDock::openRecording(const QString& path) {
-    if (isOpen(path)) {
+void PlotDock::openRecording(const QString& path, std::optional<double> at) {
+    if (isOpen(path, at)) {
         return;
     }
-    files_.post(this, [this, path](const CancelToken&) {
+    files_.post(this, [this, path, at](const CancelToken&) {
         using File = std::unique_ptr<recording::Recording>;
         auto opened = std::make_shared<Result<File>>(recording::openRecording(path));
         std::optional<double> incident;
@@ -443,9 +473,9 @@ void PlotDock::openRecording(const QString& path) {
             const auto moment = recording::incidentMoment(***opened);
             incident = moment ? *moment : std::nullopt;
         }
-        return std::function<void()>([this, opened, incident] {
+        return std::function<void()>([this, opened, incident, at] {
             if (*opened) {
-                showRecording(std::move(**opened), incident);
+                showRecording(std::move(**opened), incident, at);
             } else {
                 Q_EMIT session_.message(Severity::Error, texts::errorText(opened->error()));
             }
@@ -453,12 +483,14 @@ void PlotDock::openRecording(const QString& path) {
     });
 }
 
-bool PlotDock::isOpen(const QString& path) {
+bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {
     // Only an incident's file stays what it was: another one may have been recorded anew.
     for (auto known = incidents_.constBegin(); known != incidents_.constEnd(); ++known) {
         const recording::Recording* file = store_->recorded(known.key());
         if (file != nullptr && file->path() == path) {
-            return turnTo(known.key());
+            const bool turned = turnTo(known.key());
+            goTo(known.key(), moment);
+            return turned;
         }
     }
     return false;
@@ -537,7 +569,14 @@ bool PlotDock::turnTo(const QString& recording) {
     return true;
 }
 
-void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident) {
+void PlotDock::goTo(const QString& recording, std::optional<double> moment) {
+    if (moment && view().recordingsShown().contains(recording)) {
+        view().goTo(store_->timesOf(recording)->firstTime() + *moment);
+    }
+}
+
+void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident,
+                             std::optional<double> moment) {
     const QStringList problems = file->problems();
     const std::uint64_t rows = file->rows();
     const Result<std::vector<double>> last =
@@ -553,17 +592,28 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::op
         incidents_[*opened] = begin + *incident;
     }
     turnTo(*opened);
+    goTo(*opened, moment);
+    if (incident) {
+        comparison_->begin(*opened);
+    }
     Q_EMIT session_.message(problems.isEmpty() ? Severity::Info : Severity::Warning,
                             tr("Opened the recording %1").arg(*opened), Origin::Operator,
                             problems.join(QLatin1Char(' ')));
 }
 
+void PlotDock::compareWithModel() {
+    comparison_->ask(comparison_->recordingInFront());
+}
+
 void PlotDock::closeRecordings() {
+    comparison_->forgetAll();
+    marks_->forgetRecordings();
     pages_->dropRecordings();
     incidents_.clear();
     store_->closeRecordings();
     sayWhatIsShown();
     replay_->follow();
+    comparison_->follow();
 }
 
 const Replay& PlotDock::replay() const {

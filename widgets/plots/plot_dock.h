@@ -25,8 +25,10 @@ class QToolButton;
 
 namespace tiller {
 
+class ComparisonBand;
 class ElidedLabel;
 class PlotAnalysis;
+class PlotComparison;
 class PlotFeed;
 class PlotMarks;
 class PlotPages;
@@ -68,7 +70,8 @@ public:
     /// begins at the cursor A where there is one. That of an incident stands where it happened if the history of its
     /// robot still reaches there, with the cursor A at the moment of the stop. Reads the file elsewhere; tells the
     /// operator how it went.
-    void openRecording(const QString& path);
+    /// moment  on the recording's time axis [s], for the cursor A; nothing: as said
+    void openRecording(const QString& path, std::optional<double> moment = {});
     /// The moment that cursor A stands on, while it is one of a recording or of a history that is held still.
     const Replay& replay() const;
     void closeRecordings();
@@ -114,6 +117,8 @@ public Q_SLOTS:
     void toggleRecording();
     /// Asks where the shown range shall be saved.
     void askExport();
+    /// Asks how the recording in front is to be compared with the model of its arm, and does it.
+    void compareWithModel();
     /// Ends a replay: takes cursor A away and shows the newest samples.
     void endReplay();
 
@@ -124,6 +129,8 @@ Q_SIGNALS:
     void recordingOptionsWanted();
     /// Another moment is replayed; nothing: all is live again.
     void replayChanged(const tiller::Replay& moment);
+    /// Arm and model of a recording part at this moment of its time axis.
+    void partedFromModel(const QString& text, const QString& details, const QString& path, double seconds);
     /// Pages, plots, their signals or the budget are others.
     void arrangementChanged();
 
@@ -143,11 +150,14 @@ private:
     QString picturesTitle() const;
     QString historyText() const;
     void askForRecording();
-    void showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident);
+    void showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident,
+                       std::optional<double> moment);
+    void goTo(const QString& recording, std::optional<double> moment);
     double placeOf(const recording::Recording& file, double length, std::optional<double> incident) const;
     PageLayout pageFor(const QString& recording) const;
     bool turnTo(const QString& recording);
-    bool isOpen(const QString& path);
+    bool isOpen(const QString& path, std::optional<double> moment);
+    void makeWay();
     void askToSaveArrangement();
     void askToOpenArrangement();
     void onState(const SessionState& state);
@@ -164,6 +174,8 @@ private:
     std::unique_ptr<PlotMarks> marks_;
     std::unique_ptr<PlotFeed> feed_;
     std::unique_ptr<PlotReplay> replay_;
+    ComparisonBand* comparisonBand_ = nullptr;
+    std::unique_ptr<PlotComparison> comparison_;
     QHash<QString, double> incidents_;  ///< opened ones: when their stops are on the plots' time axis [s]
     PlotPages* pages_ = nullptr;
     SignalTree* tree_ = nullptr;

@@ -56,6 +56,26 @@ QJsonObject toObject(const PageLayout& page) {
     return {{"name", page.name}, {"plots", panes}, {"lanes", QJsonArray::fromStringList(page.lanes)}};
 }
 
+QJsonObject toObject(const divergence::Limits& limits) {
+    return {{"joint", limits.jointPosition},
+            {"tcp", limits.tcpPosition},
+            {"current", limits.current},
+            {"force", limits.force},
+            {"lasting", limits.lasting}};
+}
+
+divergence::Limits toModelLimits(const QJsonObject& object) {
+    constexpr double kMost = 1e5;
+    const divergence::Limits usual;
+    divergence::Limits limits;
+    limits.jointPosition = within(object["joint"], 0, kMost, usual.jointPosition);
+    limits.tcpPosition = within(object["tcp"], 0, kMost, usual.tcpPosition);
+    limits.current = within(object["current"], 0, kMost, usual.current);
+    limits.force = within(object["force"], 0, kMost, usual.force);
+    limits.lasting = within(object["lasting"], 0, kMost, usual.lasting);
+    return limits;
+}
+
 PageLayout toPage(const QJsonObject& object) {
     PageLayout page;
     page.name = object["name"].toString().trimmed().left(kLongestName);
@@ -97,7 +117,8 @@ QByteArray PlotLayout::toJson() const {
                            {"current", current},
                            {"span", span},
                            {"time", QLatin1String(kTimeAxes[static_cast<std::size_t>(time)])},
-                           {"thresholds", limits}};
+                           {"thresholds", limits},
+                           {"model_limits", toObject(modelLimits)}};
     return QJsonDocument(root).toJson(QJsonDocument::Compact);
 }
 
@@ -132,6 +153,7 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray& json) {
     });
     layout.time =
         axis == kTimeAxes.end() ? TimeAxis::Relative : static_cast<TimeAxis>(axis - kTimeAxes.begin());
+    layout.modelLimits = toModelLimits(document.object()["model_limits"].toObject());
     layout.span = within(document.object()["span"], 0.05, 86400, 30);
     return layout;
 }

@@ -10,6 +10,7 @@
 #include <QVector>
 
 #include "robot/core/result.h"
+#include "robot/divergence/divergence.h"
 #include "widgets/plots/plot_marks.h"
 
 namespace tiller {
@@ -46,6 +47,7 @@ struct PlotLayout {
     double span = 30;  ///< [s]
     TimeAxis time = TimeAxis::Relative;
     QVector<Threshold> thresholds{};
+    divergence::Limits modelLimits{};  ///< how far an arm may be from its model
 
     QByteArray toJson() const;
     /// What is out of bounds in it is brought back into them.

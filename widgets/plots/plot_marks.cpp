@@ -25,10 +25,32 @@ void PlotMarks::addNote(double time, const QString& text) {
     }
 }
 
-void PlotMarks::forgetBefore(double time) {
-    while (!marks_.empty() && marks_.front().time < time) {
-        marks_.pop_front();
+void PlotMarks::addOf(const QString& recording, PlotMark one) {
+    one.recording = recording;
+    mark(std::move(one));
+}
+
+template <class Which>
+void PlotMarks::drop(Which which) {
+    if (std::erase_if(marks_, which) > 0) {
+        Q_EMIT marksChanged();
     }
+}
+
+void PlotMarks::forgetOf(const QString& recording) {
+    drop([&](const PlotMark& one) { return one.recording == recording; });
+}
+
+void PlotMarks::forgetRecordings() {
+    drop([](const PlotMark& one) { return !one.recording.isEmpty(); });
+}
+
+void PlotMarks::forgetBefore(double time) {
+    const auto later =
+        std::find_if(marks_.begin(), marks_.end(), [time](const PlotMark& one) { return one.time >= time; });
+    marks_.erase(
+        std::remove_if(marks_.begin(), later, [](const PlotMark& one) { return one.recording.isEmpty(); }),
+        later);
 }
 
 void PlotMarks::setThresholds(const QVector<Threshold>& thresholds) {

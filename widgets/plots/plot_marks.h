@@ -26,6 +26,7 @@ struct PlotMark {
     double time = 0;  ///< on the plots' time axis [s]
     QString text;
     bool alarm = false;
+    QString recording{};  ///< it is of; empty: it stands on all pages
 };
 
 class PlotMarks : public QObject {
@@ -36,8 +37,12 @@ public:
         : QObject(parent), store_(store) {}
 
     void addNote(double time, const QString& text);
+    /// In a recording, until forgetOf().
+    void addOf(const QString& recording, PlotMark mark);
+    void forgetOf(const QString& recording);
+    void forgetRecordings();
     const std::deque<PlotMark>& marks() const { return marks_; }
-    void forgetBefore(double time);
+    void forgetBefore(double time);  ///< But for those of recordings.
 
     const QVector<Threshold>& thresholds() const { return thresholds_; }
     void setThresholds(const QVector<Threshold>& thresholds);
@@ -64,6 +69,8 @@ private:
         bool beyond = false;
     };
     void mark(PlotMark mark);
+    template <class Which>
+    void drop(Which which);
 
     const SignalStore& store_;
     QVector<Threshold> thresholds_;

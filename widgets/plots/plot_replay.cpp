@@ -73,6 +73,27 @@ QDateTime PlotReplay::clockAt(double time) const {
                                           std::llround((time - frame->newest) * kMsPerSecond));
 }
 
+std::shared_ptr<const std::vector<recording::RecordedEvent>> PlotReplay::eventsOf(
+    const QString& recording) const {
+    std::vector<recording::RecordedEvent> events = store_.recorded(recording)->events();
+    const std::vector<recording::RecordedEvent> further = further_.value(recording);
+    events.insert(events.end(), further.begin(), further.end());
+    std::stable_sort(events.begin(), events.end(),
+                     [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+    return std::make_shared<const std::vector<recording::RecordedEvent>>(std::move(events));
+}
+
+void PlotReplay::setFurtherEvents(const QString& recording, std::vector<recording::RecordedEvent> events) {
+    if (events.empty() && !further_.contains(recording)) {
+        return;
+    }
+    further_[recording] = std::move(events);
+    if (moment_ && moment_->source == recording && store_.recorded(recording) != nullptr) {
+        moment_->events = eventsOf(recording);
+        Q_EMIT changed(moment_);
+    }
+}
+
 Replay PlotReplay::momentNow() const {
     const PlotView& view = pages_.view();
     const auto time = view.cursor(PlotView::Cursor::A);
@@ -91,11 +112,8 @@ Replay PlotReplay::momentNow() const {
         moment.wallTime = wallTimeOf(*time);
         return moment;
     }
-    const recording::Recording& file = *store_.recorded(source);
     moment.seconds = *time - store_.timesOf(source)->firstTime();
-    moment.events = same || (moment_ && moment_->source == source)
-                        ? moment_->events
-                        : std::make_shared<const std::vector<recording::RecordedEvent>>(file.events());
+    moment.events = same || (moment_ && moment_->source == source) ? moment_->events : eventsOf(source);
     moment.wallTime = clockAt(*time);
     return moment;
 }

@@ -4,6 +4,7 @@
 // The one scrubber: while the page in front shows a recording, or the plots are held still, cursor A is a moment that
 // the other parts of the window show too. Recording and history go on meanwhile.
 
+#include <QHash>
 #include <QObject>
 #include <cstdint>
 #include <deque>
@@ -33,6 +34,8 @@ public:
     /// Looks at page, cursor and pause anew, and tells when the moment is another one.
     void follow();
     const Replay& moment() const { return moment_; }
+    /// Lines that the log of a recording has besides those in its file.
+    void setFurtherEvents(const QString& recording, std::vector<recording::RecordedEvent> events);
 
 Q_SIGNALS:
     void changed(const tiller::Replay& moment);
@@ -43,12 +46,14 @@ private:
         std::int64_t wallMs;
     };
     Replay momentNow() const;
+    std::shared_ptr<const std::vector<recording::RecordedEvent>> eventsOf(const QString& recording) const;
     QDateTime wallTimeOf(double time) const;
 
     const SignalStore& store_;
     const PlotPages& pages_;
     std::deque<Frame> frames_;
     Replay moment_;
+    QHash<QString, std::vector<recording::RecordedEvent>> further_;  ///< by recordings
 };
 
 }  // namespace tiller

@@ -323,6 +323,18 @@ QSet<int> PlotView::signalsShown() const {
     return all;
 }
 
+QStringList PlotView::recordingsShown() const {
+    QStringList all;
+    const QSet<int> shown = signalsShown();
+    for (const int signal : shown) {
+        const QString recording = store_.recordingOf(signal);
+        if (!recording.isEmpty() && !all.contains(recording)) {
+            all.append(recording);
+        }
+    }
+    return all;
+}
+
 const LaneItem* PlotView::signalLane(int signal) const {
     const auto found = std::find_if(lanes_.begin(), lanes_.end(),
                                     [signal](const SignalLane& lane) { return lane.signal == signal; });
@@ -660,6 +672,14 @@ void PlotView::setCursor(Cursor which, std::optional<double> time) {
     Q_EMIT readoutChanged();
 }
 
+void PlotView::goTo(double time) {
+    if (time < window_.start() || time > window_.end()) {
+        const double half = window_.span() / 2;
+        showRange(time - half, time + half);
+    }
+    setCursor(Cursor::A, time);
+}
+
 void PlotView::setReadoutSignal(int signal) {
     readoutSignal_ = signal;
     for (const auto& pane : panes_) {
@@ -782,11 +802,15 @@ void PlotView::drawMarks(QPainter& painter) const {
         bottom = std::max(bottom, pane->area().bottom());
     }
     const auto& all = marks_.marks();
+    const QStringList recordings = recordingsShown();
     const auto first = std::lower_bound(all.begin(), all.end(), window_.start(),
                                         [](const PlotMark& mark, double time) { return mark.time < time; });
     for (int column = 0; column < columns_; ++column) {
         double free = 0;  // where the words before end
         for (auto mark = first; mark != all.end() && mark->time <= window_.end(); ++mark) {
+            if (!mark->recording.isEmpty() && !recordings.contains(mark->recording)) {
+                continue;
+            }
             const double x = std::floor(xAt(mark->time) + column * pitch) + 0.5;
             const QColor color = mark->alarm ? theme.alarm : theme.secondary;
             painter.setPen(QPen(color, 1));

@@ -65,6 +65,8 @@ public:
     PlotMarks& marks() const { return marks_; }
     /// All that is shown, lanes too.
     QSet<int> signalsShown() const;
+    /// Those that something shown is of.
+    QStringList recordingsShown() const;
 
     const TimeWindow& window() const { return window_; }
     /// clock  the time of the day of a moment on the time axis, if somebody knows
@@ -84,6 +86,8 @@ public:
     std::optional<double> cursor(Cursor which) const { return cursors_[index(which)]; }
     /// A moment on the time axis [s]; nothing takes the cursor away.
     void setCursor(Cursor which, std::optional<double> time);
+    /// Cursor A stands there, in sight.
+    void goTo(double time);
     int readoutSignal() const { return readoutSignal_; }
     void setReadoutSignal(int signal);
     /// "A–B Δt 1.200 s · ΔFz −9.8 N", "A −12.300 s · Fz −4.1 N", or empty.

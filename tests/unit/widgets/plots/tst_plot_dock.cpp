@@ -5,6 +5,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
@@ -12,6 +13,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPainter>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QScopeGuard>
 #include <QSignalSpy>
@@ -32,10 +34,13 @@
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/analysis_canvas.h"
+#include "widgets/plots/comparison_band.h"
+#include "widgets/plots/comparison_dialog.h"
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_sheet.h"
 #include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_dock.h"
+#include "widgets/plots/plot_layout.h"
 #include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_overlay.h"
 #include "widgets/plots/plot_pages.h"
@@ -1200,6 +1205,93 @@ private Q_SLOTS:
         b.view().follow();
         b.runTo(61);
         QVERIFY(near(b.view().window().end(), 61, 0.003));
+    }
+
+    void aRecordingIsComparedWithTheModelOfItsArm() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("stiff.csv");
+        {
+            // An arm that stands; after a second its elbow is a degree off.
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("timestamp");
+            for (const char* field : {"target_q", "actual_q"}) {
+                for (int joint = 0; joint < 6; ++joint) {
+                    file.write(QByteArray(",") + field + '_' + QByteArray::number(joint));
+                }
+            }
+            for (int i = 0; i < 1000; ++i) {
+                file.write('\n' + QByteArray::number(700 + i * 0.002, 'f', 4) + ",0,-1.5,1.5,-1,1,0,0,-1.5," +
+                           (i < 500 ? "1.5" : "1.517453") + ",-1,1,0");
+            }
+        }
+        b.dock.openRecording(path);
+        QTRY_COMPARE(b.dock.pages().count(), 2);
+        auto* band = b.dock.findChild<ComparisonBand*>();
+        auto* key = b.dock.findChild<QToolButton*>("plots.comparison.key");
+        auto* compare = b.dock.findChild<QToolButton*>("plots.comparison.compare");
+        QVERIFY(band->isHidden());
+        // What the dialog is told; nobody may compare without saying which arm it is.
+        int asked = 0;
+        const auto answer = [&](double limit, const char* model) {
+            QTimer::singleShot(0, &b.dock, [&asked, limit, model] {
+                auto* dialog = qobject_cast<ComparisonDialog*>(QApplication::activeModalWidget());
+                if (dialog == nullptr) {
+                    return;
+                }
+                auto* accept = dialog->findChild<QPushButton*>("plots.comparison.accept");
+                auto* models = dialog->findChild<QComboBox*>("plots.comparison.model");
+                asked += accept->isEnabled() == (models->currentIndex() >= 0) ? 1 : 0;
+                models->setCurrentIndex(models->findText(model));
+                dialog->findChild<QDoubleSpinBox*>("plots.comparison.joint")->setValue(limit);
+                accept->click();
+            });
+        };
+        QMenu* menu = b.dock.findChild<QMenu*>("plots.layout.menu");
+        Q_EMIT menu->aboutToShow();
+        auto* action = menu->findChild<QAction*>("plots.layout.compare");
+        QVERIFY(action->isEnabled());
+        answer(2, "UR5e");
+        action->trigger();
+        QCOMPARE(asked, 1);
+        QTRY_COMPARE(band->words(), QString("The arm did what the model of a UR5e does"));
+        QVERIFY2(band->details().contains("actual_current"), qPrintable(band->details()));
+        QVERIFY(!key->isVisible() && b.dock.marks().marks().empty());
+
+        QSignalSpy parted(&b.dock, &PlotDock::partedFromModel);
+        answer(0.5, "UR5e");
+        QTest::mouseClick(compare, Qt::LeftButton);
+        QCOMPARE(asked, 2);
+        QTRY_COMPARE(band->words(), QString("Arm and model part at 1.000 s: Elbow is 1.00° off"));
+        QCOMPARE(parted.count(), 1);
+        QCOMPARE(parted[0][2].toString(), path);
+        QVERIFY(near(parted[0][3].toDouble(), 1, 1e-6));
+        QCOMPARE(b.dock.marks().marks().size(), std::size_t(1));
+        const double begin = b.dock.store().timesOf("stiff.csv")->firstTime();
+        QVERIFY(near(b.dock.marks().marks()[0].time, begin + 1, 1e-6));
+        QTest::mouseClick(key, Qt::LeftButton);
+        QVERIFY(near(*b.view().cursor(PlotView::Cursor::A), begin + 1, 1e-6));
+        const PlotLayout kept = PlotLayout::fromJson(b.dock.arrangement()).value();
+        QVERIFY(near(kept.modelLimits.jointPosition, 0.5 * 3.14159265 / 180, 1e-6));
+
+        // Given up: nothing is said, and what was said before is gone.
+        answer(0.5, "UR5e");
+        QTest::mouseClick(compare, Qt::LeftButton);
+        QVERIFY(b.dock.marks().marks().empty());
+        QVERIFY(key->isVisible());
+        QCOMPARE(key->text(), QString("Cancel"));
+        QTest::mouseClick(key, Qt::LeftButton);
+        QTRY_COMPARE(band->words(), QString("Not compared with the model of the arm."));
+        QCOMPARE(parted.count(), 1);
+
+        // It is of that page alone.
+        b.dock.pages().setCurrent(0);
+        QVERIFY(band->isHidden());
+        b.dock.pages().setCurrent(1);
+        QVERIFY(band->isVisible());
+        b.dock.closeRecordings();
+        QVERIFY(band->isHidden());
     }
 
     void aRecordingWithoutARobotIsShownByItself() {

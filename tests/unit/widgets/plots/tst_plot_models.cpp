@@ -523,6 +523,7 @@ private Q_SLOTS:
                          {"robot_mode"}}};
         layout.current = 1;
         layout.span = 120;
+        layout.modelLimits = {.jointPosition = 0.02, .tcpPosition = 0, .current = 3.5};
         const auto read = PlotLayout::fromJson(layout.toJson());
         QVERIFY(read.ok());
         QVERIFY(*read == layout);
@@ -537,11 +538,13 @@ private Q_SLOTS:
                                               "{\"plots\":[{\"signals\":[\"x\",\"x\",3,null],\"column\":99,"
                                               "\"share\":-4}],\"lanes\":7}");
         }
-        many += "],\"current\":1e300,\"span\":-1}";
+        many += "],\"current\":1e300,\"span\":-1,\"model_limits\":{\"joint\":-2,\"force\":\"x\"}}";
         const auto read = PlotLayout::fromJson(many);
         QVERIFY(read.ok());
         QCOMPARE(read->pages.size(), PlotLayout::kMostPages);
         QCOMPARE(read->current, PlotLayout::kMostPages - 1);
+        QCOMPARE(read->modelLimits.jointPosition, 0.0);
+        QCOMPARE(read->modelLimits.force, divergence::Limits().force);
         QCOMPARE(read->pages[0].panes[0].shown, QStringList("x"));
         QCOMPARE(read->pages[0].panes[0].column, PlotLayout::kMostColumns - 1);
         QVERIFY(read->pages[0].panes[0].share > 0 && read->span > 0);

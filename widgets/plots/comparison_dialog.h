@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Asks how a recording is to be compared with the model of its arm: which model, and how far they may be apart.
+
+#include <QDialog>
+#include <optional>
+
+#include "robot/divergence/divergence.h"
+
+class QPushButton;
+
+namespace tiller {
+
+class ChoiceBox;
+class FigureBox;
+
+class ComparisonDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// model  the one to begin with; nothing: one has to be chosen
+    ComparisonDialog(const divergence::Limits& limits, std::optional<RobotModelId> model,
+                     QWidget* parent = nullptr);
+
+    divergence::Limits limits() const;
+    std::optional<RobotModelId> model() const;
+
+    void accept() override;
+
+private:
+    FigureBox* box(const char* name, const QString& text, const QString& unit, double value, double most);
+
+    ChoiceBox* model_;
+    FigureBox* joint_;
+    FigureBox* tcp_;
+    FigureBox* current_;
+    FigureBox* force_;
+    FigureBox* lasting_;
+    QPushButton* compare_;
+};
+
+}  // namespace tiller
