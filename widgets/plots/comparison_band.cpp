@@ -44,6 +44,7 @@ ComparisonBand::ComparisonBand(QWidget* parent)
         }
     });
     connect(compare_, &QToolButton::clicked, this, &ComparisonBand::comparisonWanted);
+    tell({}, {}, Key::None, false);  // its key has a name before there is something to say
     style();
     hide();
 }
