@@ -48,11 +48,13 @@ def newest_symbols(prefix, paths):
 def packages_of(places):
     """The Debian package each of these files is of, and its version."""
     owner = {}
-    # By name: a library may be recorded under /lib and be found under /usr/lib, which are one folder.
-    listed = subprocess.run(["dpkg-query", "-S", *("*/" + os.path.basename(place) for place in places)],
-                            capture_output=True, text=True, check=False).stdout
-    for package, path in re.findall(r"^([^:,\s]+)(?::\S+)?: (\S+)$", listed, re.MULTILINE):
-        owner.setdefault(os.path.realpath(path), package)
+    # By name: a library may be recorded under /lib and be found under /usr/lib, which are one folder. Out of dpkg's
+    # lists, each read once: dpkg-query goes through all of them for each name.
+    names = {os.path.basename(place) for place in places}
+    for listed in sorted(pathlib.Path("/var/lib/dpkg/info").glob("*.list")):
+        for path in listed.read_text(encoding="utf-8", errors="replace").splitlines():
+            if path.rpartition("/")[2] in names:
+                owner.setdefault(os.path.realpath(path), listed.stem.partition(":")[0])
     lost = [place for place in places if place not in owner]
     if lost:
         sys.exit(f"No package has {', '.join(lost)}: whose licence it is under cannot be told")
