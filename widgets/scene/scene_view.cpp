@@ -79,11 +79,8 @@ void SceneView::changed() {
     }
     const std::int64_t since = (SteadyClock::shared().nowNs() - lastPaintNs_) / kNsPerMs;
     const auto wait = static_cast<int>(std::clamp<std::int64_t>(kFrameMs - since, 0, kFrameMs));
-    if (wait <= kSoonMs) {
-        update();  // in one frame with all that has changed besides
-    } else {
-        frameTimer_.start(wait);
-    }
+    // By itself, not in one go with all that has changed besides: a key that is let go meanwhile is heard between.
+    frameTimer_.start(wait <= kSoonMs ? 0 : wait);
 }
 
 bool SceneView::armHasMoved() const {
