@@ -18,6 +18,7 @@
 #include "resources/resources.h"
 #include "robot/core/spatial.h"
 #include "robot/script/script_client.h"
+#include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "widgets/common/replay_band.h"
 #include "widgets/io/io_channel.h"
@@ -396,6 +397,27 @@ void TestIncident::armAndModelPartWhereItWasPushed() {
                                   .store()
                                   .sampleAt(name, mark->time)
                                   .layout->indexOfComponent("actual_TCP_force_2"))) < 5);
+    // In either theme the curves are there, also where nothing moves any more.
+    const auto colourful = [&view] {
+        const QImage picture = const_cast<PlotView&>(view).grab().toImage();
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                count += picture.pixelColor(x, y).hsvSaturation() > 100 ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    for (const bool dark : {true, false}) {
+        bench.window.setTheme(dark ? "dark" : "light");
+        bench.cell.advanceMs(100);
+        const int after = colourful();
+        keepPicture(bench.window,
+                    dark ? QStringLiteral("incident-parted-dark") : QStringLiteral("incident-parted"));
+        bench.window.resize(bench.window.width() + 8, bench.window.height());  // draws all anew
+        bench.cell.advanceMs(100);
+        QVERIFY2(after > 0.9 * colourful(), qPrintable(QString::number(after)));
+    }
     // The log of the recording has it, too, at the cursor.
     QVERIFY2(table.currentIndex().siblingAtColumn(LogModel::Text).data().toString().contains("part at"),
              qPrintable(bench.log().shownText()));

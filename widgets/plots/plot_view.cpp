@@ -749,6 +749,9 @@ void PlotView::changeEvent(QEvent* event) {
         for (const auto& pane : panes_) {
             pane->applyTheme();
         }
+        if (isVisible()) {
+            show(0);  // the curves, too: where time stands still nothing else would paint them again
+        }
         viewport()->update();
     }
 }
