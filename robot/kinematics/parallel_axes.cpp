@@ -107,12 +107,14 @@ DhParameters asDenavitHartenberg(const DhParameters& arm) {
 }
 
 DhParameters calibrated(const RobotModel& model, const DhParameters& told) {
-    constexpr double kLongest = 3;  // [m]
+    constexpr double kLongest = 3;      // [m]
+    constexpr double kShortest = 0.05;  // [m], of upper arm and forearm
     const DhParameters arm = resolveParallelAxes(told);
     const auto isOfAnArm = [](const std::array<double, 6>& lengths) {
         return std::ranges::all_of(lengths, [](double length) { return std::abs(length) < kLongest; });
     };
-    return isFinite(arm) && isOfAnArm(arm.a) && isOfAnArm(arm.d) ? arm : model.dh;
+    const bool reaches = arm.a[kUpperArm] < -kShortest && arm.a[kForearm] < -kShortest;
+    return isFinite(arm) && reaches && isOfAnArm(arm.a) && isOfAnArm(arm.d) ? arm : model.dh;
 }
 
 }  // namespace tiller::kinematics

@@ -26,7 +26,7 @@ DhParameters resolveParallelAxes(const DhParameters& told);
 DhParameters asDenavitHartenberg(const DhParameters& arm);
 
 /// The arm by its own calibration, frames at its links; the model's where what is told is no arm: a number is not
-/// finite, or some link is longer than 3 m.
+/// finite, some link is longer than 3 m, or upper arm or forearm are shorter than 50 mm.
 /// Threads  any. Real-time: yes
 DhParameters calibrated(const RobotModel& model, const DhParameters& told);
 

@@ -159,8 +159,10 @@ private Q_SLOTS:
             told.theta[i] = number;
             QVERIFY(std::isfinite(number) || calibrated(model, told) == model.dh);
         }
-        DhParameters zeros;
-        QVERIFY(std::isfinite(forward(calibrated(model, zeros), {}).translation().norm()));
+        QVERIFY(calibrated(model, DhParameters()) == model.dh);
+        DhParameters bent = realArm();  // no axes of such an arm
+        bent.alpha[1] = 1;
+        QVERIFY(calibrated(model, bent) == model.dh);
     }
 };
 
