@@ -10,6 +10,21 @@ namespace tiller::script {
 
 using native_socket::Status;
 
+namespace {
+
+/// What the controller streams.
+Status readUnwanted(native_socket::Descriptor socket) {
+    std::array<std::uint8_t, 16384> unwanted;
+    constexpr int kReads = 256;  // more than a connection holds; a flood does not keep us here
+    Status status = Status::Ok;
+    for (int i = 0; i < kReads && status == Status::Ok; ++i) {
+        status = native_socket::receive(socket, unwanted).status;
+    }
+    return status;
+}
+
+}  // namespace
+
 ScriptClient::ScriptClient(Text host, int port) : host_(std::move(host)), port_(port) {}
 
 ScriptClient::~ScriptClient() {
@@ -63,17 +78,14 @@ Result<void> ScriptClient::send(const Text& text, const Deadline& deadline) {
 
 void ScriptClient::close() {
     if (socket_ >= 0) {
+        // With something unread the system would cut the connection, and what was sent could go with it.
+        readUnwanted(socket_);
         native_socket::close(std::exchange(socket_, -1));
     }
 }
 
 bool ScriptClient::isConnected() {
-    std::array<std::uint8_t, 16384> unwanted;
-    constexpr int kReads = 256;  // more than a connection holds; a flood does not keep us here
-    Status status = socket_ >= 0 ? Status::Ok : Status::Closed;
-    for (int i = 0; i < kReads && status == Status::Ok; ++i) {
-        status = native_socket::receive(socket_, unwanted).status;
-    }
+    const Status status = socket_ >= 0 ? readUnwanted(socket_) : Status::Closed;
     if (status == Status::Closed || status == Status::Failed) {
         close();
     }

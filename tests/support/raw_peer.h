@@ -30,6 +30,8 @@ public:
         Link& operator=(const Link&) = delete;
 
         bool isOver() const { return over_ || closed_; }
+        /// The client has ended the connection, and in good order: not cut it.
+        bool endedInOrder() const { return inOrder_; }
         void send(const QByteArray& bytes) {
             std::span<const std::uint8_t> left(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
                                                static_cast<std::size_t>(bytes.size()));
@@ -77,11 +79,13 @@ public:
                                  static_cast<qsizetype>(got.bytes));
             } else if (got.status != native_socket::Status::WouldBlock) {
                 closed_ = true;
+                inOrder_ = got.status == native_socket::Status::Closed;
             }
         }
         native_socket::Descriptor socket_;
         const std::atomic<bool>& over_;
         bool closed_ = false;
+        bool inOrder_ = false;
         QByteArray received_;
     };
 

@@ -3,6 +3,7 @@
 
 #include <QRandomGenerator>
 #include <algorithm>
+#include <optional>
 
 #include "robot/core/wait_until.h"
 #include "robot/script/script_client.h"
@@ -140,16 +141,18 @@ Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& sec
         script_ = script;
     }
     session_ = session;
+    // Stays until the program answers: a controller can drop a program whose sender hangs up at once.
+    std::optional<script::ScriptClient> sender;
     if (options_.deliver) {
         if (auto delivered = options_.deliver(script.text, deadline); !delivered) {
             return delivered;
         }
     } else {
-        script::ScriptClient client(options_.host, primaryPort());
-        if (auto connected = client.connect(deadline); !connected) {
+        sender.emplace(options_.host, primaryPort());
+        if (auto connected = sender->connect(deadline); !connected) {
             return connected;
         }
-        if (auto sent = client.send(script.text, deadline); !sent) {
+        if (auto sent = sender->send(script.text, deadline); !sent) {
             return sent;
         }
     }

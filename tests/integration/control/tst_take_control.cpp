@@ -2,7 +2,12 @@
 // Every way in which taking control can fail, and what is said about it.
 #include <QDir>
 #include <QFile>
+#include <QTcpServer>
+#include <QTcpSocket>
 #include <QTest>
+#include <QThread>
+#include <QTimer>
+#include <future>
 
 #ifdef __linux__
 #include <sched.h>
@@ -50,6 +55,49 @@ ControllerOptions to(const simulator::Simulator& robot) {
     return to(robot.ports().primary, robot.ports().rtde);
 }
 
+/// A controller that looks at what was sent a moment later, and drops it where the sender has hung up meanwhile. What it
+/// does else, a simulated one does.
+class Choosy : public QThread {
+public:
+    explicit Choosy(int primary) : primary_(primary) {
+        start();
+        port_ = listening_.get_future().get();
+    }
+    ~Choosy() override {
+        quit();
+        wait();
+    }
+    int port() const { return port_; }
+
+protected:
+    void run() override {
+        QTcpServer server;
+        server.listen(QHostAddress::LocalHost);
+        QObject::connect(&server, &QTcpServer::newConnection, &server, [&] {
+            QTcpSocket* client = server.nextPendingConnection();
+            auto* robot = new QTcpSocket(client);
+            robot->connectToHost(QHostAddress::LocalHost, static_cast<quint16>(primary_));
+            QObject::connect(robot, &QTcpSocket::readyRead, client,
+                             [client, robot] { client->write(robot->readAll()); });
+            QObject::connect(client, &QTcpSocket::readyRead, client, [client, robot] {
+                constexpr int kMoment = 100;  // [ms]
+                QTimer::singleShot(kMoment, client, [client, robot] {
+                    if (client->state() == QAbstractSocket::ConnectedState) {
+                        robot->write(client->readAll());
+                    }
+                });
+            });
+        });
+        listening_.set_value(server.serverPort());
+        exec();
+    }
+
+private:
+    int primary_;
+    int port_ = 0;
+    std::promise<int> listening_;
+};
+
 void makeRunning(RtdePeer& peer) {
     peer.set("robot_mode", {7});
     peer.set("safety_mode", {1});
@@ -90,6 +138,15 @@ class TestTakeControl : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void theSenderOfTheProgramWaitsForItsAnswer() {
+        simulator::Simulator robot(robotOptions());
+        QVERIFY(robot.start().ok());
+        const Choosy choosy(robot.ports().primary);
+        Controller controller(to(choosy.port(), robot.ports().rtde));
+        const auto taken = controller.takeControl(soon());
+        QVERIFY2(taken.ok(), qPrintable(taken.ok() ? QString() : taken.error().toString()));
+    }
+
     // One deprecated name that a controller does not know would cost the whole program.
     void namesTheControllerDoesNotKnowAreDoneWithout() {
         simulator::SimulatorOptions options = robotOptions();

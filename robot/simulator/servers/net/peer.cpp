@@ -115,17 +115,36 @@ std::size_t Peer::receiveThroughCable(std::span<std::uint8_t> into) {
 
 std::size_t Peer::sendNow(std::span<const std::uint8_t> bytes) {
     std::size_t done = 0;
-    while (open_ && done < bytes.size()) {
+    while (open_ && !isMute_ && done < bytes.size()) {
         const native_socket::Transfer moved = native_socket::send(descriptor_, bytes.subspan(done));
         if (moved.status == native_socket::Status::Ok) {
             done += moved.bytes;
         } else if (moved.status == native_socket::Status::WouldBlock) {
             break;
         } else {
-            close();
+            endSending();
         }
     }
     return done;
+}
+
+// The client has hung up. What it said before counts all the same: a program whose sender did not wait for an answer.
+void Peer::endSending() {
+    isMute_ = true;
+    std::array<std::uint8_t, 16 * 1024> buffer;
+    std::size_t kept = 0;
+    while (link_ != nullptr && !ended_ && kept < kMostOnTheWay) {
+        const native_socket::Transfer got = native_socket::receive(descriptor_, buffer);
+        if (got.status != native_socket::Status::Ok) {
+            break;
+        }
+        arriving_.push_back({link_->now(), {buffer.begin(), buffer.begin() + static_cast<long>(got.bytes)}});
+        kept += got.bytes;
+    }
+    ended_ = true;
+    if (arriving_.empty()) {
+        close();
+    }
 }
 
 void Peer::put(std::span<const std::uint8_t> bytes) {
@@ -138,7 +157,7 @@ void Peer::put(std::span<const std::uint8_t> bytes) {
 }
 
 bool Peer::send(std::span<const std::uint8_t> bytes) {
-    if (!open_ || closing_) {
+    if (!open_ || closing_ || isMute_) {
         return true;  // there is nobody to be told
     }
     flush();
@@ -190,6 +209,16 @@ void Peer::releaseHeld() {
 
 void Peer::flush() {
     if (!open_) {
+        return;
+    }
+    if (isMute_) {
+        out_.clear();
+        sent_ = 0;
+        held_.clear();
+        heldBytes_ = 0;
+        if (closing_) {
+            close();
+        }
         return;
     }
     if (link_ != nullptr && link_->isLost()) {

@@ -55,6 +55,7 @@ private:
     std::size_t receiveNow(std::span<std::uint8_t> into);
     std::size_t receiveThroughCable(std::span<std::uint8_t> into);
     std::size_t sendNow(std::span<const std::uint8_t> bytes);
+    void endSending();
     bool hold(std::span<const std::uint8_t> bytes);
     void releaseHeld();
     void put(std::span<const std::uint8_t> bytes);
@@ -72,7 +73,8 @@ private:
     bool hasArrived_ = true;  ///< there may be something to read
     bool open_ = true;
     bool closing_ = false;
-    bool ended_ = false;  ///< the client has ended the connection; what arrives is from before
+    bool isMute_ = false;  ///< nothing reaches the client any more
+    bool ended_ = false;   ///< the client has ended the connection; what arrives is from before
 };
 
 }  // namespace tiller::simulator

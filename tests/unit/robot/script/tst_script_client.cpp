@@ -37,6 +37,25 @@ private Q_SLOTS:
         QCOMPARE(arrived.get_future().get(), text.toUtf8() + '\n');
     }
 
+    // Unread, what the controller streams would make it a connection that was cut: what was sent could go with it.
+    void itHangsUpInGoodOrder() {
+        std::promise<bool> ended;
+        std::promise<void> streamed;
+        RawPeer peer([&](RawPeer::Link& link) {
+            link.readLine();
+            link.send(QByteArray(100'000, 'x'));
+            streamed.set_value();
+            link.readAll();
+            ended.set_value(link.endedInOrder());
+        });
+        ScriptClient client(QStringLiteral("127.0.0.1"), peer.port());
+        QVERIFY(client.connect(soon()).ok());
+        QVERIFY(client.send(QStringLiteral("textmsg(\"a\")"), soon()).ok());
+        streamed.get_future().wait();
+        client.close();
+        QVERIFY(ended.get_future().get());
+    }
+
     void theConnectionStaysOpenAfterSending() {
         RawPeer peer([](RawPeer::Link& link) {
             link.readLine();

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// What one client of the simulated controller gets and sends, on real sockets.
+
+#include <sys/socket.h>
+
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QTest>
+#include <array>
+#include <memory>
+#include <string>
+
+#include "robot/core/native_socket.h"
+#include "robot/simulator/servers/net/link.h"
+#include "robot/simulator/servers/net/peer.h"
+
+using namespace tiller;
+using namespace tiller::simulator;
+
+namespace {
+
+struct Connected {
+    QTcpServer server;
+    QTcpSocket client;
+    Link link{1};
+    std::unique_ptr<Peer> peer;
+
+    Connected() {
+        server.listen(QHostAddress::LocalHost);
+        client.connectToHost(QHostAddress::LocalHost, server.serverPort());
+        server.waitForNewConnection(20'000);
+        client.waitForConnected(20'000);
+        const std::unique_ptr<QTcpSocket> accepted(server.nextPendingConnection());
+        const auto socket = native_socket::duplicate(accepted->socketDescriptor());
+        native_socket::prepare(socket);
+        peer = std::make_unique<Peer>(socket, 1 << 16);
+        peer->attach(&link);
+    }
+    /// As a system does when its program hangs up with something unread.
+    void cut() {
+        const linger atOnce{1, 0};
+        setsockopt(static_cast<int>(client.socketDescriptor()), SOL_SOCKET, SO_LINGER, &atOnce,
+                   sizeof atOnce);
+        client.abort();
+    }
+    std::string read() {
+        std::array<std::uint8_t, 512> bytes;
+        std::string all;
+        link.doorbell().look();
+        while (const std::size_t got = peer->receive(bytes)) {
+            all.append(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(got));
+        }
+        return all;
+    }
+};
+
+}  // namespace
+
+class TestPeer : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// A cut is noticed when something is sent, maybe before what was said was read.
+    void whatWasSaidBeforeAClientHungUpIsHeard() {
+        Connected c;
+        const QByteArray program(40'000, 'p');
+        QCOMPARE(c.client.write(program), qint64(program.size()));
+        while (c.client.bytesToWrite() > 0) {
+            QVERIFY(c.client.waitForBytesWritten(20'000));
+        }
+        c.cut();
+        constexpr int kTries = 20;  // the first one is how the system notices
+        for (int i = 0; i < kTries; ++i) {
+            QVERIFY(c.peer->send(std::string_view("a state")));
+        }
+        QCOMPARE(c.read().size(), static_cast<std::size_t>(program.size()));
+        QVERIFY(c.read().empty());
+        QVERIFY(!c.peer->isOpen());
+    }
+
+    void aClientThatSaidNothingIsGoneAtOnce() {
+        Connected c;
+        c.cut();
+        QTRY_VERIFY_WITH_TIMEOUT((c.peer->send(std::string_view("a state")), !c.peer->isOpen()), 20'000);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPeer)
+#include "tst_peer.moc"
