@@ -6260,6 +6260,14 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <source>%1 · %2 … %3 s</source>
         <translation>%1 · %2 … %3 s</translation>
     </message>
+    <message>
+        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <translation>Diese beiden sind nicht aus derselben Aufzeichnung: Setzen Sie die Cursor A und B um einen kürzeren Bereich.</translation>
+    </message>
+    <message>
+        <source>Reading the recording: %1</source>
+        <translation>Aufzeichnung wird gelesen: %1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -6787,6 +6795,14 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     <message>
         <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
         <translation>Klicken Sie in die Diagramme, um A, dann B zu setzen: Was dazwischen liegt, wird hier zusammengefasst.</translation>
+    </message>
+    <message>
+        <source>The range could not be summed up: %1</source>
+        <translation>Der Bereich konnte nicht zusammengefasst werden: %1</translation>
+    </message>
+    <message>
+        <source>%1 · summing up: %2</source>
+        <translation>%1 · wird zusammengefasst: %2</translation>
     </message>
 </context>
 <context>
@@ -7809,6 +7825,10 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     <message>
         <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
         <translation>Der Speicher für den Verlauf reicht nicht, um %1 zu zeigen: Wählen Sie mehr im Menü Layout.</translation>
+    </message>
+    <message>
+        <source>%1 could not be computed to its end: %2</source>
+        <translation>%1 konnte nicht bis zum Ende berechnet werden: %2</translation>
     </message>
 </context>
 <context>

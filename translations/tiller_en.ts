@@ -6254,6 +6254,14 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <source>%1 · %2 … %3 s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the recording: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -6780,6 +6788,14 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
     <message>
         <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range could not be summed up: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · summing up: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7797,6 +7813,10 @@ Let go of the key and the arm stops.</source>
     </message>
     <message>
         <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be computed to its end: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

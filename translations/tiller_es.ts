@@ -6260,6 +6260,14 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <source>%1 · %2 … %3 s</source>
         <translation>%1 · %2 … %3 s</translation>
     </message>
+    <message>
+        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <translation>Estas dos no son de la misma grabación: coloque los cursores A y B alrededor de un intervalo más corto.</translation>
+    </message>
+    <message>
+        <source>Reading the recording: %1</source>
+        <translation>Leyendo la grabación: %1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -6787,6 +6795,14 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     <message>
         <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
         <translation>Haga clic en los gráficos para poner A, después B: lo que hay entre ellos se resume aquí.</translation>
+    </message>
+    <message>
+        <source>The range could not be summed up: %1</source>
+        <translation>No se pudo resumir el intervalo: %1</translation>
+    </message>
+    <message>
+        <source>%1 · summing up: %2</source>
+        <translation>%1 · resumiendo: %2</translation>
     </message>
 </context>
 <context>
@@ -7809,6 +7825,10 @@ Suelte la tecla y el brazo se detiene.</translation>
     <message>
         <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
         <translation>Hay poca memoria de historial para mostrar %1: elija más en el menú Layout.</translation>
+    </message>
+    <message>
+        <source>%1 could not be computed to its end: %2</source>
+        <translation>No se pudo calcular %1 hasta el final: %2</translation>
     </message>
 </context>
 <context>

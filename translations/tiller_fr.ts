@@ -6260,6 +6260,14 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <source>%1 · %2 … %3 s</source>
         <translation>%1 · %2 … %3 s</translation>
     </message>
+    <message>
+        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <translation>Ces deux signaux ne viennent pas du même enregistrement : placez les curseurs A et B autour d’une plage plus courte.</translation>
+    </message>
+    <message>
+        <source>Reading the recording: %1</source>
+        <translation>Lecture de l’enregistrement : %1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -6787,6 +6795,14 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     <message>
         <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
         <translation>Cliquez dans les tracés pour poser A, puis B : ce qu’il y a entre est résumé ici.</translation>
+    </message>
+    <message>
+        <source>The range could not be summed up: %1</source>
+        <translation>La plage n’a pas pu être résumée : %1</translation>
+    </message>
+    <message>
+        <source>%1 · summing up: %2</source>
+        <translation>%1 · calcul en cours : %2</translation>
     </message>
 </context>
 <context>
@@ -7809,6 +7825,10 @@ Lâchez la touche et le bras s’arrête.</translation>
     <message>
         <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
         <translation>Trop peu de mémoire d’historique pour montrer %1 : choisissez-en plus dans le menu Layout.</translation>
+    </message>
+    <message>
+        <source>%1 could not be computed to its end: %2</source>
+        <translation>%1 n’a pas pu être calculé jusqu’au bout : %2</translation>
     </message>
 </context>
 <context>

@@ -6245,6 +6245,14 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <source>%1 · %2 … %3 s</source>
         <translation>%1 · %2 … %3 s</translation>
     </message>
+    <message>
+        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <translation>この2つは同じ記録のものではありません。カーソル A と B をより短い範囲に置いてください。</translation>
+    </message>
+    <message>
+        <source>Reading the recording: %1</source>
+        <translation>記録を読み込み中: %1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -6769,6 +6777,14 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     <message>
         <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
         <translation>グラフをクリックして A、次に B を置くと、その間がここにまとまります。</translation>
+    </message>
+    <message>
+        <source>The range could not be summed up: %1</source>
+        <translation>範囲を集計できませんでした: %1</translation>
+    </message>
+    <message>
+        <source>%1 · summing up: %2</source>
+        <translation>%1 · 集計中: %2</translation>
     </message>
 </context>
 <context>
@@ -7787,6 +7803,10 @@ Let go of the key and the arm stops.</source>
     <message>
         <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
         <translation>%1 を表示する履歴メモリーが足りません：メニュー「配置」で増やしてください。</translation>
+    </message>
+    <message>
+        <source>%1 could not be computed to its end: %2</source>
+        <translation>%1 を最後まで計算できませんでした: %2</translation>
     </message>
 </context>
 <context>

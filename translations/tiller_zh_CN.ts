@@ -6245,6 +6245,14 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <source>%1 · %2 … %3 s</source>
         <translation>%1 · %2 … %3 s</translation>
     </message>
+    <message>
+        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <translation>这两个信号不属于同一记录：请将光标 A 和 B 放在更短的区间上。</translation>
+    </message>
+    <message>
+        <source>Reading the recording: %1</source>
+        <translation>正在读取记录：%1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -6769,6 +6777,14 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     <message>
         <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
         <translation>在曲线图中点击放置 A，然后 B：其间的内容在此汇总。</translation>
+    </message>
+    <message>
+        <source>The range could not be summed up: %1</source>
+        <translation>无法汇总该区间：%1</translation>
+    </message>
+    <message>
+        <source>%1 · summing up: %2</source>
+        <translation>%1 · 正在汇总：%2</translation>
     </message>
 </context>
 <context>
@@ -7787,6 +7803,10 @@ Let go of the key and the arm stops.</source>
     <message>
         <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
         <translation>历史内存不足以显示 %1：请在“布置”菜单中增加。</translation>
+    </message>
+    <message>
+        <source>%1 could not be computed to its end: %2</source>
+        <translation>无法将 %1 计算到末尾：%2</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,8 @@ constexpr std::int64_t kMostSamples = 2'000'000;
 constexpr std::int64_t kMostPoints = 50'000;  // of one signal over another
 constexpr int kLeastLetters = 8;              // of a signal's name
 constexpr int kSecondDigits = 3;
+/// More samples than these are worked on elsewhere.
+constexpr std::int64_t kOnTheSpot = 65'536;
 
 }  // namespace
 
@@ -70,6 +72,11 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     soon_.setInterval(kAnalyseAfter);
     connect(&soon_, &QTimer::timeout, this, &PlotAnalysis::fill);
     connect(kind_, &SegmentedControl::currentChanged, this, &PlotAnalysis::fill);
+    connect(&store_, &SignalStore::signalAdded, this, [this](int signal) {
+        if (signal < 0) {  // recordings were closed
+            cancel();
+        }
+    });
     for (ChoiceBox* box : {x_, y_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(kLeastLetters);
@@ -156,92 +163,216 @@ void PlotAnalysis::fill() {
     over_->setVisible(xy);
     x_->setVisible(xy);
     if (y_->count() == 0) {
-        title_->clear();
-        canvas_->show({}, {}, {}, tr("Put a signal onto the plots first."));
+        tellWhyNot(tr("Put a signal onto the plots first."));
         return;
     }
     const int signal = y_->currentData().toInt();
-    if (xy) {
-        showXy(x_->currentData().toInt(), signal, range());
-    } else {
-        showSpectrum(signal, range());
+    const auto task =
+        xy ? taskFor(Kind::Xy, {x_->currentData().toInt(), signal}) : taskFor(Kind::Spectrum, {signal});
+    if (task) {
+        run(*task);
     }
 }
 
-void PlotAnalysis::showSpectrum(int signal, const Range& range) {
-    const SeriesBuffer* history = store_.buffer(signal);
-    const QString cannot = tr("There are no samples in this range.");
-    if (history == nullptr || history->isEmpty()) {
-        canvas_->show({}, {}, {}, cannot);
-        title_->clear();
-        return;
+void PlotAnalysis::tellWhyNot(const QString& message) {
+    title_->clear();
+    canvas_->show({}, {}, {}, message);
+}
+
+std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::vector<int>& wanted) {
+    Task task;
+    task.kind = kind;
+    task.wanted = wanted;
+    task.range = range();
+    const SeriesBuffer* history = store_.buffer(wanted.front());
+    if (history != nullptr && !history->isEmpty()) {
+        task.begin = history->lowerBound(task.range.from);
+        task.end = history->lowerBound(task.range.to);
     }
-    const std::int64_t begin = history->lowerBound(range.from);
-    const std::int64_t end = std::min(history->lowerBound(range.to), begin + kMostSamples);
-    if (end - begin < 2) {
-        canvas_->show({}, {}, {}, cannot);
-        title_->clear();
-        return;
+    const std::int64_t least = kind == Kind::Spectrum ? 2 : 1;
+    if (task.end - task.begin < least) {
+        tellWhyNot(tr("There are no samples in this range."));
+        return std::nullopt;
     }
-    if (history->hasGap(begin + 1, end)) {
-        canvas_->show(
-            {}, {}, {},
+    if (kind == Kind::Xy) {
+        task.every = (task.end - task.begin + kMostPoints - 1) / kMostPoints;
+        if (isFar(task) && !store_.stretchOf(task.wanted, task.begin, task.end)) {
+            tellWhyNot(
+                tr("These two are not of the same recording: place the cursors A and B around a shorter "
+                   "range."));
+            return std::nullopt;
+        }
+        return task;
+    }
+    task.end = std::min(task.end, task.begin + kMostSamples);
+    if (history->hasGap(task.begin + 1, task.end)) {
+        tellWhyNot(
             tr("Samples are missing in this range: place the cursors A and B so that there is no gap "
                "between them."));
-        title_->clear();
-        return;
+        return std::nullopt;
     }
-    std::vector<double> values;
-    values.reserve(static_cast<std::size_t>(end - begin));
-    for (std::int64_t i = begin; i < end; ++i) {
-        values.push_back(store_.value(signal, i));
-    }
-    const double period =
-        (history->time(end - 1) - history->time(begin)) / static_cast<double>(end - 1 - begin);
-    const Result<Spectrum> spectrum = spectrumOf(values, period);
-    if (!spectrum) {
-        canvas_->show({}, {}, {}, spectrum.error().controllerMessage);
-        title_->clear();
-        return;
-    }
-    QVector<QPointF> points;
-    // Without the line of 0 Hz, which is the mean and dwarfs the others.
-    for (std::size_t i = 1; i < spectrum->amplitude.size(); ++i) {
-        points.append({static_cast<double>(i) * spectrum->resolution, spectrum->amplitude[i]});
-    }
-    title_->setText(
-        tr("Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s")
-            .arg(spectrum->segment)
-            .arg(format::number(spectrum->resolution, kSecondDigits))
-            .arg(spectrum->segments)
-            .arg(format::number(range.from, kSecondDigits), format::number(range.to, kSecondDigits)));
-    canvas_->show(points, tr("Frequency [Hz]"), tr("Amplitude of %1").arg(nameOf(signal)), {});
+    task.period = (history->time(task.end - 1) - history->time(task.begin)) /
+                  static_cast<double>(task.end - 1 - task.begin);
+    return task;
 }
 
-void PlotAnalysis::showXy(int x, int y, const Range& range) {
-    const SeriesBuffer* history = store_.buffer(x);
-    QVector<QPointF> points;
-    std::int64_t every = 1;
-    if (history != nullptr && !history->isEmpty()) {
-        const std::int64_t begin = history->lowerBound(range.from);
-        const std::int64_t end = history->lowerBound(range.to);
-        every = std::max<std::int64_t>(1, (end - begin + kMostPoints - 1) / kMostPoints);
-        for (std::int64_t i = begin; i < end; i += every) {
-            const double along = store_.value(x, i);
-            const auto up = store_.valueAt(y, history->time(i));
-            if (std::isfinite(along) && up) {
-                points.append({along, *up});
-            }
+bool PlotAnalysis::isFar(const Task& task) const {
+    return task.end - task.begin > kOnTheSpot &&
+           std::any_of(task.wanted.begin(), task.wanted.end(),
+                       [this](int signal) { return store_.buffer(signal)->isInFile(); });
+}
+
+void PlotAnalysis::run(const Task& task) {
+    const bool isFile = isFar(task);
+    if (task_ && task_->isSameAs(task)) {
+        if (outcome_) {
+            present(*task_, *outcome_);
+        }
+        return;
+    }
+    if (task_ && !outcome_ && !isFile && !isFar(*task_)) {
+        again_ = true;  // live data go on faster than this does: one after the other
+        return;
+    }
+    cancel();
+    task_ = task;
+    if (isFile) {
+        readAndCompute(task);
+    } else if ((task.end - task.begin) / task.every <= kOnTheSpot) {
+        finish(task, compute(task, gather(task)));
+    } else {
+        worker_.post(this, [this, task, columns = gather(task), token = cancel_](const CancelToken&) {
+            return std::function<void()>([this, task, token, outcome = compute(task, columns)] {
+                if (!token.isCancelled()) {
+                    finish(task, outcome);
+                }
+            });
+        });
+    }
+}
+
+void PlotAnalysis::cancel() {
+    cancel_.cancel();
+    cancel_ = {};
+    task_.reset();
+    outcome_.reset();
+    again_ = false;
+}
+
+PlotAnalysis::Columns PlotAnalysis::gather(const Task& task) const {
+    const SeriesBuffer& history = *store_.buffer(task.wanted.front());
+    Columns columns(task.wanted.size());
+    for (std::int64_t i = task.begin; i < task.end; i += task.every) {
+        columns.front().push_back(store_.value(task.wanted.front(), i));
+        if (task.wanted.size() > 1) {
+            columns.back().push_back(
+                store_.valueAt(task.wanted.back(), history.time(i)).value_or(std::nan("")));
         }
     }
-    const auto count = static_cast<int>(points.size());
-    const QString samples = every == 1 ? tr("%n sample(s)", nullptr, count)
-                                       : tr("%n sample(s), one in %1", nullptr, count).arg(every);
-    title_->setText(points.isEmpty() ? QString()
-                                     : tr("%1 · %2 … %3 s")
-                                           .arg(samples, format::number(range.from, kSecondDigits),
-                                                format::number(range.to, kSecondDigits)));
-    canvas_->show(points, nameOf(x), nameOf(y), tr("There are no samples in this range."));
+    return columns;
+}
+
+void PlotAnalysis::readAndCompute(const Task& task) {
+    const auto progress = [this](double part) {
+        tellWhyNot(tr("Reading the recording: %1").arg(format::percent(part)));
+    };
+    progress(0);
+    worker_.post(this, [this, task, progress, token = cancel_,
+                        stretch =
+                            *store_.stretchOf(task.wanted, task.begin, task.end)](const CancelToken& ending) {
+        Columns columns(task.wanted.size());
+        const auto read = stretch.readAll(ending, [&](std::uint64_t first, const RecordedRows::Rows& rows) {
+            const auto every = static_cast<std::uint64_t>(task.every);
+            const std::uint64_t before = (first - static_cast<std::uint64_t>(task.begin)) % every;
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                for (std::size_t row = before == 0 ? 0 : every - before; row < rows.times.size();
+                     row += every) {
+                    columns[i].push_back(rows.values[i][row]);
+                }
+            }
+            const double part = static_cast<double>(static_cast<std::int64_t>(first) - task.begin) /
+                                static_cast<double>(task.end - task.begin);
+            QMetaObject::invokeMethod(
+                this,
+                [=] {
+                    if (!token.isCancelled()) {
+                        progress(part);
+                    }
+                },
+                Qt::QueuedConnection);
+            return !token.isCancelled();
+        });
+        Outcome outcome;
+        if (read) {
+            outcome = compute(task, columns);
+        } else {
+            outcome.message = read.error().toString();
+        }
+        return std::function<void()>([this, task, token, outcome] {
+            if (!token.isCancelled()) {
+                finish(task, outcome);
+            }
+        });
+    });
+}
+
+PlotAnalysis::Outcome PlotAnalysis::compute(const Task& task, const Columns& columns) {
+    Outcome outcome;
+    if (task.kind == Kind::Xy) {
+        for (std::size_t i = 0; i < columns.front().size(); ++i) {
+            if (std::isfinite(columns.front()[i]) && std::isfinite(columns.back()[i])) {
+                outcome.points.append({columns.front()[i], columns.back()[i]});
+            }
+        }
+        outcome.message = tr("There are no samples in this range.");
+        return outcome;
+    }
+    const Result<Spectrum> spectrum = spectrumOf(columns.front(), task.period);
+    if (!spectrum) {
+        outcome.message = spectrum.error().controllerMessage;
+        return outcome;
+    }
+    outcome.segment = spectrum->segment;
+    outcome.segments = spectrum->segments;
+    outcome.resolution = spectrum->resolution;
+    // Without the line of 0 Hz, which is the mean and dwarfs the others.
+    for (std::size_t i = 1; i < spectrum->amplitude.size(); ++i) {
+        outcome.points.append({static_cast<double>(i) * spectrum->resolution, spectrum->amplitude[i]});
+    }
+    return outcome;
+}
+
+void PlotAnalysis::finish(const Task& task, const Outcome& outcome) {
+    outcome_ = outcome;
+    present(task, outcome);
+    if (std::exchange(again_, false)) {
+        soon_.start();
+    }
+}
+
+void PlotAnalysis::present(const Task& task, const Outcome& outcome) {
+    if (outcome.points.isEmpty()) {
+        tellWhyNot(outcome.message);
+        return;
+    }
+    const QString from = format::number(task.range.from, kSecondDigits);
+    const QString to = format::number(task.range.to, kSecondDigits);
+    if (task.kind == Kind::Xy) {
+        const auto count = static_cast<int>(outcome.points.size());
+        const QString samples = task.every == 1
+                                    ? tr("%n sample(s)", nullptr, count)
+                                    : tr("%n sample(s), one in %1", nullptr, count).arg(task.every);
+        title_->setText(tr("%1 · %2 … %3 s").arg(samples, from, to));
+        canvas_->show(outcome.points, nameOf(task.wanted.front()), nameOf(task.wanted.back()), {});
+        return;
+    }
+    title_->setText(tr("Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s")
+                        .arg(outcome.segment)
+                        .arg(format::number(outcome.resolution, kSecondDigits))
+                        .arg(outcome.segments)
+                        .arg(from, to));
+    canvas_->show(outcome.points, tr("Frequency [Hz]"),
+                  tr("Amplitude of %1").arg(nameOf(task.wanted.front())), {});
 }
 
 }  // namespace tiller

@@ -4,8 +4,17 @@
 // Under the plots: how strong each frequency is in a signal, or one signal over another. Of the range between the
 // cursors, or, without them, of all that is shown.
 
+#include <QPointF>
 #include <QTimer>
+#include <QVector>
 #include <QWidget>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "robot/core/deadline.h"
+#include "widgets/session/session_worker.h"
 
 class QLabel;
 
@@ -41,10 +50,41 @@ private:
         double from = 0;
         double to = 0;
     };
+    /// What is computed, of which samples.
+    struct Task {
+        Kind kind = Kind::Spectrum;
+        std::vector<int> wanted;  ///< signals; of XY the one along the axis first
+        std::int64_t begin = 0;   ///< samples of the first one's history
+        std::int64_t end = 0;
+        std::int64_t every = 1;  ///< one in so many
+        Range range;             ///< [s]
+        double period = 0;       ///< [s]
+
+        bool isSameAs(const Task& other) const {
+            return kind == other.kind && wanted == other.wanted && begin == other.begin && end == other.end;
+        }
+    };
+    struct Outcome {
+        QVector<QPointF> points;
+        QString message;  ///< why there are none
+        int segment = 0, segments = 0;
+        double resolution = 0;
+    };
+    using Columns = std::vector<std::vector<double>>;  ///< one for each signal
+    static Outcome compute(const Task& task, const Columns& columns);
     void fill();
     void fillChoices();
-    void showSpectrum(int signal, const Range& range);
-    void showXy(int x, int y, const Range& range);
+    std::optional<Task> taskFor(Kind kind, const std::vector<int>& wanted);
+    /// What there is of it, or how far it is; begins it where it is another one than before.
+    void run(const Task& task);
+    void readAndCompute(const Task& task);
+    void finish(const Task& task, const Outcome& outcome);
+    void present(const Task& task, const Outcome& outcome);
+    void tellWhyNot(const QString& message);
+    Columns gather(const Task& task) const;
+    /// It lies in a file, and is not read on the spot.
+    bool isFar(const Task& task) const;
+    void cancel();
     Range range() const;
     QString nameOf(int signal) const;
 
@@ -57,6 +97,11 @@ private:
     QLabel* title_;
     AnalysisCanvas* canvas_;
     QTimer soon_;
+    std::optional<Task> task_;        ///< that was begun last
+    std::optional<Outcome> outcome_;  ///< of it; nothing: it is under way
+    bool again_ = false;              ///< something else is wanted once it has ended
+    CancelToken cancel_;              ///< of what is under way
+    SessionWorker worker_;            ///< last: its jobs end before the rest
 };
 
 }  // namespace tiller

@@ -219,6 +219,8 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     });
     connect(pages_, &PlotPages::tooManySignals, this,
             [this] { Q_EMIT session_.message(Severity::Warning, store_->problem()); });
+    connect(store_.get(), &SignalStore::computationFailed, this,
+            [this](const QString& why) { Q_EMIT session_.message(Severity::Warning, why); });
     connect(tree_, &SignalTree::chosen, this, [this](const QStringList& keys) { view().addSignals(keys); });
     connect(tree_, &SignalTree::derivationEntered, this, [this](const QString& text) {
         const Result<int> made = store_->derive(text);

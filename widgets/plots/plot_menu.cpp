@@ -115,27 +115,31 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
         });
     };
     const SignalInfo& info = store_.info(signal);
-    if (store_.isRobots(signal)) {
+    if (!store_.isDerived(signal)) {
+        const QString key = Derivation::written(info.key);
         const QString perSecond =
             info.unit.isEmpty() ? QStringLiteral("1/s") : info.unit + QStringLiteral("/s");
         add("plots.menu.derivative", tr("Rate of change of %1").arg(info.longLabel),
             derivationText(QStringLiteral("d(%1)/dt").arg(info.longLabel), perSecond,
-                           QStringLiteral("deriv(%1, 0.02)").arg(info.key)),
+                           QStringLiteral("deriv(%1, 0.02)").arg(key)),
             PlotView::Place::Below);
         add("plots.menu.mean", tr("Moving mean of %1 over half a second").arg(info.longLabel),
             derivationText(tr("Mean %1").arg(info.longLabel), info.unit,
-                           QStringLiteral("mean(%1, 0.5)").arg(info.key)),
+                           QStringLiteral("mean(%1, 0.5)").arg(key)),
             PlotView::Place::Into);
     }
     QStringList keys;
+    int first = -1;
     for (const int one : pane.shown()) {
-        if (!pane.isHidden(one) && store_.isRobots(one)) {
-            keys << store_.info(one).key;
+        if (!pane.isHidden(one) && !store_.isDerived(one) &&
+            store_.recordingOf(one) == store_.recordingOf(signal)) {
+            keys << Derivation::written(store_.info(one).key);
+            first = first < 0 ? one : first;
         }
     }
     constexpr qsizetype kMost = 6;
     if (keys.size() > 1 && keys.size() <= kMost) {
-        const QString name = QStringLiteral("|%1|").arg(store_.info(store_.find(keys.first())).longLabel);
+        const QString name = QStringLiteral("|%1|").arg(store_.info(first).longLabel);
         add("plots.menu.norm", tr("Norm of the curves of this plot"),
             derivationText(name, pane.unit(),
                            QStringLiteral("norm(%1)").arg(keys.join(QStringLiteral(", ")))),

@@ -16,7 +16,6 @@
 #include "widgets/common/theme.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/range_statistics.h"
 #include "widgets/signals/signal_store.h"
 
 namespace tiller {
@@ -24,13 +23,14 @@ namespace tiller {
 namespace {
 
 constexpr int kPatience = 80;    // [ms]
+constexpr int kGoesOn = 20;      // [ms] between two looks at what is being summed up
 constexpr int kLeastTable = 66;  // [px], its titles and one signal
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
 PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
-    : QWidget(parent), store_(store), between_(new QLabel), table_(new QTableWidget) {
+    : QWidget(parent), store_(store), between_(new QLabel), table_(new QTableWidget), sums_(store) {
     setObjectName(QStringLiteral("plots.values"));
     between_->setObjectName(QStringLiteral("plots.values.between"));
     between_->setFont(textFont(13));
@@ -59,14 +59,18 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
     copying->setContext(Qt::WidgetWithChildrenShortcut);
     connect(copying, &QShortcut::activated, this, &PlotValues::copy);
     soon_.setSingleShot(true);
-    soon_.setInterval(kPatience);
     connect(&soon_, &QTimer::timeout, this, &PlotValues::fill);
+    connect(&sums_, &RangeSums::known, this, [this] {
+        if (isVisible() && !soon_.isActive()) {
+            soon_.start(kGoesOn);
+        }
+    });
 }
 
 void PlotValues::follow(const PlotView& view) {
     view_ = &view;
     if (isVisible() && !soon_.isActive()) {
-        soon_.start();
+        soon_.start(kPatience);
     }
 }
 
@@ -99,20 +103,29 @@ void PlotValues::fill() {
             }
         }
     }
+    if (a && b) {
+        sums_.want(shown, *a, *b);
+        if (const QString& problem = sums_.problem(); !problem.isEmpty()) {
+            between_->setText(tr("The range could not be summed up: %1").arg(problem));
+        } else if (sums_.part() < 1) {
+            between_->setText(tr("%1 · summing up: %2").arg(between_->text(), format::percent(sums_.part())));
+        }
+    }
+    const bool isSummed = !a || !b || sums_.part() >= 1;
     table_->setRowCount(static_cast<int>(shown.size()));
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const SignalInfo& info = store_.info(shown[i]);
         const double va = a ? store_.valueAt(shown[i], *a).value_or(kMissing) : kMissing;
         const double vb = b ? store_.valueAt(shown[i], *b).value_or(kMissing) : kMissing;
         std::optional<RangeStatistics> all;
-        if (a && b) {
-            all = rangeStatistics(store_, shown[i], *a, *b);
+        if (a && b && isSummed) {
+            all = sums_.statistics(shown[i], *a, *b);
         }
         const auto figure = [&](double value, int more = 0) {
             return std::isnan(value) ? QStringLiteral("–") : format::number(value, info.digits + more);
         };
         const auto ofAll = [&](auto member, int more = 0) {
-            return all ? figure(member(*all), more) : QStringLiteral("–");
+            return all ? figure(member(*all), more) : isSummed ? QStringLiteral("–") : QStringLiteral("…");
         };
         const QString name =
             info.unit.isEmpty() ? info.longLabel : QStringLiteral("%1 [%2]").arg(info.longLabel, info.unit);

@@ -7,6 +7,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "widgets/plots/range_sums.h"
+
 class QLabel;
 class QTableWidget;
 
@@ -37,6 +39,7 @@ private:
     const PlotView* view_ = nullptr;
     QLabel* between_;
     QTableWidget* table_;
+    RangeSums sums_;
     QTimer soon_;
 };
 

@@ -93,6 +93,7 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
     connect(&marks_, &PlotMarks::marksChanged, viewport(), qOverload<>(&QWidget::update));
     connect(&marks_, &PlotMarks::thresholdsChanged, viewport(), qOverload<>(&QWidget::update));
     sharpen_.setSingleShot(true);
+    connect(&store_, &SignalStore::computedFurther, &sharpen_, qOverload<>(&QTimer::start));
     connect(&sharpen_, &QTimer::timeout, this, [this] {
         if (isVisible()) {
             show(-1, HistoryFile::Effort::Turn);

@@ -39,19 +39,63 @@ QString fromParser(const mu::string_type& text) {
     return QString::fromStdString(text);
 }
 
+/// An expression whose names in braces are replaced by words that the parser takes for names.
+struct Plain {
+    QString expression;
+    QStringList braced;  ///< the names, in their order
+
+    explicit Plain(const QString& text) {
+        static const QRegularExpression kBraced(QStringLiteral("\\{([^{}]+)\\}"));
+        qsizetype done = 0;
+        for (auto found = kBraced.globalMatch(text); found.hasNext();) {
+            const QRegularExpressionMatch match = found.next();
+            const qsizetype known = braced.indexOf(match.captured(1));
+            if (known < 0) {
+                braced.append(match.captured(1));
+            }
+            // Between blanks: what stands beside a name must not become part of it.
+            expression += text.mid(done, match.capturedStart() - done) + QLatin1Char(' ') +
+                          word(known < 0 ? braced.size() - 1 : known) + QLatin1Char(' ');
+            done = match.capturedEnd();
+        }
+        expression += text.mid(done);
+    }
+    /// The name that a word of the expression stands for.
+    QString nameOf(const QString& given) const {
+        for (qsizetype i = 0; i < braced.size(); ++i) {
+            if (given == word(i)) {
+                return braced[i];
+            }
+        }
+        return given;
+    }
+    /// What the parser says, in the names that were given to it.
+    QString inNames(QString words) const {
+        for (qsizetype i = braced.size(); i-- > 0;) {
+            words.replace(word(i), braced[i]);
+        }
+        return words;
+    }
+
+private:
+    static QString word(qsizetype number) { return QStringLiteral("braced_%1_").arg(number); }
+};
+
 /// An expression over the values of one moment.
 class Expression : public Derivation {
 public:
     /// Returns  what is wrong; empty: nothing
-    QString read(const QString& expression, const std::function<bool(const QString&)>& exists) {
+    QString read(const Plain& plain, const std::function<bool(const QString&)>& exists) {
         try {
             parser_.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.");
             parser_.DefineFun("norm", normOf);
             parser_.DefineConst("pi", 3.14159265358979323846);
             parser_.DefineConst("e", 2.71828182845904523536);
-            parser_.SetExpr(expression.toStdString());
+            parser_.SetExpr(plain.expression.toStdString());
+            QStringList words;
             for (const auto& [name, unused] : parser_.GetUsedVar()) {
-                const QString key = fromParser(name);
+                words.append(fromParser(name));
+                const QString key = plain.nameOf(words.back());
                 if (!exists(key)) {
                     return DerivationText::tr("There is no signal “%1”. The list of signals shows the names.")
                         .arg(key);
@@ -64,14 +108,14 @@ public:
             }
             values_.resize(static_cast<std::size_t>(inputs_.size()));
             for (qsizetype i = 0; i < inputs_.size(); ++i) {
-                parser_.DefineVar(inputs_[i].toStdString(), &values_[static_cast<std::size_t>(i)]);
+                parser_.DefineVar(words[i].toStdString(), &values_[static_cast<std::size_t>(i)]);
             }
             parser_.Eval();
             if (parser_.GetNumResults() != 1) {
                 return DerivationText::tr("It must give one number.");
             }
         } catch (const mu::Parser::exception_type& error) {
-            return fromParser(error.GetMsg());
+            return plain.inNames(fromParser(error.GetMsg()));
         }
         return {};
     }
@@ -103,6 +147,8 @@ public:
     Stretch(const QString& input, double seconds, bool mean) : seconds_(seconds), mean_(mean) {
         inputs_ = {input};
     }
+
+    double lookBack() const override { return seconds_; }
 
     double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
                    std::int64_t sample) override {
@@ -152,6 +198,11 @@ private:
 
 }  // namespace
 
+QString Derivation::written(const QString& key) {
+    static const QRegularExpression kPlain(QStringLiteral("^[A-Za-z_][\\w.]*$"));
+    return kPlain.match(key).hasMatch() ? key : QStringLiteral("{%1}").arg(key);
+}
+
 Result<std::shared_ptr<Derivation>> Derivation::make(const QString& text,
                                                      const std::function<bool(const QString&)>& exists) {
     static const QRegularExpression kForm(
@@ -171,25 +222,26 @@ Result<std::shared_ptr<Derivation>> Derivation::make(const QString& text,
     const QString expression = form.captured(3).trimmed();
     // The parser would write into the signal.
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
-    if (expression.contains(kAssigns)) {
+    const Plain plain(expression);
+    if (plain.expression.contains(kAssigns)) {
         return wrong(DerivationText::tr("There is one equals sign too many; a comparison has two: =="));
     }
     std::shared_ptr<Derivation> made;
-    if (const QRegularExpressionMatch stretch = kStretch.match(expression); stretch.hasMatch()) {
+    if (const QRegularExpressionMatch stretch = kStretch.match(plain.expression); stretch.hasMatch()) {
         bool isNumber = false;
         const double seconds = stretch.captured(3).toDouble(&isNumber);
-        if (!exists(stretch.captured(2))) {
+        const QString input = plain.nameOf(stretch.captured(2));
+        if (!exists(input)) {
             return wrong(DerivationText::tr("There is no signal “%1”. The list of signals shows the names.")
-                             .arg(stretch.captured(2)));
+                             .arg(input));
         }
         if (!isNumber || seconds < kShortestStretch || seconds > kLongestStretch) {
             return wrong(DerivationText::tr("The stretch of time is between 0.001 and 60 seconds."));
         }
-        made = std::make_shared<Stretch>(stretch.captured(2), seconds,
-                                         stretch.captured(1) == QLatin1String("mean"));
+        made = std::make_shared<Stretch>(input, seconds, stretch.captured(1) == QLatin1String("mean"));
     } else {
         auto parsed = std::make_shared<Expression>();
-        if (const QString problem = parsed->read(expression, exists); !problem.isEmpty()) {
+        if (const QString problem = parsed->read(plain, exists); !problem.isEmpty()) {
             return wrong(problem);
         }
         made = parsed;

@@ -8,6 +8,8 @@
 // constants pi and e; or, for itself alone,
 //     deriv(signal, seconds)   its rate of change over that stretch [per s]
 //     mean(signal, seconds)    its mean over that stretch
+// A name with other characters than letters, digits, _ and . stands in braces, as those of a recording do:
+//     |F| [N] = norm({run 1.mcap/actual_TCP_force_0}, {run 1.mcap/actual_TCP_force_1})
 // What lies across a gap, or has no value in one of its signals, has none.
 
 #include <QString>
@@ -33,6 +35,8 @@ public:
     /// The signals that it is computed from, by their keys.
     const QStringList& inputs() const { return inputs_; }
 
+    /// So many seconds of samples before one have a say in its value, and one sample before those.
+    virtual double lookBack() const { return 0; }
     /// columns  where the inputs are in the history
     virtual double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
                            std::int64_t sample) = 0;
@@ -41,8 +45,10 @@ public:
     /// Errors  InvalidArgument, saying what is wrong with the text and where
     static Result<std::shared_ptr<Derivation>> make(const QString& text,
                                                     const std::function<bool(const QString&)>& exists);
+    /// A signal's key as it is written in an expression.
+    static QString written(const QString& key);
     static constexpr int kMostInputs = 24;
-    static constexpr qsizetype kLongestText = 300;
+    static constexpr qsizetype kLongestText = 1500;
 
 protected:
     QString text_;

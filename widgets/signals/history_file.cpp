@@ -160,12 +160,22 @@ Result<std::vector<int>> HistoryFile::add(std::span<const std::size_t> fileColum
     if (!read) {
         return read.error();
     }
-    // Blocks whose other columns are there get these with the next look at them.
+    forgetRows();
+    return numbers;
+}
+
+int HistoryFile::addComputed(const RecordedSignal& signal) {
+    const int column = history_.outlineColumn(Precision::Single);
+    computed_.push_back({column, RecordedRows(file_, begin_, {signal})});
+    forgetRows();
+    return column;
+}
+
+void HistoryFile::forgetRows() {
     for (const std::int64_t block : filled_) {
         history_.forget(block);
     }
     filled_.clear();
-    return numbers;
 }
 
 bool HistoryFile::isFilled(std::int64_t block) const {
@@ -195,22 +205,19 @@ void HistoryFile::fill(std::int64_t block) {
         problem_ = (times ? rows.error() : times.error()).toString();
     }
     constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-    std::vector<double> axis = times ? std::move(times).value() : std::vector<double>();
-    // Never back: neither for a clock that was set back, nor for what could not be read.
-    axis.resize(static_cast<std::size_t>(range.count), axis.empty() ? 0 : axis.back());
-    double before = -std::numeric_limits<double>::infinity();
-    for (double& time : axis) {
-        time += begin_;
-        if (!(time > before)) {
-            time = std::nextafter(before, std::numeric_limits<double>::infinity());
-        }
-        before = time;
-    }
+    const std::vector<double> axis =
+        axisOf(times ? std::move(times).value() : std::vector<double>(), begin_, range.count);
     history_.setTimes(block, axis);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         std::vector<double> values = rows ? std::move((*rows)[i]) : std::vector<double>();
         values.resize(static_cast<std::size_t>(range.count), kNoValue);
         history_.setRows(columns_[i].column, block, values);
+    }
+    for (Computed& computed : computed_) {
+        const auto values = computed.rows.read(range);
+        history_.setRows(computed.column, block,
+                         values ? values->values.front()
+                                : std::vector<double>(static_cast<std::size_t>(range.count), kNoValue));
     }
     filled_.remove(block);
     filled_.push_front(block);

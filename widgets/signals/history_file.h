@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/recording/recording.h"
+#include "widgets/signals/recorded_rows.h"
 #include "widgets/signals/series_buffer.h"
 
 namespace tiller {
@@ -31,6 +32,11 @@ public:
     Result<std::vector<int>> add(std::span<const std::size_t> fileColumns,
                                  std::span<const Precision> precisions);
 
+    /// A column of what is computed from columns of the file. Nothing is known of it but where rows are fetched, until the
+    /// history is given its extents: all rows must be read for that.
+    /// Returns  its number there
+    int addComputed(const RecordedSignal& signal);
+
     /// How much sharpen() may take.
     enum class Effort {
         Draft,  ///< what a picture needs: extents of no more samples than four columns have, or the rows of a near one
@@ -41,6 +47,8 @@ public:
     bool sharpen(std::int64_t begin, std::int64_t end, int pixelColumns, Effort effort);
 
     void fill(std::int64_t block) override;
+    /// Where the first row stands on the time axis [s].
+    double begin() const { return begin_; }
     /// What could not be read, the last one; empty: nothing.
     const QString& problem() const { return problem_; }
 
@@ -49,10 +57,16 @@ private:
         int column;        ///< of the history
         std::size_t file;  ///< of the file
     };
+    struct Computed {
+        int column;  ///< of the history
+        RecordedRows rows;
+    };
     HistoryFile(const recording::Recording& file, SeriesBuffer& history, double begin)
         : file_(file), history_(history), begin_(begin) {}
     std::int64_t blocks() const;
     bool isFilled(std::int64_t block) const;
+    /// Blocks get columns that have been added with the next look at them.
+    void forgetRows();
     /// The coarsest grain of any column in this block.
     std::int64_t grainOf(std::int64_t block) const;
     /// Brings blocks first ... last to extents of so many rows; at most so many of them at once.
@@ -68,6 +82,7 @@ private:
     SeriesBuffer& history_;
     double begin_;
     std::vector<Column> columns_;
+    std::vector<Computed> computed_;
     std::vector<std::int64_t> levels_;  ///< rows of an extent the file keeps, the finest first
     std::list<std::int64_t> filled_;    ///< blocks, the last used first
     QString problem_;

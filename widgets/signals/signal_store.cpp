@@ -178,27 +178,125 @@ Result<int> SignalStore::derive(const QString& text) {
         }
         signal.table = from.table;
         signal.inputs.push_back(input);
-        signal.inputColumns.push_back(from.column);
+    }
+    if (signal.table >= kFirstRecording) {
+        problem_.clear();
+        const QSet<int> needed(signal.inputs.begin(), signal.inputs.end());
+        bool isThere = loadOutlines(needed);
+        for (const int input : needed) {
+            isThere = isThere && load(input);
+        }
+        if (!isThere) {
+            return Error{ErrorCode::FileNotReadable, context.context, problem_};
+        }
+    }
+    for (const int input : signal.inputs) {
+        signal.inputColumns.push_back(column(input));
     }
     SignalInfo& info = signal.info;
     info.key = derivation->text();
-    info.group = tr("Derived");
+    info.group = signal.table < kFirstRecording ? tr("Derived") : this->info(signal.inputs.front()).group;
     info.family = info.label = info.longLabel = derivation->name();
     info.meaning = derivation->text();
     setUnit(info, derivation->unit());
     Table& table = tables_[static_cast<std::size_t>(signal.table)];
-    signal.column = table.buffer->addColumn(Precision::Single);
-    signal.derivation = derivation;
     table.columns.push_back(info.key.toStdString());
     const int number = count();
     table.derived.push_back(number);
     byKey_.insert(info.key, number);
+    signal.derivation = derivation;
     signals_.push_back(std::move(signal));
-    table.buffer->fillColumn(column(number),
-                             [&](std::int64_t sample) { return derivedAt(*table.buffer, number, sample); });
+    if (table.pieces) {
+        compute(number);
+    } else {
+        signals_.back().column = table.buffer->addColumn(Precision::Single);
+        table.buffer->fillColumn(
+            column(number), [&](std::int64_t sample) { return derivedAt(*table.buffer, number, sample); });
+    }
     share();
     Q_EMIT signalAdded(number);
     return number;
+}
+
+RecordedSignal SignalStore::recordedSignal(int signal) const {
+    const Signal& wanted = signals_[static_cast<std::size_t>(signal)];
+    if (!wanted.derivation) {
+        return {{*fileColumnOf(signal)}, wanted.info.bit, {}};
+    }
+    RecordedSignal computed{{}, -1, wanted.derivation->text()};
+    for (const int input : wanted.inputs) {
+        computed.columns.push_back(*fileColumnOf(input));
+    }
+    return computed;
+}
+
+std::optional<RecordedStretch> SignalStore::stretchOf(std::span<const int> wanted, std::int64_t begin,
+                                                      std::int64_t end) const {
+    RecordedStretch stretch;
+    const Table* table = nullptr;
+    for (const int signal : wanted) {
+        const int number = signals_[static_cast<std::size_t>(signal)].table;
+        const Table* of = number < kFirstRecording ? nullptr : &tables_[static_cast<std::size_t>(number)];
+        if (of == nullptr || !of->pieces || (table != nullptr && of != table)) {
+            return std::nullopt;
+        }
+        table = of;
+        stretch.wanted.push_back(recordedSignal(signal));
+    }
+    if (table == nullptr || begin >= end) {
+        return std::nullopt;
+    }
+    stretch.path = table->file->path();
+    stretch.begin = table->pieces->begin();
+    stretch.rows = {static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(end - begin)};
+    return stretch;
+}
+
+void SignalStore::compute(int signal) {
+    Signal& computed = signals_[static_cast<std::size_t>(signal)];
+    Table& table = tables_[static_cast<std::size_t>(computed.table)];
+    computed.column = table.pieces->addComputed(recordedSignal(signal));
+    computed.computedPart = 0;
+    const std::array<int, 1> itself = {signal};
+    const RecordedStretch stretch = *stretchOf(itself, 0, table.buffer->end());
+    // All rows have to be looked at for it, which takes seconds by the hour: the plots go on meanwhile.
+    worker_.post(this, [this, signal, stretch, closing = closing_](const CancelToken& ending) {
+        const auto read = stretch.readAll(ending, [&](std::uint64_t first, const RecordedRows::Rows& rows) {
+            constexpr auto kEach = static_cast<std::size_t>(SeriesColumn::kSummary);
+            std::vector<MinMax> extents((rows.times.size() + kEach - 1) / kEach);
+            for (std::size_t row = 0; row < rows.times.size(); ++row) {
+                extents[row / kEach].add(rows.values.front()[row]);
+            }
+            QMetaObject::invokeMethod(
+                this,
+                [this, signal, first, closing, extents = std::move(extents)] {
+                    if (!closing.isCancelled()) {
+                        takeExtents(signal, static_cast<std::int64_t>(first), extents);
+                    }
+                },
+                Qt::QueuedConnection);
+            return !closing.isCancelled();
+        });
+        return std::function<void()>([this, signal, closing, read] {
+            if (closing.isCancelled()) {
+                return;
+            }
+            signals_[static_cast<std::size_t>(signal)].computedPart = 1;
+            Q_EMIT computedFurther(signal);
+            if (!read) {
+                Q_EMIT computationFailed(tr("%1 could not be computed to its end: %2")
+                                             .arg(info(signal).longLabel, read.error().toString()));
+            }
+        });
+    });
+}
+
+void SignalStore::takeExtents(int signal, std::int64_t first, std::span<const MinMax> extents) {
+    Signal& computed = signals_[static_cast<std::size_t>(signal)];
+    SeriesBuffer& history = *tables_[static_cast<std::size_t>(computed.table)].buffer;
+    history.setExtents(computed.column, first, SeriesColumn::kSummary, extents);
+    computed.computedPart = static_cast<double>(first) / static_cast<double>(history.end());
+    Q_EMIT computedFurther(signal);
 }
 
 int SignalStore::findOrDerive(const QString& key) {
@@ -524,6 +622,8 @@ std::vector<int> SignalStore::signalsOf(const QString& recording) const {
 }
 
 void SignalStore::closeRecordings() {
+    closing_.cancel();
+    closing_ = {};
     // Their numbers stay taken: they are nobody's now.
     for (Signal& signal : signals_) {
         if (signal.table >= kFirstRecording) {

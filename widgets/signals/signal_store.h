@@ -17,6 +17,7 @@
 #include "robot/core/result.h"
 #include "robot/receive/sample.h"
 #include "robot/recording/recording.h"
+#include "widgets/session/session_worker.h"
 #include "widgets/signals/derivation.h"
 #include "widgets/signals/history_file.h"
 #include "widgets/signals/series_buffer.h"
@@ -38,15 +39,19 @@ public:
         const Signal& one = signals_[static_cast<std::size_t>(signal)];
         return one.table < kFirstRecording && !one.derivation;
     }
+    bool isDerived(int signal) const {
+        return signals_[static_cast<std::size_t>(signal)].derivation != nullptr;
+    }
     bool isRecorded(int signal) const {
         return signals_[static_cast<std::size_t>(signal)].table >= kFirstRecording;
     }
     /// -1: there is none.
     int find(const QString& key) const { return byKey_.value(key, -1); }
 
-    /// A signal computed from others, as Derivation describes the text; the samples there are get it too.
+    /// A signal computed from others, as Derivation describes the text; the samples there are get it too. What is computed
+    /// from a long recording grows in from its beginning: a worker reads the file for that.
     /// Returns  its number; that of the one there is, where it was made before
-    /// Errors   InvalidArgument, saying what is wrong with the text
+    /// Errors   InvalidArgument, saying what is wrong with the text; those of Recording
     Result<int> derive(const QString& text);
     /// By its key, which for a derived signal is its text: that is made where it is not there yet. -1: cannot be.
     int findOrDerive(const QString& key);
@@ -86,6 +91,13 @@ public:
     /// Lets go of all recordings. Nobody may show them any more.
     void closeRecordings();
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
+    /// Where samples of these signals lie in the file of one long recording, and what a worker needs to read them.
+    /// begin, end  the samples begin ... end - 1
+    /// Returns  nothing where they are not all of one long recording
+    std::optional<RecordedStretch> stretchOf(std::span<const int> wanted, std::int64_t begin,
+                                             std::int64_t end) const;
+    /// What of a signal has been looked through so far, where it is computed from a long recording: 0 ... 1.
+    double computedPart(int signal) const { return signals_[static_cast<std::size_t>(signal)].computedPart; }
     /// Why the last want() failed: more signals than a robot sends, or more memory than the budget has.
     const QString& problem() const { return problem_; }
 
@@ -120,6 +132,10 @@ Q_SIGNALS:
     void furtherFieldsChanged(const QStringList& fields);
     /// Another one was derived.
     void signalAdded(int signal);
+    /// More is known of a signal that is computed from a long recording.
+    void computedFurther(int signal);
+    /// It could not be computed to its end.
+    void computationFailed(const QString& why);
 
 private:
     enum : int { kNowhere = -1, kLive = 0, kFurther = 1, kFirstRecording = 2 };
@@ -142,6 +158,7 @@ private:
         std::shared_ptr<Derivation> derivation;
         std::vector<int> inputs;        ///< signals
         std::vector<int> inputColumns;  ///< of the same table
+        double computedPart = 1;        ///< of a long recording
     };
 
     /// The sample whose values hold at this time; nothing in a gap or where there are no data.
@@ -167,6 +184,10 @@ private:
     }
     void share();
     bool load(int signal);
+    /// A derived one of a long recording: the outline of its column.
+    void compute(int signal);
+    void takeExtents(int signal, std::int64_t first, std::span<const MinMax> extents);
+    RecordedSignal recordedSignal(int signal) const;
     /// Outlines of those that are of long recordings, all at once.
     bool loadOutlines(const QSet<int>& shown);
     std::optional<std::size_t> fileColumnOf(int signal) const;
@@ -180,6 +201,8 @@ private:
     QHash<const void*, QSet<int>> wanted_;
     QStringList furtherFields_;
     QString problem_;
+    CancelToken closing_;   ///< of the recordings that are open
+    SessionWorker worker_;  ///< last: its jobs end before the rest
 };
 
 }  // namespace tiller

@@ -40,7 +40,9 @@ public:
         keys.removeDuplicates();
         auto* data = new QMimeData;
         data->setData(QLatin1String(SignalTree::kMime), keys.join(QLatin1Char('\n')).toUtf8());
-        data->setText(keys.join(QLatin1Char('\n')));
+        // Into an expression.
+        std::transform(keys.begin(), keys.end(), keys.begin(), &Derivation::written);
+        data->setText(keys.join(QStringLiteral(", ")));
         return data;
     }
 };

@@ -30,6 +30,7 @@
 #include <cmath>
 
 #include "tests/support/sample_stream.h"
+#include "tests/unit/widgets/signals/long_recording.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
@@ -761,6 +762,76 @@ private Q_SLOTS:
             QVERIFY(std::abs(point.x() - std::sin(point.y())) < 1e-5);
         }
         QVERIFY2(analysis->title().contains("1000"), qPrintable(analysis->title()));
+    }
+
+    /// Hours of it: what the figures beside the plots need is read elsewhere, and the panel goes on meanwhile.
+    void aLongRecordingIsMeasuredAsAWhole() {
+        const test::Long recorded;
+        Bench b;
+        b.dock.resize(1500, 700);
+        b.dock.openRecording(recorded.path);
+        QTRY_COMPARE(b.dock.pages().count(), 2);
+        const QString key = QStringLiteral("long.mcap/actual_TCP_force_2");
+        const int force = b.dock.store().find(key);
+        QVERIFY(force >= 0 && b.view().panes()[0]->shows(force));
+        const double begin = b.dock.store().timesOf("long.mcap")->firstTime();
+        b.menu("plots.layout.values")->trigger();
+        b.view().setCursor(PlotView::Cursor::A, begin + 300);
+        b.view().setCursor(PlotView::Cursor::B, begin + 1300);
+        auto* table = b.dock.findChild<QTableWidget*>("plots.values.table");
+        int row = -1;
+        const auto cell = [&](int column) {
+            for (row = 0; row < table->rowCount(); ++row) {
+                if (table->item(row, 0)->text().contains("Fz")) {
+                    return table->item(row, column)->text();
+                }
+            }
+            return QString();
+        };
+        constexpr int kMin = 4;
+        constexpr int kMax = 5;
+        QTRY_COMPARE(cell(kMin), QString("…"));
+        auto* between = b.dock.findChild<QLabel*>("plots.values.between");
+        QVERIFY(between->text().contains("summing up"));
+        QTRY_COMPARE_WITH_TIMEOUT(cell(kMin), QString("−40.0"), 60'000);
+        QCOMPARE(cell(kMax), QString("40.0"));
+        QVERIFY(!between->text().contains("summing up"));
+        // Moved, it is there as soon as the table is filled again.
+        b.view().setCursor(PlotView::Cursor::B, begin + 1100);
+        QTRY_VERIFY(between->text().contains("800"));
+        QCOMPARE(cell(kMin), QString("−40.0"));
+
+        b.menu("plots.layout.analysis")->trigger();
+        auto* analysis = b.dock.findChild<PlotAnalysis*>();
+        const auto choose = [&](const char* name) {
+            auto* box = analysis->findChild<QComboBox*>(name);
+            QTRY_VERIFY(box->findData(force) >= 0);
+            box->setCurrentIndex(box->findData(force));
+            Q_EMIT box->activated(box->currentIndex());
+        };
+        choose("plots.analysis.signal");
+        QTRY_VERIFY(analysis->canvas().message().contains("Reading the recording"));
+        QTRY_VERIFY_WITH_TIMEOUT(analysis->title().contains("Hann window of 8192"), 60'000);
+        const QVector<QPointF>& lines = analysis->canvas().points();
+        const auto top = std::max_element(lines.begin(), lines.end(),
+                                          [](const QPointF& a, const QPointF& c) { return a.y() < c.y(); });
+        // Its swing: one radian in a thousand rows.
+        QVERIFY2(std::abs(top->x() - 0.5 / 6.2832) < 0.062, qPrintable(QString::number(top->x())));
+        analysis->setKind(PlotAnalysis::Kind::Xy);
+        QTRY_VERIFY_WITH_TIMEOUT(analysis->title().contains("one in 8"), 60'000);
+        QVERIFY(analysis->canvas().points().size() > 49'000);
+        for (const QPointF& point : analysis->canvas().points()) {
+            QVERIFY(std::abs(point.y()) <= 40);
+        }
+        // What is derived from it by the menu of a curve is a signal of the recording.
+        const auto norm =
+            b.dock.store().derive(QStringLiteral("|F| [N] = norm(%1)").arg(Derivation::written(key)));
+        QVERIFY(norm.ok());
+        b.view().addSignals({b.dock.store().info(*norm).key});
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.store().computedPart(*norm), 1.0, 60'000);
+        QTRY_VERIFY(!b.curve(*norm).range().isEmpty());
+        b.view().fit();
+        QTRY_VERIFY(b.curve(*norm).range().max == 40);
     }
 
     void theTimeAxisCountsWhatIsChosen() {

@@ -115,10 +115,16 @@ private Q_SLOTS:
                                  "x = \"actual_q_0\"",
                                  "x = actual_q_0 = 3",
                                  "[N] = actual_q_0",
+                                 "x = {}",
+                                 "x = {actual_q_0",
+                                 "x = {nothing/actual_q_0}",
+                                 "x = 2{actual_q_0}",
+                                 "x = {actual_q_0}actual_q_1",
+                                 "x = deriv({nothing}, 0.1)",
                                  "x = actual_digital_input_bits.3"}) {
             QTest::newRow(text) << QString::fromUtf8(text);
         }
-        QTest::newRow("long") << "x = " + QString(400, '1');
+        QTest::newRow("long") << "x = " + QString(1600, '1');
         QTest::newRow("deep") << "x = " + QString(290, '(');
     }
     void whatIsWrongIsSaid() {
@@ -130,6 +136,21 @@ private Q_SLOTS:
         QCOMPARE(made.error().code, ErrorCode::InvalidArgument);
         QVERIFY(!made.error().controllerMessage.isEmpty());
         QCOMPARE(store.count(), before);
+    }
+
+    void aNameMayStandInBraces() {
+        Source s;
+        QCOMPARE(Derivation::written("actual_q_0"), QString("actual_q_0"));
+        QCOMPARE(Derivation::written("run 1.mcap/actual_q_0"), QString("{run 1.mcap/actual_q_0}"));
+        const auto made = s.store.derive("x = {actual_q_1}*{actual_q_1}+actual_q_1");
+        QVERIFY2(made.ok(), qPrintable(made ? QString() : made.error().toString()));
+        const auto mean = s.store.derive("m = mean( {actual_q_1} , 0.5)");
+        QVERIFY(mean.ok());
+        s.add(10);
+        QCOMPARE(s.store.value(*made, 5), 6.0);
+        QCOMPARE(s.store.value(*mean, 5), 2.0);
+        const auto unknown = s.store.derive("x = 2 * {run 1.mcap/actual_q_0}");
+        QVERIFY(unknown.error().controllerMessage.contains("“run 1.mcap/actual_q_0”"));
     }
 
     void aDivisionByNothingIsNoNumber() {
@@ -145,8 +166,9 @@ private Q_SLOTS:
         SignalStore store;
         std::mt19937 random(1);
         const QString letters =
-            QStringLiteral("actual_q_0actual_q_1+-*/^(),.=[]<>!&|?:0123456789e normsinmean\"'\\\n");
-        const QString good = QStringLiteral("x [N] = norm(actual_q_0, 2*actual_q_1) + mean(actual_q_0, 0.5)");
+            QStringLiteral("actual_q_0actual_q_1+-*/^(),.=[]<>!&|?:{}0123456789e normsinmean\"'\\\n");
+        const QString good =
+            QStringLiteral("x [N] = norm(actual_q_0, 2*{actual_q_1}) + mean(actual_q_0, 0.5)");
         for (int round = 0; round < 2000; ++round) {
             QString text = good;
             for (int change = 0; change < 4; ++change) {

@@ -9,86 +9,10 @@
 #include <cmath>
 #include <random>
 
-#include "robot/recording/formats/open_recording.h"
-#include "robot/recording/mcap/mcap_format.h"
-#include "tests/unit/robot/recording/made_recording.h"
-#include "widgets/signals/signal_store.h"
+#include "tests/unit/widgets/signals/long_recording.h"
 
 using namespace tiller;
-
-namespace {
-
-constexpr std::uint64_t kRows = 700'007;  // 23 minutes, and no whole block
-constexpr double kPeriod = 0.002;         // [s]
-constexpr double kBegin = 50;             // where it stands on the time axis [s]
-constexpr std::uint64_t kGap = 123'456;
-constexpr std::uint64_t kLost = 400;
-constexpr double kSpike = 40;
-
-/// A recording of few numbers, with spikes at random rows and one gap.
-struct Long {
-    QTemporaryDir folder;
-    QString path = folder.filePath("long.mcap");
-    std::vector<float> force;           ///< by row
-    std::vector<std::uint64_t> spikes;  ///< rows
-
-    Long() {
-        test::MadeSamples made({"timestamp", "actual_TCP_force", "robot_mode"});
-        const std::size_t fz = *made.layout->indexOfComponent("actual_TCP_force_2");
-        const std::size_t clock = *made.layout->indexOfComponent("timestamp");
-        const std::size_t mode = *made.layout->indexOfComponent("robot_mode");
-        const auto encoder =
-            recording::mcapFormat({.ros = false, .closeAfter = std::chrono::milliseconds(0)})
-                ->encoder({made.layout, {"timestamp", "actual_TCP_force", "robot_mode"}, false});
-        std::mt19937 random(19);
-        std::uniform_int_distribution<std::uint64_t> place(0, kRows - 1);
-        for (int i = 0; i < 60; ++i) {
-            spikes.push_back(place(random));
-        }
-        std::sort(spikes.begin(), spikes.end());
-        QFile file(path);
-        if (!file.open(QIODevice::WriteOnly)) {
-            qFatal("cannot write");
-        }
-        std::uint64_t packet = 0;
-        for (std::uint64_t row = 0; row < kRows; ++row, ++packet) {
-            packet += row == kGap ? kLost : 0;
-            receive::Sample sample = made.at(packet);
-            sample.values[clock] = static_cast<double>(packet) * kPeriod;
-            const bool isSpike = std::binary_search(spikes.begin(), spikes.end(), row);
-            sample.values[fz] =
-                isSpike ? (row % 2 == 0 ? kSpike : -kSpike) : std::sin(static_cast<double>(row) * 1e-3);
-            sample.values[mode] = row < kRows / 2 ? 7 : 5;
-            force.push_back(static_cast<float>(sample.values[fz]));
-            encoder->add(sample, row == kGap ? kLost : 0, made.utcNs(packet));
-            if (row % 250 == 249) {
-                file.write(QByteArray::fromStdString(
-                    encoder->take(recording::RecordingEncoder::Close::WhenDue).bytes));
-            }
-        }
-        file.write(QByteArray::fromStdString(encoder->take(recording::RecordingEncoder::Close::Last).bytes));
-    }
-    double timeOf(std::uint64_t row) const {
-        return kBegin + static_cast<double>(row + (row < kGap ? 0 : kLost)) * kPeriod;
-    }
-};
-
-struct Opened {
-    SignalStore store;
-    QString name;
-    int signal = -1;
-    int mode = -1;
-
-    explicit Opened(const QString& path) {
-        auto file = recording::openRecording(path);
-        name = store.open(std::move(file).value(), kBegin).value();
-        signal = store.find(name + QStringLiteral("/actual_TCP_force_2"));
-        mode = store.find(name + QStringLiteral("/robot_mode"));
-    }
-    const SeriesBuffer& history() const { return *store.buffer(signal); }
-};
-
-}  // namespace
+using namespace tiller::test;
 
 class TestHistoryFile : public QObject {
     Q_OBJECT
@@ -260,6 +184,104 @@ private Q_SLOTS:
         QCOMPARE(opened.store.value(opened.mode, 1000), 7.0);
         QCOMPARE(opened.store.value(opened.mode, static_cast<std::int64_t>(kRows) - 1), 5.0);
         QCOMPARE(static_cast<float>(opened.store.value(opened.signal, 1000)), long_->force[1000]);
+    }
+
+    /// What is computed from it is that of its rows: near, as a whole, and behind a look back over the edge of a block.
+    void whatIsComputedFromItIsThatOfItsRows() {
+        Opened opened(long_->path);
+        const QString fz = Derivation::written(opened.name + QStringLiteral("/actual_TCP_force_2"));
+        const auto made = opened.store.derive(QStringLiteral("2|Fz| = 2 * norm(%1) + 1").arg(fz));
+        QVERIFY2(made.ok(), qPrintable(made ? QString() : made.error().toString()));
+        const auto slope = opened.store.derive(QStringLiteral("dF/dt [N/s] = deriv(%1, 0.1)").arg(fz));
+        QVERIFY(slope.ok());
+        QCOMPARE(opened.store.recordingOf(*made), opened.name);
+        QCOMPARE(opened.store.info(*made).group, opened.name);
+        QVERIFY(opened.store.want(this, {*made, *slope}));
+        // At once, wherever somebody looks.
+        const auto truth = [&](std::uint64_t row) {
+            return static_cast<float>(2 * std::abs(static_cast<double>(long_->force[row])) + 1);
+        };
+        for (const std::uint64_t row : {std::uint64_t{0}, std::uint64_t{4096}, kGap, kRows - 1}) {
+            QCOMPARE(static_cast<float>(opened.store.value(*made, static_cast<std::int64_t>(row))),
+                     truth(row));
+        }
+        constexpr std::uint64_t kBack = 50;  // rows
+        for (const std::uint64_t row : {std::uint64_t{4096}, std::uint64_t{8191}, std::uint64_t{8192}}) {
+            const double expected =
+                (static_cast<double>(long_->force[row]) - static_cast<double>(long_->force[row - kBack])) /
+                (kBack * kPeriod);
+            QVERIFY(std::abs(opened.store.value(*slope, static_cast<std::int64_t>(row)) - expected) < 1e-3);
+        }
+        QVERIFY2(std::isnan(opened.store.value(*slope, static_cast<std::int64_t>(kGap))),
+                 "nothing is computed across a gap");
+        // And as a whole, once all of it has been looked through.
+        QTRY_COMPARE_WITH_TIMEOUT(opened.store.computedPart(*slope), 1.0, 60'000);
+        QCOMPARE(opened.store.computedPart(*made), 1.0);
+        const SeriesBuffer& history = *opened.store.buffer(*made);
+        const int column = opened.store.column(*made);
+        QCOMPARE(history.minMax(column, 0, history.end()).max, 2 * kSpike + 1);
+        for (const std::uint64_t spike : long_->spikes) {
+            const auto at = static_cast<std::int64_t>(spike);
+            QCOMPARE(history.minMax(column, at, at + 1).max, 2 * kSpike + 1);
+        }
+        std::mt19937 random(3);
+        for (int i = 0; i < 200; ++i) {
+            const auto begin = std::uniform_int_distribution<std::int64_t>(0, kRows - 40'000)(random);
+            const auto end = begin + std::uniform_int_distribution<std::int64_t>(1, 40'000)(random);
+            MinMax wanted;
+            for (std::int64_t row = begin; row < end; ++row) {
+                wanted.add(static_cast<double>(truth(static_cast<std::uint64_t>(row))));
+            }
+            const MinMax told = history.minMax(column, begin, end);
+            constexpr double kRounding = 1e-6;
+            QVERIFY(told.min <= wanted.min + kRounding && told.max >= wanted.max - kRounding);
+        }
+    }
+
+    void whoClosesItMeanwhileHearsNoMoreOfIt() {
+        Opened opened(long_->path);
+        const QString fz = Derivation::written(opened.name + QStringLiteral("/actual_TCP_force_2"));
+        const auto made = opened.store.derive(QStringLiteral("twice = 2 * %1").arg(fz));
+        QVERIFY(made.ok());
+        int told = 0;
+        connect(&opened.store, &SignalStore::computedFurther, this, [&] { ++told; });
+        connect(&opened.store, &SignalStore::computationFailed, this, [&] { ++told; });
+        opened.store.closeRecordings();
+        // Another one's is computed behind it: by then all that was to come of the first has come.
+        auto file = recording::openRecording(long_->path);
+        const QString name = opened.store.open(std::move(file).value(), kBegin).value();
+        const auto next = opened.store.derive(
+            QStringLiteral("next = 3 * %1").arg(Derivation::written(name + "/actual_TCP_force_2")));
+        QVERIFY(next.ok());
+        disconnect(&opened.store, nullptr, this, nullptr);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.store.computedPart(*next), 1.0, 60'000);
+        QCOMPARE(told, 0);
+        QCOMPARE(opened.store.buffer(*made), nullptr);
+    }
+
+    void aShortOneHasThemToo() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a {strange} = name, 2.mcap");
+        const QString plain = folder.filePath("run 1-2.mcap");
+        QVERIFY(test::writeFile(path, test::madeFile(*recording::mcapFormat(), 2000)));
+        QVERIFY(test::writeFile(plain, test::madeFile(*recording::mcapFormat(), 2000)));
+        Opened opened(plain);
+        const QString q0 = Derivation::written(opened.name + QStringLiteral("/actual_q_0"));
+        const auto made = opened.store.derive(QStringLiteral("twice [rad] = 2 * %1 + 0*%1").arg(q0));
+        QVERIFY2(made.ok(), qPrintable(made ? QString() : made.error().toString()));
+        QVERIFY(opened.store.want(this, {*made, opened.store.find(opened.name + "/actual_q_0")}));
+        for (const std::int64_t row : {0, 777, 1999}) {
+            QCOMPARE(static_cast<float>(opened.store.value(*made, row)),
+                     static_cast<float>(
+                         2 * opened.store.value(opened.store.find(opened.name + "/actual_q_0"), row)));
+        }
+        // Two files, or a file and what is live, do not come in the same packets.
+        QVERIFY(!opened.store.derive(QStringLiteral("x = %1 - actual_q_0").arg(q0)).ok());
+        // Braces in its own name cannot be written: that is said, with the name.
+        Opened strange(path);
+        const auto none = strange.store.derive(
+            QStringLiteral("x = %1").arg(Derivation::written(strange.name + "/actual_q_0")));
+        QCOMPARE(none.error().code, ErrorCode::InvalidArgument);
     }
 };
 
