@@ -7,6 +7,8 @@ import shutil
 import subprocess
 import sys
 
+TOP = pathlib.Path(__file__).resolve().parents[2]
+COMMON = pathlib.Path("/usr/share/common-licenses")
 # Every Linux that is not older has these, and a second copy of them in a process would be a fault.
 SYSTEM = re.compile(r"^(ld-linux.*|lib(c|m|dl|rt|util|pthread|resolv|gcc_s|stdc\+\+)\.so\.\d+)$")
 
@@ -63,19 +65,40 @@ def packages_of(places):
     return {place: (owner[place], version[owner[place]]) for place in places}
 
 
+def take_common_licences(folder):
+    """Copies into the folder the texts that the files there only name, because every Debian has them."""
+    named = {"GPL-3"}  # what the LGPL 3 adds to
+    for path in folder.iterdir():
+        text = path.read_text(encoding="utf-8", errors="replace")
+        named.update(re.findall(rf"{COMMON}/([\w.+-]*\w)", text))
+    (folder / COMMON.name).mkdir()
+    for name in sorted(name for name in named if (COMMON / name).is_file()):
+        shutil.copy(COMMON / name, folder / COMMON.name / name)
+
+
+def take_own_licences(folder):
+    """Copies Tiller's into the folder, each where LICENSE says it is."""
+    for name in ("LICENSE", "robot/LICENSE", "app/LICENSE"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(TOP / name, folder / name)
+
+
 def take_licences(places, folder):
     """Copies into the folder what the licence of each of these files is, and a list of what is from which package.
 
     places  by the name they are given: where they are on this system
     """
-    folder = pathlib.Path(folder)
     folder.mkdir(parents=True)
+    # One of ours, of a build of shared libraries, has no other's licence.
+    places = {name: place for name, place in places.items() if not pathlib.Path(place).is_relative_to(TOP)}
     packages = packages_of(sorted(set(places.values())))
     lines = []
     for name, place in sorted(places.items()):
         package, version = packages[place]
         shutil.copy(f"/usr/share/doc/{package}/copyright", folder / f"{package}.txt")
         lines.append(f"{name}  {package} {version}\n")
+    take_common_licences(folder)
     (folder / "LIST").write_text(
-        "From Debian, which has their sources: apt-get source PACKAGE, or https://snapshot.debian.org\n\n" +
+        "From Debian, which has their sources: apt-get source PACKAGE, or https://snapshot.debian.org\n"
+        f"The texts named as {COMMON}/... are in {COMMON.name}.\n\n" +
         "".join(lines), encoding="utf-8")

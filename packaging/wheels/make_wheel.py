@@ -37,13 +37,11 @@ def own_name(name):
 
 
 def bundle(folder, programs, libs):
-    """Copies into folder/libs what the programs load, and makes them look there."""
+    """Copies into folder/libs what the programs load, and makes them look there. Returns where each copy is from."""
     (folder / libs).mkdir()
-    found = libraries.libraries_of(programs)
-    for name, place in found.items():
-        shutil.copy(place, folder / libs / own_name(name))
-        os.chmod(folder / libs / own_name(name), 0o755)
-    copies = [folder / libs / own_name(name) for name in found]
+    copies = {folder / libs / own_name(name): place for name, place in libraries.libraries_of(programs).items()}
+    for copy, place in copies.items():
+        copy_program(place, copy)
     for path in [*programs, *copies]:
         # One at a time: done together, some releases of patchelf leave half of the names as they were.
         names = needed(path)
@@ -62,7 +60,7 @@ def platform_of(paths):
     return f"manylinux_{major}_{minor}_{os.uname().machine}"
 
 
-def pack(folder, output, name, version, tag, pure, metadata, entry_points, top_level):
+def pack(folder, output, name, version, tag, pure, metadata, entry_points, top_level, copies):
     info = f"{name.replace('-', '_')}-{version}.dist-info"
     (folder / info).mkdir()
     (folder / info / "METADATA").write_text(
@@ -70,6 +68,8 @@ def pack(folder, output, name, version, tag, pure, metadata, entry_points, top_l
     (folder / info / "WHEEL").write_text(f"Wheel-Version: 1.0\nGenerator: tiller\nRoot-Is-Purelib: {pure}\nTag: {tag}\n")
     (folder / info / "entry_points.txt").write_text(entry_points)
     (folder / info / "top_level.txt").write_text("".join(module + "\n" for module in top_level))
+    libraries.take_own_licences(folder / info / "licenses")
+    libraries.take_licences({copy.name: place for copy, place in copies.items()}, folder / info / "licenses/libraries")
     record = ""
     files = sorted(path for path in folder.rglob("*") if path.is_file())
     for path in files:
@@ -114,7 +114,7 @@ def tiller(options, folder):
          "Summary: Control, monitor and simulate Universal Robots arms; with the Python interface of ur_rtde\n"
          "Requires-Python: >=3.9\nRequires-Dist: numpy\n",
          "[console_scripts]\ntiller-cli = tiller.__main__:main\n\n[pytest11]\ntiller = tiller.pytest_plugin\n",
-         (*MODULES, "tiller"))
+         (*MODULES, "tiller"), copies)
 
 
 def simulator(options, folder):
@@ -127,7 +127,7 @@ def simulator(options, folder):
          "Requires-Python: >=3.8\n",
          "[console_scripts]\ntiller-simulate = tiller_simulator.__main__:main\n\n"
          "[pytest11]\ntiller_simulator = tiller_simulator.pytest_plugin\n",
-         ("tiller_simulator",))
+         ("tiller_simulator",), copies)
 
 
 def main():
@@ -137,7 +137,7 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, required=True)
     parser.add_argument("--version", required=True)
     options = parser.parse_args()
-    libraries.want_tools("patchelf", "ldd", "objdump")
+    libraries.want_tools("patchelf", "ldd", "objdump", "dpkg-query")
     shutil.rmtree(options.output, ignore_errors=True)
     options.output.mkdir(parents=True)
     for make in (tiller, simulator):

@@ -83,7 +83,15 @@ class TestPortable(unittest.TestCase):
         for path in [*(self.folder / "lib").iterdir(), *(self.folder / "share/fonts").glob("*.ttf")]:
             self.assertIn(path.name, listed)
         for package in listed.values():
-            self.assertTrue((licences / f"{package}.txt").stat().st_size > 0, package)
+            text = (licences / f"{package}.txt").read_text(encoding="utf-8", errors="replace")
+            self.assertNotEqual(text, "", package)
+            for common in re.findall(r"/usr/share/common-licenses/([\w.+-]*\w)", text):
+                # One package says GPL-3.0 for GPL-3.
+                if os.path.exists("/usr/share/common-licenses/" + common):
+                    self.assertTrue((licences / "common-licenses" / common).exists(), f"{package}: {common}")
+        self.assertTrue((licences / "common-licenses/GPL-3").exists())
+        for name in ("LICENSE", "robot/LICENSE", "app/LICENSE"):
+            self.assertEqual((licences.parent / name).read_bytes(), (SOURCE / name).read_bytes())
 
     def test_fonts_come_along_for_those_who_have_none(self):
         fonts = self.folder / "share/fonts"

@@ -102,6 +102,25 @@ class TestWheel(unittest.TestCase):
                     wanted = [int(minor) for minor in re.findall(r"\bGLIBC_2\.(\d+)\b", symbols)]
                     self.assertLessEqual(max(wanted, default=0), int(glibc[1]), path)
 
+    def test_every_library_has_its_licence(self):
+        for name, wheel in self.wheels.items():
+            paths = wheel.namelist()
+            info = [path for path in paths if path.endswith("/RECORD")][0].replace("/RECORD", "/licenses")
+            with open(os.path.join(os.environ["TILLER_SOURCE"], "app/LICENSE"), "rb") as file:
+                self.assertEqual(wheel.read(info + "/app/LICENSE"), file.read())
+            self.assertIn(info + "/robot/LICENSE", paths)
+            listed = dict(re.findall(r"^(\S+)  (\S+) \S+$", wheel.read(info + "/libraries/LIST").decode(), re.MULTILINE))
+            carried = {os.path.basename(path) for path in paths if path.startswith(name + ".libs/")}
+            self.assertIn("libQt6Core-tiller.so.6", carried)
+            self.assertEqual(set(listed), carried)
+            for package in set(listed.values()):
+                text = wheel.read(f"{info}/libraries/{package}.txt").decode(errors="replace")
+                for common in re.findall(r"/usr/share/common-licenses/([\w.+-]*\w)", text):
+                    if os.path.exists("/usr/share/common-licenses/" + common):
+                        self.assertIn(f"{info}/libraries/common-licenses/{common}", paths, package)
+            lesser = wheel.read(info + "/libraries/common-licenses/LGPL-3").decode()
+            self.assertIn("GNU LESSER GENERAL PUBLIC LICENSE", lesser)
+
     def test_the_simulator_alone_serves_any_client(self):
         with tempfile.TemporaryDirectory() as folder:
             unpacked(self.wheels["tiller_simulator"], folder)
