@@ -11,6 +11,7 @@
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <QWindow>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -125,6 +126,7 @@ private Q_SLOTS:
     void oneClickOpensItAtTheStop();
     void theScrubberMovesEverythingTogether();
     void aReplayMovesNoKey();
+    void backToLiveBringsNothingUnderThePointer();
     void armAndModelPartWhereItWasPushed();
 };
 
@@ -296,6 +298,33 @@ void TestIncident::theScrubberMovesEverythingTogether() {
 }
 
 // What is pressed to pause is under the pointer still, and so are the keys over the view.
+void TestIncident::backToLiveBringsNothingUnderThePointer() {
+    Bench bench;
+    QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+    PlotView& view = bench.plots().view();
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_A);
+    QTest::mouseClick(&bench.find<QToolButton>("plots.pause"), Qt::LeftButton);
+    QVERIFY(bench.plots().replay().has_value());
+    auto& band = bench.find<ReplayBand>("view.replay");
+    QVERIFY(bench.within([&] { return band.isVisible(); }));
+    const int height = bench.scene().view().height();
+    // As a hand does it, with the pointer over the key.
+    QWindow* window = bench.window.windowHandle();
+    const auto& live = bench.find<QToolButton>("view.replay.live");
+    const QPoint place = live.mapTo(&bench.window, live.rect().center());
+    QTest::mouseMove(window, place);
+    QTest::mouseClick(window, Qt::LeftButton, {}, place);
+    QVERIFY(bench.within([&] { return !bench.plots().replay().has_value(); }));
+    QVERIFY(band.words().isEmpty());
+    bench.cell.advanceMs(100);
+    QCOMPARE(bench.scene().view().height(), height);
+    QVERIFY(bench.window.childAt(place) == &band || bench.window.childAt(place)->parentWidget() == &band);
+    QTest::mouseMove(window, bench.scene().view().mapTo(&bench.window, QPoint(40, 40)));
+    QVERIFY(bench.within([&] { return !band.isVisible(); }));
+    QVERIFY(bench.scene().view().height() > height);
+}
+
 void TestIncident::aReplayMovesNoKey() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

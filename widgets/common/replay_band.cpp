@@ -37,11 +37,29 @@ void ReplayBand::tell(const QString& words) {
         setAccessibleDescription(words);
         words_->setToolTip(words);
     }
-    if (words.isEmpty() != isHidden()) {
+    live_->setEnabled(!words.isEmpty());
+    style();
+    // Its room stays as long as the pointer is in it: what is above or below would come under the pointer otherwise, and a
+    // double click on the key would press that.
+    if (words.isEmpty() && !isHidden() && underMouse()) {
+        return;
+    }
+    setShown(!words.isEmpty());
+}
+
+void ReplayBand::setShown(bool shown) {
+    if (shown == isHidden()) {
         if (above_ != nullptr) {
-            giveWay(*above_, words.isEmpty() ? 0 : sizeHint().height());
+            giveWay(*above_, shown ? sizeHint().height() : 0);
         }
-        setVisible(!words.isEmpty());
+        setVisible(shown);
+    }
+}
+
+void ReplayBand::leaveEvent(QEvent* event) {
+    QFrame::leaveEvent(event);
+    if (words().isEmpty()) {
+        setShown(false);
     }
 }
 
@@ -51,11 +69,17 @@ QString ReplayBand::words() const {
 
 void ReplayBand::style() {
     const Theme& theme = Theme::current();
-    styling_ = true;
     // The colours of what is selected, turned round: no part that is live looks like it.
-    setStyleSheet(QStringLiteral("tiller--ReplayBand { background: %1; } tiller--ElidedLabel { color: %2; }")
-                      .arg(theme.inverse.name(), theme.inverseText.name()));
-    styling_ = false;
+    const QString sheet =
+        words().isEmpty()
+            ? QString()
+            : QStringLiteral("tiller--ReplayBand { background: %1; } tiller--ElidedLabel { color: %2; }")
+                  .arg(theme.inverse.name(), theme.inverseText.name());
+    if (sheet != styleSheet()) {
+        styling_ = true;
+        setStyleSheet(sheet);
+        styling_ = false;
+    }
 }
 
 void ReplayBand::changeEvent(QEvent* event) {

@@ -20,7 +20,7 @@ public:
     /// above  what gives way, in the same layout; null: nothing
     explicit ReplayBand(const QString& name, QWidget* above = nullptr, QWidget* parent = nullptr);
 
-    /// Empty: what is shown is live, there is no band.
+    /// Empty: what is shown is live, there is no band once the pointer has left it.
     void tell(const QString& words);
     QString words() const;
 
@@ -30,9 +30,11 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
     void style();
+    void setShown(bool shown);
 
     QWidget* above_;
     ElidedLabel* words_;
