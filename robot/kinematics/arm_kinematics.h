@@ -39,7 +39,8 @@ struct InverseSolutions {
     std::array<JointPositions, 8> q;
     int count = 0;
     /// Those there are.
-    std::span<const JointPositions> span() const { return {q.data(), static_cast<std::size_t>(count)}; }
+    std::span<const JointPositions> span() const& { return {q.data(), static_cast<std::size_t>(count)}; }
+    std::span<const JointPositions> span() const&& = delete;  ///< a loop would go over what is gone
 };
 
 /// T_base_flange to joints. At a wrist singularity, where wrist 3 is free, `wrist3AtSingularity` is used

@@ -222,8 +222,9 @@ void defineKinematics(py::module_& module) {
     module.def("inverse", [](const std::string& model, const Six& pose, const Six& tcp) {
         const Pose T_base_flange = Pose::fromArray(pose) * Pose::fromArray(tcp).inverse();
         std::vector<Six> solutions;
-        for (const JointPositions& q :
-             kinematics::inverse(modelOf(model).dh, T_base_flange.transform()).span()) {
+        const kinematics::InverseSolutions found =
+            kinematics::inverse(modelOf(model).dh, T_base_flange.transform());
+        for (const JointPositions& q : found.span()) {
             solutions.push_back(q.array());
         }
         return solutions;
