@@ -6797,12 +6797,12 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Klicken Sie in die Diagramme, um A, dann B zu setzen: Was dazwischen liegt, wird hier zusammengefasst.</translation>
     </message>
     <message>
-        <source>The range could not be summed up: %1</source>
-        <translation>Der Bereich konnte nicht zusammengefasst werden: %1</translation>
-    </message>
-    <message>
         <source>%1 · summing up: %2</source>
         <translation>%1 · wird zusammengefasst: %2</translation>
+    </message>
+    <message>
+        <source>Not all of the range could be summed up: %1</source>
+        <translation>Nicht der ganze Bereich konnte zusammengefasst werden: %1</translation>
     </message>
 </context>
 <context>

@@ -6791,11 +6791,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The range could not be summed up: %1</source>
+        <source>%1 · summing up: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 · summing up: %2</source>
+        <source>Not all of the range could be summed up: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

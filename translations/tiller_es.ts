@@ -6797,12 +6797,12 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Haga clic en los gráficos para poner A, después B: lo que hay entre ellos se resume aquí.</translation>
     </message>
     <message>
-        <source>The range could not be summed up: %1</source>
-        <translation>No se pudo resumir el intervalo: %1</translation>
-    </message>
-    <message>
         <source>%1 · summing up: %2</source>
         <translation>%1 · resumiendo: %2</translation>
+    </message>
+    <message>
+        <source>Not all of the range could be summed up: %1</source>
+        <translation>No se pudo resumir todo el intervalo: %1</translation>
     </message>
 </context>
 <context>

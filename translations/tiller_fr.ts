@@ -6797,12 +6797,12 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Cliquez dans les tracés pour poser A, puis B : ce qu’il y a entre est résumé ici.</translation>
     </message>
     <message>
-        <source>The range could not be summed up: %1</source>
-        <translation>La plage n’a pas pu être résumée : %1</translation>
-    </message>
-    <message>
         <source>%1 · summing up: %2</source>
         <translation>%1 · calcul en cours : %2</translation>
+    </message>
+    <message>
+        <source>Not all of the range could be summed up: %1</source>
+        <translation>La plage n’a pas pu être résumée en entier : %1</translation>
     </message>
 </context>
 <context>

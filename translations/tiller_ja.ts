@@ -6779,12 +6779,12 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>グラフをクリックして A、次に B を置くと、その間がここにまとまります。</translation>
     </message>
     <message>
-        <source>The range could not be summed up: %1</source>
-        <translation>範囲を集計できませんでした: %1</translation>
-    </message>
-    <message>
         <source>%1 · summing up: %2</source>
         <translation>%1 · 集計中: %2</translation>
+    </message>
+    <message>
+        <source>Not all of the range could be summed up: %1</source>
+        <translation>範囲の一部を集計できませんでした: %1</translation>
     </message>
 </context>
 <context>

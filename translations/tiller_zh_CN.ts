@@ -6779,12 +6779,12 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>在曲线图中点击放置 A，然后 B：其间的内容在此汇总。</translation>
     </message>
     <message>
-        <source>The range could not be summed up: %1</source>
-        <translation>无法汇总该区间：%1</translation>
-    </message>
-    <message>
         <source>%1 · summing up: %2</source>
         <translation>%1 · 正在汇总：%2</translation>
+    </message>
+    <message>
+        <source>Not all of the range could be summed up: %1</source>
+        <translation>该区间未能全部汇总：%1</translation>
     </message>
 </context>
 <context>

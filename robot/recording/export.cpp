@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <memory>
 
 #include "robot/recording/detail/ranges.h"
 
@@ -137,41 +138,47 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
         const std::string unit = described.unit.empty() ? "-" : described.unit;
         units += (units.empty() ? "" : std::string(1, style.separator)) + cell(unit, style.separator);
     }
-    std::string text = heading + '\n' + (style.unitsLine ? units + '\n' : std::string());
     ExportReport report;
-    const std::size_t longestRow = columns.value().size() * (kLongestNumber + 1) + 1;
+    const auto write = [&](const char* text, std::size_t size) {
+        report.bytes += static_cast<std::int64_t>(size);
+        return file.write(text, static_cast<qint64>(size)) == static_cast<qint64>(size);
+    };
+    const std::string above = heading + '\n' + (style.unitsLine ? units + '\n' : std::string());
+    if (!write(above.data(), above.size())) {
+        return writeError(file, choice.path);
+    }
+    const std::size_t count = columns.value().size();
+    std::vector<std::uint8_t> whole;
+    for (const std::size_t column : columns.value()) {
+        whole.push_back(recording.columns()[column].whole ? 1 : 0);
+    }
+    const std::size_t longestRow = count * (kLongestNumber + 1) + 1;
+    const auto text = std::make_unique_for_overwrite<char[]>(longestRow * kRowsAtOnce);
+    std::vector<const double*> values(count);
     for (std::uint64_t done = 0; done < rows.value().count; done += kRowsAtOnce) {
         if (choice.progress &&
             !choice.progress(static_cast<double>(done) / static_cast<double>(rows.value().count))) {
             return Error{ErrorCode::Cancelled, QStringLiteral("export to %1").arg(choice.path), {}};
         }
         const RowRange part{rows.value().first + done, std::min(kRowsAtOnce, rows.value().count - done)};
-        const auto values = recording.read(columns.value(), part);
-        if (!values) {
-            return values.error();
+        const auto read = recording.read(columns.value(), part);
+        if (!read) {
+            return read.error();
         }
-        const std::size_t before = text.size();
-        text.resize(before + longestRow * static_cast<std::size_t>(part.count));
-        char* at = text.data() + before;
+        std::transform(read->begin(), read->end(), values.begin(),
+                       [](const std::vector<double>& column) { return column.data(); });
+        char* at = text.get();
         for (std::size_t row = 0; row < part.count; ++row) {
-            for (std::size_t i = 0; i < columns.value().size(); ++i) {
-                at = putNumber(at, values.value()[i][row], recording.columns()[columns.value()[i]].whole,
-                               style.decimal);
+            for (std::size_t i = 0; i < count; ++i) {
+                at = putNumber(at, values[i][row], whole[i] != 0, style.decimal);
                 *at++ = style.separator;
             }
             at[-1] = '\n';
         }
-        text.resize(static_cast<std::size_t>(at - text.data()));
-        if (file.write(text.data(), static_cast<qint64>(text.size())) != static_cast<qint64>(text.size())) {
+        if (!write(text.get(), static_cast<std::size_t>(at - text.get()))) {
             return writeError(file, choice.path);
         }
         report.rows += part.count;
-        report.bytes += static_cast<std::int64_t>(text.size());
-        text.clear();
-    }
-    if (!text.empty()) {  // no rows at all
-        file.write(text.data(), static_cast<qint64>(text.size()));
-        report.bytes += static_cast<std::int64_t>(text.size());
     }
     if (!file.commit()) {
         return writeError(file, choice.path);

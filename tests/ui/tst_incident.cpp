@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
@@ -127,6 +128,7 @@ private Q_SLOTS:
     void theScrubberMovesEverythingTogether();
     void aReplayMovesNoKey();
     void backToLiveBringsNothingUnderThePointer();
+    void theLogFollowsAgainAfterBackToLive();
     void armAndModelPartWhereItWasPushed();
 };
 
@@ -297,7 +299,35 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(bench.within([&] { return !bench.state().recording.active; }));
 }
 
-// What is pressed to pause is under the pointer still, and so are the keys over the view.
+/// The log's band stays under the pointer too, and the log follows what comes again.
+void TestIncident::theLogFollowsAgainAfterBackToLive() {
+    Bench bench;
+    QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+    for (int i = 0; i < 60; ++i) {
+        Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("line %1").arg(i),
+                                              Origin::Operator);
+    }
+    bench.window.showTab("log");
+    PlotView& view = bench.plots().view();
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_A);
+    QTest::mouseClick(&bench.find<QToolButton>("plots.pause"), Qt::LeftButton);
+    auto& band = bench.find<ReplayBand>("log.replay");
+    QVERIFY(bench.within([&] { return band.isVisible(); }));
+    QWindow* window = bench.window.windowHandle();
+    const auto& live = bench.find<QToolButton>("log.replay.live");
+    const QPoint place = live.mapTo(&bench.window, live.rect().center());
+    QTest::mouseMove(window, place);
+    QTest::mouseClick(window, Qt::LeftButton, {}, place);
+    QVERIFY(bench.within([&] { return !bench.plots().replay().has_value(); }));
+    const QScrollBar* bar = bench.logTable().verticalScrollBar();
+    for (int i = 0; i < 3; ++i) {
+        Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("later %1").arg(i),
+                                              Origin::Operator);
+        QVERIFY(bench.within([&] { return bar->maximum() > 0 && bar->value() == bar->maximum(); }));
+    }
+}
+
 void TestIncident::backToLiveBringsNothingUnderThePointer() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -320,11 +350,15 @@ void TestIncident::backToLiveBringsNothingUnderThePointer() {
     bench.cell.advanceMs(100);
     QCOMPARE(bench.scene().view().height(), height);
     QVERIFY(bench.window.childAt(place) == &band || bench.window.childAt(place)->parentWidget() == &band);
+    QTest::mouseDClick(window, Qt::LeftButton, {}, place);  // and another one presses nothing
+    QVERIFY(!bench.plots().replay().has_value());
+    QCOMPARE(bench.scene().view().height(), height);
     QTest::mouseMove(window, bench.scene().view().mapTo(&bench.window, QPoint(40, 40)));
     QVERIFY(bench.within([&] { return !band.isVisible(); }));
     QVERIFY(bench.scene().view().height() > height);
 }
 
+// What is pressed to pause is under the pointer still, and so are the keys over the view.
 void TestIncident::aReplayMovesNoKey() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

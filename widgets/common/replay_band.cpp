@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/replay_band.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QTimer>
 #include <QToolButton>
 
 #include "widgets/common/elided_label.h"
@@ -58,9 +60,12 @@ void ReplayBand::setShown(bool shown) {
 
 void ReplayBand::leaveEvent(QEvent* event) {
     QFrame::leaveEvent(event);
-    if (words().isEmpty()) {
-        setShown(false);
-    }
+    // A finger is away at once: its second tap is waited for.
+    QTimer::singleShot(QApplication::doubleClickInterval(), this, [this] {
+        if (words().isEmpty() && !underMouse()) {
+            setShown(false);
+        }
+    });
 }
 
 QString ReplayBand::words() const {

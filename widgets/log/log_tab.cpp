@@ -210,7 +210,7 @@ void LogTab::select(int row) {
 }
 
 void LogTab::setReplay(const Replay& moment) {
-    const bool wasReplay = band_->isVisibleTo(this);
+    const bool wasReplay = !band_->words().isEmpty();
     band_->tell(moment ? moment->words() : QString());
     const bool own = moment && moment->events && moment->wallTime.isValid();
     if (own) {
@@ -239,7 +239,7 @@ void LogTab::add(Severity severity, const QString& text, Origin origin, const QS
     if (!recording.isEmpty()) {
         table_->setColumnHidden(LogModel::Open, false);
     }
-    if (follow && !band_->isVisibleTo(this)) {
+    if (follow && band_->words().isEmpty()) {
         table_->scrollToBottom();
     }
 }

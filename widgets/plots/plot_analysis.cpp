@@ -163,6 +163,7 @@ void PlotAnalysis::fill() {
     over_->setVisible(xy);
     x_->setVisible(xy);
     if (y_->count() == 0) {
+        cancel();
         tellWhyNot(tr("Put a signal onto the plots first."));
         return;
     }
@@ -171,6 +172,8 @@ void PlotAnalysis::fill() {
         xy ? taskFor(Kind::Xy, {x_->currentData().toInt(), signal}) : taskFor(Kind::Spectrum, {signal});
     if (task) {
         run(*task);
+    } else {
+        cancel();  // what is said stands for this range, not for the one before
     }
 }
 
@@ -230,14 +233,16 @@ void PlotAnalysis::run(const Task& task) {
         }
         return;
     }
-    if (task_ && !outcome_ && !isFile && !isFar(*task_)) {
-        again_ = true;  // live data go on faster than this does: one after the other
+    if (task_ && !outcome_ && task_->kind == task.kind && task_->wanted == task.wanted) {
+        again_ = true;  // a range that moves on is quicker than this: one after the other
         return;
     }
+    const bool goesOn = task_ && outcome_ && !outcome_->points.isEmpty() && task_->kind == task.kind &&
+                        task_->wanted == task.wanted;
     cancel();
     task_ = task;
     if (isFile) {
-        readAndCompute(task);
+        readAndCompute(task, goesOn);
     } else if ((task.end - task.begin) / task.every <= kOnTheSpot) {
         finish(task, compute(task, gather(task)));
     } else {
@@ -254,6 +259,7 @@ void PlotAnalysis::run(const Task& task) {
 void PlotAnalysis::cancel() {
     cancel_.cancel();
     cancel_ = {};
+    worker_.cancelAll();  // what waits, too
     task_.reset();
     outcome_.reset();
     again_ = false;
@@ -272,9 +278,14 @@ PlotAnalysis::Columns PlotAnalysis::gather(const Task& task) const {
     return columns;
 }
 
-void PlotAnalysis::readAndCompute(const Task& task) {
-    const auto progress = [this](double part) {
-        tellWhyNot(tr("Reading the recording: %1").arg(format::percent(part)));
+void PlotAnalysis::readAndCompute(const Task& task, bool goesOn) {
+    const auto progress = [this, goesOn](double part) {
+        const QString words = tr("Reading the recording: %1").arg(format::percent(part));
+        if (goesOn) {
+            title_->setText(words);
+        } else {
+            tellWhyNot(words);
+        }
     };
     progress(0);
     worker_.post(this, [this, task, progress, token = cancel_,
@@ -303,6 +314,9 @@ void PlotAnalysis::readAndCompute(const Task& task) {
             return !token.isCancelled();
         });
         Outcome outcome;
+        if (token.isCancelled() || ending.isCancelled()) {
+            return std::function<void()>();
+        }
         if (read) {
             outcome = compute(task, columns);
         } else {

@@ -77,7 +77,8 @@ private:
     std::optional<Task> taskFor(Kind kind, const std::vector<int>& wanted);
     /// What there is of it, or how far it is; begins it where it is another one than before.
     void run(const Task& task);
-    void readAndCompute(const Task& task);
+    /// goesOn  what is shown is of the same, and stays until then
+    void readAndCompute(const Task& task, bool goesOn);
     void finish(const Task& task, const Outcome& outcome);
     void present(const Task& task, const Outcome& outcome);
     void tellWhyNot(const QString& message);

@@ -9,12 +9,15 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/signals/derivation.h"
+
 namespace tiller {
 
 namespace {
 
 constexpr qsizetype kLongestName = 60;
-constexpr qsizetype kLongestKey = 400;
+/// A recording's name, which is a file's, and what a computed signal may be written as.
+constexpr qsizetype kLongestKey = Derivation::kLongestText;
 constexpr double kLeastShare = 0.05;
 constexpr double kMostShare = 20;
 
@@ -144,8 +147,10 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray& json) {
     for (const QJsonValue& value : limits) {
         const QJsonObject limit = value.toObject();
         if (layout.thresholds.size() < PlotMarks::kMostThresholds && limit["limit"].isDouble()) {
-            layout.thresholds.append({limit["signal"].toString().left(kLongestKey), limit["limit"].toDouble(),
-                                      limit["above"].toBool(true)});
+            const QString key = limit["signal"].toString();
+            if (key.size() <= kLongestKey) {
+                layout.thresholds.append({key, limit["limit"].toDouble(), limit["above"].toBool(true)});
+            }
         }
     }
     const auto axis = std::find_if(kTimeAxes.begin(), kTimeAxes.end(), [&](const char* name) {

@@ -23,8 +23,15 @@ QAction* addAction(QMenu& menu, const char* name, const QString& text, Todo todo
     return action;
 }
 
-/// As Derivation reads it.
-QString derivationText(const QString& name, const QString& unit, const QString& expression) {
+/// As Derivation reads it. Of a name or a unit of others what it would take for something else is left out.
+QString derivationText(QString name, QString unit, const QString& expression) {
+    constexpr qsizetype kName = 40;
+    constexpr qsizetype kUnit = 12;
+    for (QString* part : {&name, &unit}) {
+        part->removeIf([](QChar letter) { return QStringLiteral("=[]").contains(letter); });
+    }
+    name = name.trimmed().left(kName);
+    unit = unit.size() > kUnit ? QString() : unit;
     return unit.isEmpty() ? QStringLiteral("%1 = %2").arg(name, expression)
                           : QStringLiteral("%1 [%2] = %3").arg(name, unit, expression);
 }
@@ -53,8 +60,10 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
     if (signal >= 0) {
         addCurve(menu, pane, signal);
         menu.addSeparator();
-        addThresholds(menu, pane, signal, pane.valueAt(place.y()));
-        menu.addSeparator();
+        if (!store_.isRecorded(signal)) {  // nothing more comes there that could cross one
+            addThresholds(menu, pane, signal, pane.valueAt(place.y()));
+            menu.addSeparator();
+        }
         addDerived(menu, pane, signal);
         menu.addSeparator();
     }
@@ -111,6 +120,8 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
         addAction(menu, name, text, [view = &view_, store = &store_, at, derivation, place] {
             if (const Result<int> made = store->derive(derivation)) {
                 view->addSignals({store->info(*made).key}, at, place);
+            } else {
+                store->refuse(made.error());
             }
         });
     };

@@ -106,26 +106,27 @@ void PlotValues::fill() {
     if (a && b) {
         sums_.want(shown, *a, *b);
         if (const QString& problem = sums_.problem(); !problem.isEmpty()) {
-            between_->setText(tr("The range could not be summed up: %1").arg(problem));
+            between_->setText(tr("Not all of the range could be summed up: %1").arg(problem));
         } else if (sums_.part() < 1) {
             between_->setText(tr("%1 · summing up: %2").arg(between_->text(), format::percent(sums_.part())));
         }
     }
-    const bool isSummed = !a || !b || sums_.part() >= 1;
+    const bool isUnderWay = a && b && sums_.part() < 1 && sums_.problem().isEmpty();
     table_->setRowCount(static_cast<int>(shown.size()));
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const SignalInfo& info = store_.info(shown[i]);
         const double va = a ? store_.valueAt(shown[i], *a).value_or(kMissing) : kMissing;
         const double vb = b ? store_.valueAt(shown[i], *b).value_or(kMissing) : kMissing;
         std::optional<RangeStatistics> all;
-        if (a && b && isSummed) {
+        if (a && b) {
             all = sums_.statistics(shown[i], *a, *b);
         }
         const auto figure = [&](double value, int more = 0) {
             return std::isnan(value) ? QStringLiteral("–") : format::number(value, info.digits + more);
         };
         const auto ofAll = [&](auto member, int more = 0) {
-            return all ? figure(member(*all), more) : isSummed ? QStringLiteral("–") : QStringLiteral("…");
+            return all ? figure(member(*all), more)
+                       : QString(isUnderWay ? QStringLiteral("…") : QStringLiteral("–"));
         };
         const QString name =
             info.unit.isEmpty() ? info.longLabel : QStringLiteral("%1 [%2]").arg(info.longLabel, info.unit);

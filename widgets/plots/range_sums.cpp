@@ -97,6 +97,7 @@ RangeSums::RangeSums(const SignalStore& store, QObject* parent) : QObject(parent
     connect(&store_, &SignalStore::signalAdded, this, [this](int signal) {
         if (signal < 0) {  // recordings were closed
             endReading();
+            failed_.clear();
         }
     });
 }
@@ -109,6 +110,7 @@ void RangeSums::endReading() {
     if (reading_) {
         reading_->cancel.cancel();
         reading_.reset();
+        worker_.cancelAll();
     }
 }
 
@@ -147,11 +149,16 @@ void RangeSums::want(std::span<const int> wanted, double from, double to) {
     std::map<QString, Missing> files;  // by the recording
     std::int64_t asked = 0;
     std::int64_t missing = 0;
+    bool isMemoryMissing = false;
+    problem_.clear();
     std::int64_t atOnce = kBlocksAtOnce;
     for (const int signal : wanted) {
         const auto range = rangeOf(signal, from, to);
         if (!range) {
             continue;
+        }
+        if (const auto failed = failed_.constFind(store_.recordingOf(signal)); failed != failed_.constEnd()) {
+            problem_ = *failed;
         }
         std::vector<std::int64_t> unknown;
         const Blocks& blocks = blocks_[signal];
@@ -165,11 +172,15 @@ void RangeSums::want(std::span<const int> wanted, double from, double to) {
         const bool isFar =
             store_.buffer(signal)->isInFile() && static_cast<std::int64_t>(unknown.size()) > kFewBlocks;
         if (isFar) {
-            Missing& file = files[store_.recordingOf(signal)];
+            missing += static_cast<std::int64_t>(unknown.size());
+            const QString recording = store_.recordingOf(signal);
+            if (failed_.contains(recording)) {
+                continue;
+            }
+            Missing& file = files[recording];
             file.of.push_back(signal);
             file.first = std::min(file.first, unknown.front());
             file.end = std::max(file.end, unknown.back() + 1);
-            missing += static_cast<std::int64_t>(unknown.size());
             continue;
         }
         for (const std::int64_t block : unknown) {
@@ -178,33 +189,32 @@ void RangeSums::want(std::span<const int> wanted, double from, double to) {
                 --atOnce;
             } else {
                 ++missing;
+                isMemoryMissing = true;
             }
         }
     }
     part_ = asked == 0 ? 1 : 1 - static_cast<double>(missing) / static_cast<double>(asked);
-    if (missing == 0) {
-        return;
-    }
-    if (files.empty()) {
+    if (isMemoryMissing) {
         QMetaObject::invokeMethod(this, &RangeSums::known, Qt::QueuedConnection);
-        return;
     }
-    // One file after the other.
-    const Missing& next = files.begin()->second;
-    if (!reading_ || !reading_->covers(next.of, next.first, next.end)) {
-        read(next.of, next.first, next.end);
+    if (!files.empty()) {
+        // One file after the other.
+        const auto& [recording, next] = *files.begin();
+        if (!reading_ || !reading_->covers(next.of, next.first, next.end)) {
+            read(recording, next.of, next.first, next.end);
+        }
     }
 }
 
-void RangeSums::read(const std::vector<int>& wanted, std::int64_t firstBlock, std::int64_t endBlock) {
+void RangeSums::read(const QString& recording, const std::vector<int>& wanted, std::int64_t firstBlock,
+                     std::int64_t endBlock) {
     endReading();
-    problem_.clear();
     const auto stretch = store_.stretchOf(wanted, firstBlock * kSumRows, endBlock * kSumRows);
     if (!stretch) {
         return;
     }
     reading_ = std::make_shared<Reading>(Reading{wanted, firstBlock, endBlock, {}});
-    worker_.post(this, [this, stretch = *stretch, reading = reading_](const CancelToken& ending) {
+    worker_.post(this, [this, recording, stretch = *stretch, reading = reading_](const CancelToken& ending) {
         const auto done = stretch.readAll(ending, [&](std::uint64_t first, const RecordedRows::Rows& rows) {
             std::vector<std::vector<Moments>> sums(rows.values.size());
             for (std::size_t i = 0; i < rows.values.size(); ++i) {
@@ -230,14 +240,13 @@ void RangeSums::read(const std::vector<int>& wanted, std::int64_t firstBlock, st
                 Qt::QueuedConnection);
             return !reading->cancel.isCancelled();
         });
-        return std::function<void()>([this, reading, done] {
+        return std::function<void()>([this, recording, reading, done] {
             if (reading->cancel.isCancelled()) {
                 return;
             }
+            reading_.reset();
             if (!done) {
-                problem_ = done.error().toString();
-            } else if (reading_ == reading) {
-                reading_.reset();
+                failed_.insert(recording, done.error().toString());
             }
             Q_EMIT known();
         });

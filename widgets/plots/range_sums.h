@@ -5,7 +5,9 @@
 // hour costs no more than one that moves over a second; those of a long recording are made by a worker, which reads the file
 // for them once.
 
+#include <QHash>
 #include <QObject>
+#include <QString>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -67,7 +69,7 @@ public:
     void want(std::span<const int> wanted, double from, double to);
     /// What of it is known: 0 ... 1.
     double part() const { return part_; }
-    /// Why it will not be known; empty: it will.
+    /// Why some of it is not known, or not of all rows; empty: it is, or will be.
     const QString& problem() const { return problem_; }
     /// Nothing where there is no value, or while part() is below 1.
     std::optional<RangeStatistics> statistics(int signal, double from, double to) const;
@@ -87,7 +89,8 @@ private:
     std::optional<Range> rangeOf(int signal, double from, double to) const;
     Moments sum(int signal, std::int64_t begin, std::int64_t end) const;
     /// Blocks first ... end - 1 of these signals in the file; takes the place of what was being read.
-    void read(const std::vector<int>& wanted, std::int64_t firstBlock, std::int64_t endBlock);
+    void read(const QString& recording, const std::vector<int>& wanted, std::int64_t firstBlock,
+              std::int64_t endBlock);
     void endReading();
     void take(int signal, std::int64_t block, const Moments& moments);
 
@@ -95,6 +98,7 @@ private:
     std::map<int, Blocks> blocks_;  ///< by signal
     double part_ = 1;
     QString problem_;
+    QHash<QString, QString> failed_;    ///< of these recordings, why
     std::shared_ptr<Reading> reading_;  ///< null: nothing is being read
     SessionWorker worker_;              ///< last: its jobs end before the rest
 };

@@ -210,8 +210,9 @@ Result<std::shared_ptr<Derivation>> Derivation::make(const QString& text,
         QRegularExpression::DotMatchesEverythingOption);
     static const QRegularExpression kStretch(
         QStringLiteral("^(deriv|mean)\\(\\s*([A-Za-z_][\\w.]*)\\s*,\\s*([0-9.]+)\\s*\\)$"));
+    const auto tooLong = [] { return wrong(DerivationText::tr("The text is too long.")); };
     if (text.size() > kLongestText) {
-        return wrong(DerivationText::tr("The text is too long."));
+        return tooLong();
     }
     const QRegularExpressionMatch form = kForm.match(text);
     if (!form.hasMatch()) {
@@ -251,7 +252,9 @@ Result<std::shared_ptr<Derivation>> Derivation::make(const QString& text,
     made->text_ = made->unit_.isEmpty()
                       ? QStringLiteral("%1 = %2").arg(made->name_, expression)
                       : QStringLiteral("%1 [%2] = %3").arg(made->name_, made->unit_, expression);
-    return made;
+    // It is read from its own spelling too.
+    return made->text_.size() > kLongestText ? Result<std::shared_ptr<Derivation>>(tooLong())
+                                             : Result<std::shared_ptr<Derivation>>(made);
 }
 
 }  // namespace tiller

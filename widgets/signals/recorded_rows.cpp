@@ -12,8 +12,10 @@ namespace tiller {
 namespace {
 
 constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
-/// So many are read at once: whole blocks of the history.
-constexpr std::uint64_t kRowsAtATime = 8 * static_cast<std::uint64_t>(SeriesColumn::kBlockRows);
+/// So many are read at once: a block of the history, of which a recording keeps all it has unpacked.
+constexpr std::uint64_t kRowsAtATime = static_cast<std::uint64_t>(SeriesColumn::kBlockRows);
+/// Where many rows before have a say, more at once: those before are read for all of them.
+constexpr std::uint64_t kRowsWithLookBack = 8 * kRowsAtATime;
 
 }  // namespace
 
@@ -117,12 +119,14 @@ std::vector<double> RecordedRows::computed(std::size_t signal, const Rows& input
 Result<void> RecordedRows::readAll(recording::RowRange range, const CancelToken& cancel,
                                    const std::function<bool(std::uint64_t, const Rows&)>& each) {
     const std::uint64_t end = range.first + range.count;
+    const bool looksFar = lookBack_ > file_.period() * static_cast<double>(kRowsAtATime);
+    const std::uint64_t atATime = looksFar ? kRowsWithLookBack : kRowsAtATime;
     for (std::uint64_t at = range.first; at < end;) {
         if (cancel.isCancelled()) {
             return Error{ErrorCode::Cancelled, QStringLiteral("read %1").arg(file_.path()), {}};
         }
         // Up to a multiple of it: what is made of whole blocks meets whole blocks.
-        const std::uint64_t next = std::min(end, (at / kRowsAtATime + 1) * kRowsAtATime);
+        const std::uint64_t next = std::min(end, (at / atATime + 1) * atATime);
         const Result<Rows> rows = read({at, next - at});
         if (!rows) {
             return rows.error();
@@ -142,11 +146,17 @@ Result<void> RecordedStretch::readAll(
     if (!file) {
         return file.error();
     }
-    if ((*file)->rows() < rows.first + rows.count) {
-        return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path),
-                     QStringLiteral("it has fewer rows than before")};
+    const QString context = QStringLiteral("read %1").arg(path);
+    if ((*file)->rows() < rows.first + rows.count || (*file)->startUtcNs() != startUtcNs ||
+        (*file)->columns().size() != columns) {
+        return Error{ErrorCode::FileNotReadable, context, QStringLiteral("another file has taken its place")};
     }
-    return RecordedRows(**file, begin, wanted).readAll(rows, cancel, each);
+    const qsizetype before = (*file)->problems().size();
+    auto read = RecordedRows(**file, begin, wanted).readAll(rows, cancel, each);
+    if (read && (*file)->problems().size() > before) {
+        return Error{ErrorCode::FileCorrupt, context, (*file)->problems().last()};
+    }
+    return read;
 }
 
 }  // namespace tiller

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,9 +68,14 @@ struct RecordedStretch {
     QString path;
     double begin = 0;  ///< where the first row stands on the plots' time axis [s]
     recording::RowRange rows;
+    std::optional<std::int64_t>
+        startUtcNs;  ///< and columns: of the file that is meant, not of one that took its place
+    std::size_t columns = 0;
     std::vector<RecordedSignal> wanted;
 
-    /// As RecordedRows::readAll(); opens the file. Threads any
+    /// As RecordedRows::readAll(); opens the file. Rows that cannot be read have no values, and are told in the end.
+    /// Errors   FileCorrupt, FileNotReadable, Cancelled
+    /// Threads  any
     Result<void> readAll(
         const CancelToken& cancel,
         const std::function<bool(std::uint64_t first, const RecordedRows::Rows& rows)>& each) const;

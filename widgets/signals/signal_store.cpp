@@ -154,7 +154,7 @@ std::vector<std::int64_t> SignalStore::changes(int signal, std::int64_t begin, s
 Result<int> SignalStore::derive(const QString& text) {
     const auto exists = [this](const QString& key) {
         const int signal = find(key);
-        return signal >= 0 && info(signal).bit < 0;
+        return signal >= 0 && info(signal).bit < 0 && !isDerived(signal);
     };
     Result<std::shared_ptr<Derivation>> made = Derivation::make(text, exists);
     if (!made) {
@@ -162,6 +162,10 @@ Result<int> SignalStore::derive(const QString& text) {
     }
     const std::shared_ptr<Derivation> derivation = *made;
     if (const int known = find(derivation->text()); known >= 0) {
+        if (Signal& one = signals_[static_cast<std::size_t>(known)];
+            one.computedPart < 1 && !one.isComputing) {
+            compute(known);  // what failed may do now
+        }
         return known;
     }
     const Error context{ErrorCode::InvalidArgument, tr("compute a signal"), {}};
@@ -248,6 +252,8 @@ std::optional<RecordedStretch> SignalStore::stretchOf(std::span<const int> wante
     }
     stretch.path = table->file->path();
     stretch.begin = table->pieces->begin();
+    stretch.startUtcNs = table->file->startUtcNs();
+    stretch.columns = table->file->columns().size();
     stretch.rows = {static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(end - begin)};
     return stretch;
 }
@@ -255,12 +261,18 @@ std::optional<RecordedStretch> SignalStore::stretchOf(std::span<const int> wante
 void SignalStore::compute(int signal) {
     Signal& computed = signals_[static_cast<std::size_t>(signal)];
     Table& table = tables_[static_cast<std::size_t>(computed.table)];
-    computed.column = table.pieces->addComputed(recordedSignal(signal));
+    if (computed.column < 0) {
+        computed.column = table.pieces->addComputed(recordedSignal(signal));
+    }
     computed.computedPart = 0;
+    computed.isComputing = true;
     const std::array<int, 1> itself = {signal};
     const RecordedStretch stretch = *stretchOf(itself, 0, table.buffer->end());
     // All rows have to be looked at for it, which takes seconds by the hour: the plots go on meanwhile.
     worker_.post(this, [this, signal, stretch, closing = closing_](const CancelToken& ending) {
+        if (closing.isCancelled()) {
+            return std::function<void()>();
+        }
         const auto read = stretch.readAll(ending, [&](std::uint64_t first, const RecordedRows::Rows& rows) {
             constexpr auto kEach = static_cast<std::size_t>(SeriesColumn::kSummary);
             std::vector<MinMax> extents((rows.times.size() + kEach - 1) / kEach);
@@ -281,7 +293,9 @@ void SignalStore::compute(int signal) {
             if (closing.isCancelled()) {
                 return;
             }
-            signals_[static_cast<std::size_t>(signal)].computedPart = 1;
+            Signal& done = signals_[static_cast<std::size_t>(signal)];
+            done.isComputing = false;
+            done.computedPart = read ? 1 : done.computedPart;
             Q_EMIT computedFurther(signal);
             if (!read) {
                 Q_EMIT computationFailed(tr("%1 could not be computed to its end: %2")
@@ -382,7 +396,9 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
     } else if (const Result<void> read = readTimes(*file, *history, begin); !read) {
         return read.error();
     }
-    const QString plain = QFileInfo(file->path()).fileName();
+    // As it can be written into an expression.
+    QString plain = QFileInfo(file->path()).fileName();
+    plain.replace(QLatin1Char('{'), QLatin1Char('(')).replace(QLatin1Char('}'), QLatin1Char(')'));
     QString name = plain;
     const auto isTaken = [this](const QString& wanted) {
         return std::any_of(tables_.begin(), tables_.end(),

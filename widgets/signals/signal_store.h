@@ -53,6 +53,8 @@ public:
     /// Returns  its number; that of the one there is, where it was made before
     /// Errors   InvalidArgument, saying what is wrong with the text; those of Recording
     Result<int> derive(const QString& text);
+    /// Says why derive() did not make one that a menu offers.
+    void refuse(const Error& error) { Q_EMIT computationFailed(error.controllerMessage); }
     /// By its key, which for a derived signal is its text: that is made where it is not there yet. -1: cannot be.
     int findOrDerive(const QString& key);
 
@@ -134,7 +136,7 @@ Q_SIGNALS:
     void signalAdded(int signal);
     /// More is known of a signal that is computed from a long recording.
     void computedFurther(int signal);
-    /// It could not be computed to its end.
+    /// A signal could not be computed, or not to its end.
     void computationFailed(const QString& why);
 
 private:
@@ -159,6 +161,7 @@ private:
         std::vector<int> inputs;        ///< signals
         std::vector<int> inputColumns;  ///< of the same table
         double computedPart = 1;        ///< of a long recording
+        bool isComputing = false;
     };
 
     /// The sample whose values hold at this time; nothing in a gap or where there are no data.

@@ -40,7 +40,8 @@ public:
         keys.removeDuplicates();
         auto* data = new QMimeData;
         data->setData(QLatin1String(SignalTree::kMime), keys.join(QLatin1Char('\n')).toUtf8());
-        // Into an expression.
+        // Into an expression, which is over what a robot or a file tells.
+        keys.removeIf([](const QString& key) { return key.contains(QLatin1Char('=')); });
         std::transform(keys.begin(), keys.end(), keys.begin(), &Derivation::written);
         data->setText(keys.join(QStringLiteral(", ")));
         return data;

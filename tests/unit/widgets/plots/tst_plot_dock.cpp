@@ -834,6 +834,29 @@ private Q_SLOTS:
         QTRY_VERIFY(b.curve(*norm).range().max == 40);
     }
 
+    /// The menu of a curve computes from columns whatever they are called.
+    void theMenuDerivesFromForeignColumns() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("a {strange} one = 2.csv");
+        {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("time,\"Fx [N] = a name of more letters than anybody would read\"\n");
+            for (int i = 0; i < 2000; ++i) {
+                file.write(QByteArray::number(i * 0.002, 'f', 4) + ',' + QByteArray::number(i * 0.5) + '\n');
+            }
+        }
+        b.dock.openRecording(path);
+        QTRY_COMPARE(b.dock.pages().count(), 2);
+        const PlotPane& pane = *b.view().panes()[0];
+        QVERIFY(!pane.shown().empty());
+        const int before = b.dock.store().count();
+        b.menuAt(pane.area().center(), "plots.menu.derivative");
+        QCOMPARE(b.dock.store().count(), before + 1);
+        QVERIFY(std::abs(b.dock.store().value(before, 1000) - 250) < 1e-3);
+    }
+
     void theTimeAxisCountsWhatIsChosen() {
         Bench b;
         const auto choose = [&](TimeAxis axis) {

@@ -210,6 +210,78 @@ private Q_SLOTS:
         RangeSums sums(opened.store);
         QVERIFY(!ask(sums, opened.signal, kBegin, kBegin + 1000));
         QVERIFY(sums.problem().contains("goes.mcap"));
+        // Asked again it is told again, and not read again; what needs no reading is there all the same.
+        const std::array<int, 1> wanted = {opened.signal};
+        QSignalSpy known(&sums, &RangeSums::known);
+        sums.want(wanted, kBegin, kBegin + 1000);
+        QVERIFY(sums.problem().contains("goes.mcap"));
+        QVERIFY(!known.wait(100));
+        const int live = opened.store.find("actual_q_0");
+        const std::array<int, 1> other = {live};
+        sums.want(other, kBegin, kBegin + 1000);
+        QVERIFY(sums.problem().isEmpty());
+        opened.store.want(this, {});
+        opened.store.closeRecordings();
+        sums.want(other, kBegin, kBegin + 1000);
+        QVERIFY(sums.problem().isEmpty());
+    }
+
+    /// One that is gone does not keep the other one waiting.
+    void aRecordingThatFailsIsNotInTheWayOfAnother() {
+        const QString path = long_->folder.filePath("a.mcap");
+        QVERIFY(QFile::copy(long_->path, path));
+        Opened opened(path);
+        auto file = recording::openRecording(long_->path);
+        const QString name = opened.store.open(std::move(file).value(), kBegin).value();
+        const int second = opened.store.find(name + QStringLiteral("/actual_TCP_force_2"));
+        QVERIFY(opened.store.want(this, {opened.signal, second}));
+        QVERIFY(QFile::remove(path));
+        RangeSums sums(opened.store);
+        const std::array<int, 2> wanted = {opened.signal, second};
+        QSignalSpy known(&sums, &RangeSums::known);
+        const double to = kBegin + 1000;
+        sums.want(wanted, kBegin, to);
+        while (!sums.statistics(second, kBegin, to)) {
+            QVERIFY(known.wait(60'000));
+            sums.want(wanted, kBegin, to);
+        }
+        QVERIFY(sums.problem().contains("a.mcap"));
+        QVERIFY(!sums.statistics(opened.signal, kBegin, to));
+    }
+
+    /// Recorded anew under its name: the window still has the one that was, and a worker must not take the other for it.
+    void anotherFileInItsPlaceIsNotTakenForIt() {
+        const QString path = long_->folder.filePath("anew.mcap");
+        QVERIFY(QFile::copy(long_->path, path));
+        Opened opened(path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        QVERIFY(QFile::remove(path));
+        QVERIFY(test::writeFile(path, test::madeFile(*recording::mcapFormat(), 2000)));
+        RangeSums sums(opened.store);
+        QVERIFY(!ask(sums, opened.signal, kBegin, kBegin + 1000));
+        QVERIFY2(sums.problem().contains("another file"), qPrintable(sums.problem()));
+    }
+
+    /// A part of the file is not what it was: what is left is summed up, and that is said.
+    void damageIsSaid() {
+        QFile whole(long_->path);
+        QVERIFY(whole.open(QIODevice::ReadOnly));
+        QByteArray bytes = whole.readAll();
+        const QString path = long_->folder.filePath("damaged.mcap");
+        for (qsizetype i = bytes.size() / 3; i < bytes.size() / 3 + 2000; ++i) {
+            bytes[i] = static_cast<char>(bytes[i] ^ 0x5a);
+        }
+        QVERIFY(test::writeFile(path, bytes.toStdString()));
+        Opened opened(path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        RangeSums sums(opened.store);
+        ask(sums, opened.signal, kBegin, long_->timeOf(kRows - 1));
+        const std::array<int, 1> wanted = {opened.signal};
+        QTRY_VERIFY((sums.want(wanted, kBegin, long_->timeOf(kRows - 1)), !sums.problem().isEmpty()));
+        const auto told = sums.statistics(opened.signal, kBegin, long_->timeOf(kRows - 1));
+        QVERIFY(told.has_value());
+        QVERIFY(told->count > static_cast<std::int64_t>(kRows) * 9 / 10);
+        QVERIFY(told->count < static_cast<std::int64_t>(kRows));
     }
 
     void whoClosesItMeanwhileHearsNoMoreOfIt() {

@@ -153,6 +153,35 @@ private Q_SLOTS:
         QVERIFY(unknown.error().controllerMessage.contains("“run 1.mcap/actual_q_0”"));
     }
 
+    void asLongAsItMayBeItIsReadFromItsOwnSpelling() {
+        SignalStore store;
+        for (const bool unit : {false, true}) {
+            const QString head = unit ? QStringLiteral("x[N]=actual_q_0") : QStringLiteral("x=actual_q_0");
+            for (qsizetype length = Derivation::kLongestText - 6; length <= Derivation::kLongestText;
+                 ++length) {
+                QString text = head;
+                while (text.size() + 2 <= length) {
+                    text += QStringLiteral("+1");
+                }
+                text += text.size() < length ? QStringLiteral(" ") : QString();
+                const auto made = store.derive(text);
+                const auto again = made ? store.derive(store.info(*made).key) : made;
+                QCOMPARE(again.ok(), made.ok());
+                QVERIFY(!made.ok() || *again == *made);
+            }
+        }
+    }
+
+    void nothingIsComputedFromWhatIsComputed() {
+        SignalStore store;
+        const auto mean = store.derive("m = mean(actual_q_1, 0.5)");
+        QVERIFY(mean.ok());
+        const auto made =
+            store.derive(QStringLiteral("x = 2 * %1").arg(Derivation::written(store.info(*mean).key)));
+        QCOMPARE(made.error().code, ErrorCode::InvalidArgument);
+        QCOMPARE(store.derive("x = 2 * {m}").error().code, ErrorCode::InvalidArgument);
+    }
+
     void aDivisionByNothingIsNoNumber() {
         Source s;
         const auto made = s.store.derive("x = 1 / (actual_q_1 - 2)");
