@@ -13,7 +13,7 @@ namespace tiller::recording {
 
 namespace {
 
-constexpr std::uint64_t kRowsAtOnce = 4096;
+constexpr std::uint64_t kRowsAtOnce = 512;  // of all columns they stay in the cache
 constexpr std::size_t kLongestNumber = 32;
 
 bool belongsTo(std::string_view column, std::string_view field) {
