@@ -344,7 +344,7 @@ QWidget* SettingsPage::buildShortcuts() {
     shortcuts_->verticalHeader()->setDefaultSectionSize(keyRowHeight());
     shortcuts_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     shortcuts_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    shortcuts_->setColumnWidth(1, 190);
+    shortcuts_->setColumnWidth(1, 300);
     shortcuts_->setShowGrid(false);
     shortcuts_->setSelectionMode(QAbstractItemView::NoSelection);
     shortcuts_->setEditTriggers(QAbstractItemView::NoEditTriggers);

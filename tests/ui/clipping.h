@@ -10,6 +10,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHeaderView>
+#include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -179,6 +180,10 @@ inline QString problemOf(const QWidget& widget) {
         return field == nullptr ? QString() : problemOfField(box->text(), *field, roomIn(*field));
     }
     if (const auto* field = qobject_cast<const QLineEdit*>(&widget)) {
+        if (qobject_cast<const QKeySequenceEdit*>(field->parentWidget()) != nullptr) {
+            const QString words = field->text().isEmpty() ? field->placeholderText() : field->text();
+            return problemOfField(words, *field, roomIn(*field));
+        }
         return problemOfField(field->placeholderText(), *field, field->width() - 8);
     }
     if (const auto* bar = qobject_cast<const QTabBar*>(&widget)) {
@@ -196,9 +201,10 @@ inline QString problemOf(const QWidget& widget) {
 /// Qt's own inner parts, which arrange themselves.
 inline bool isInner(const QWidget& widget) {
     const QWidget* parent = widget.parentWidget();
-    return widget.objectName().startsWith(QLatin1String("qt_")) || widget.inherits("QScrollBar") ||
-           widget.inherits("QLineEditIconButton") || widget.inherits("QTableCornerButton") ||
-           qobject_cast<const QTabBar*>(parent) != nullptr ||
+    return (widget.objectName().startsWith(QLatin1String("qt_")) &&
+            qobject_cast<const QKeySequenceEdit*>(parent) == nullptr) ||
+           widget.inherits("QScrollBar") || widget.inherits("QLineEditIconButton") ||
+           widget.inherits("QTableCornerButton") || qobject_cast<const QTabBar*>(parent) != nullptr ||
            qobject_cast<const QAbstractSpinBox*>(parent) != nullptr ||
            qobject_cast<const QComboBox*>(parent) != nullptr;
 }
