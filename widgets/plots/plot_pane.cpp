@@ -79,6 +79,8 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
     chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     chart_->legend()->detachFromChart();
     chart_->legend()->setBackgroundVisible(false);
+    // It reaches into the plot: a click there is one into the plot. The names are looked up by legendAt().
+    chart_->legend()->setAcceptedMouseButtons(Qt::NoButton);
     scene.addItem(chart_.get());
     applyTheme();
     updateValueAxis();

@@ -268,6 +268,26 @@ private Q_SLOTS:
         QVERIFY2(b.readout().startsWith("A–B Δt −9.800 s · ΔFz −9.8 N"), qPrintable(b.readout()));
     }
 
+    /// Wherever in a plot, its upper edge included, but on a name of the legend.
+    void aClickAnywhereInAPlotPlacesACursor() {
+        Bench b;
+        b.view().pause();
+        for (const int height : {375, 700}) {
+            b.dock.resize(1500, height);
+            QTest::qWait(1);
+            for (const auto& pane : b.view().panes()) {
+                const QRectF area = pane->area();
+                for (double y = area.top() + 2; y < area.bottom() - 1; y += 3) {
+                    b.view().setCursor(PlotView::Cursor::A, {});
+                    const QPoint place(b.at(50).x(), static_cast<int>(y));
+                    QTest::mouseClick(b.view().viewport(), Qt::LeftButton, {}, place);
+                    QVERIFY2(b.view().cursor(PlotView::Cursor::A).has_value(),
+                             qPrintable(QStringLiteral("%1 px below the upper edge").arg(y - area.top())));
+                }
+            }
+        }
+    }
+
     void aCursorIsDraggedByItsLine() {
         Bench b;
         b.view().pause();
