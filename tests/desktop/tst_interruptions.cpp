@@ -110,6 +110,7 @@ private Q_SLOTS:
         hand().sendButton(key.window, key.middle(), true);
         arm().untilMoving(kContract);  // it may have begun, or the window is told of buttons in another way
         verifyStands();
+        useUp();  // nobody lets it go: to the window a button stays down
     }
 
     void theDisplayServerIsKilled() {
