@@ -221,8 +221,10 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
 
 bool PlotAnalysis::isFar(const Task& task) const {
     return task.end - task.begin > kOnTheSpot &&
-           std::any_of(task.wanted.begin(), task.wanted.end(),
-                       [this](int signal) { return store_.buffer(signal)->isInFile(); });
+           std::any_of(task.wanted.begin(), task.wanted.end(), [this](int signal) {
+               const SeriesBuffer* history = store_.buffer(signal);
+               return history != nullptr && history->isInFile();
+           });
 }
 
 void PlotAnalysis::run(const Task& task) {
