@@ -8,7 +8,7 @@ if(TILLER_GOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT TILLER_SANITIZE)
     add_link_options(-fuse-ld=gold)
 endif()
 
-# What every target of ours is compiled with. Errors, not warnings: see README, "Contributing".
+# What every target of ours is compiled with. Errors, not warnings: see packaging/reference/contributing.md.
 add_library(tiller_options INTERFACE)
 target_compile_features(tiller_options INTERFACE cxx_std_20)
 target_include_directories(tiller_options INTERFACE ${CMAKE_SOURCE_DIR})

@@ -24,7 +24,7 @@ class TestReadme(unittest.TestCase):
         with open(os.environ["TILLER_README"], encoding="utf-8") as file:
             examples = re.findall(r"```python\n(.*?)```", file.read(), re.DOTALL)
         self.assertEqual(len(examples), 2)
-        ran = subprocess.run([sys.executable, "-c", examples[0], self.host], capture_output=True, text=True)
+        ran = subprocess.run([sys.executable, "-c", examples[1], self.host], capture_output=True, text=True)
         self.assertEqual(ran.returncode, 0, ran.stderr)
         pose = [float(number) for number in ran.stdout.strip().strip("[]").split(",")]
         self.assertEqual(len(pose), 6)
