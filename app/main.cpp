@@ -194,6 +194,7 @@ int main(int argc, char* argv[]) {
         return runDemonstration(application, *window, line->demoDirectory);
     }
     tellOfSize(*window);
+    window->keepUnsavedWorkIn(app::unsavedWorkFolder());
     window->offerCrashReport(app::crashReportPath());
     app::keepCrashReports(app::crashReportPath());
     window->lookForDevices();
@@ -213,6 +214,7 @@ int main(int argc, char* argv[]) {
         // What is open now, not what the program was started with.
         line->projectFile.clear();
         window = openWindow(*line, settings, [&](app::MainWindow& opened) { connectAgain(opened, *before); });
+        window->keepUnsavedWorkIn(app::unsavedWorkFolder());
         window->lookForDevices();
     }
 }
