@@ -70,7 +70,7 @@ int sizeFor(const QStringList& arguments) {
 
 /// Once: where any setting was chosen, this one was seen too.
 void tellOfSize(app::MainWindow& window) {
-    if (app::looksSmall(*window.screen()) && !app::openSettings({}).contains(QStringLiteral("look/size"))) {
+    if (app::looksSmall(*window.screen()) && !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
         Q_EMIT window.session().message(
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",

@@ -129,6 +129,10 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     , session_(std::make_unique<RobotSession>(clock))
     , document_(std::make_unique<ProjectDocument>())
     , files_(std::make_unique<ProjectFiles>(*document_)) {
+    settings_.setWriteFailed([this](const Error& error) {
+        Q_EMIT session_->message(Severity::Error,
+                                 tr("The settings could not be saved. %1").arg(texts::errorText(error)));
+    });
     setObjectName("mainWindow");
     setWindowTitle(tr("Tiller"));
     setWindowIcon(applicationIcon());
