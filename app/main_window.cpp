@@ -370,11 +370,7 @@ void MainWindow::connectReplay() {
 void MainWindow::connectProject() {
     connect(document_.get(), &ProjectDocument::documentChanged, this, &MainWindow::keepProject);
     keepProject();
-    const auto showFile = [this] {
-        const ProjectStore& store = files_->store();
-        const QString copy = store.copyName();
-        status_->setProjectFile(copy.isEmpty() ? QFileInfo(store.path()).fileName() : copy, store.isSaved());
-    };
+    const auto showFile = [this] { status_->setProjectText(files_->store().statusText()); };
     connect(&files_->store(), &ProjectStore::statusChanged, this, showFile);
     showFile();
     connect(&files_->store(), &ProjectStore::pathChanged, this, [this](const QString& path) {

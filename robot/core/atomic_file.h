@@ -30,6 +30,7 @@ public:
 
     /// Creates the temporary file in the folder of `path`.
     Result<void> open();
+    /// Appends to the temporary file.
     Result<void> write(std::string_view bytes);
     Result<void> write(const QByteArray& bytes);  ///< As above.
     /// Replaces the old file. Afterwards the object is closed.

@@ -38,7 +38,6 @@ public:
 
     // Threads  any, for all calls. Blocks: for the file system, and for other calls of the same object. Real-time: no
 
-    const QString& path() const { return path_; }
     /// Takes the lock if no other window holds it, and reads the file. saves then expect the content read.
     /// Errors   as loadProject()
     Result<Project> load();

@@ -71,7 +71,7 @@ std::optional<LockOwner> ProjectLock::readOwner() const {
         const auto word = [&read](const char* key) {
             return read.value(QLatin1String(key)).toString().left(100);
         };
-        owner.user = word("user");
+        owner.user = word("user").isEmpty() ? QFileInfo(lockPath_).owner() : word("user");
         owner.host = word("host");
         owner.program = word("program");
         owner.process = read.value(QLatin1String("process")).toInteger();

@@ -42,7 +42,7 @@ public:
     Result<void> takeOver();
     /// Whether this object still holds the lock: false after another window has taken it over.
     bool isHeld() const;
-    void release();
+    void release();  ///< Does nothing when the lock is not held.
     /// Where the file system offers no lock, acquire() reports no owner but isHeld() is false.
     QString path() const { return lockPath_; }
 
