@@ -113,6 +113,12 @@ void NoticeBar::dismiss() {
     }
 }
 
+void NoticeBar::dismissWithoutCause() {
+    if (notice_.cause.isEmpty()) {
+        dismiss();
+    }
+}
+
 void NoticeBar::resolve(const QString& cause) {
     std::erase_if(waiting_, [&cause](const Waiting& other) { return other.notice.cause == cause; });
     if (!isHidden() && notice_.cause == cause) {

@@ -42,6 +42,8 @@ public:
     void show(Kind kind, const Notice& notice);
     /// Closes the notice. One that waits with a cause is shown again.
     void dismiss();
+    /// As dismiss(), but a notice with a cause remains.
+    void dismissWithoutCause();
     /// The cause is gone: removes its notice, also one that waits.
     void resolve(const QString& cause);
     /// What the notice was computed from has changed: closes a question without a cause. Its answer would do something

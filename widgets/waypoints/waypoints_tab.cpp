@@ -267,7 +267,7 @@ void WaypointsTab::onSelection() {
     lastSelected_ = id;
     goTo_->stop(control::StopCause::SelectionChanged);
     goThrough_->setSelection(row, table_->selectedRows());
-    notice_->dismiss();
+    notice_->dismissWithoutCause();
     updateAvailability();
     showSpeed();
     Q_EMIT selectionChanged(id);
@@ -376,7 +376,7 @@ Result<MoveRequest> WaypointsTab::goToRequest() {
     if (const QString obstacle = goToObstacle(); !obstacle.isEmpty()) {
         return Error{ErrorCode::NoSolution, obstacle, {}};
     }
-    notice_->dismiss();
+    notice_->dismissWithoutCause();
     return moveTo(currentRow());
 }
 

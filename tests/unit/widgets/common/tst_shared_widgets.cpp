@@ -177,6 +177,8 @@ private Q_SLOTS:
         notice.show(NoticeBar::Kind::Warning, {.title = "damaged", .text = {}, .cause = "file"});
         notice.resolve("other");
         QVERIFY(notice.isVisible());
+        notice.dismissWithoutCause();
+        QVERIFY(notice.isVisible());
         notice.resolve("file");
         QVERIFY(!notice.isVisible());
     }
