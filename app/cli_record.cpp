@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QCommandLineParser>
-#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <chrono>
@@ -10,6 +9,7 @@
 #include "app/cli_options.h"
 #include "app/cli_progress.h"
 #include "app/termination.h"
+#include "robot/core/file_reading.h"
 #include "robot/dashboard/robot_identity.h"
 #include "robot/receive/robot_state.h"
 #include "robot/recording/mcap/mcap_format.h"
@@ -158,15 +158,15 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
     }
     options.mcap.ros = !parser.isSet(noRos);
     if (parser.isSet(attach)) {
-        QFile file(parser.value(attach));
         constexpr qint64 kMost = 64 << 20;
-        if (!file.open(QIODevice::ReadOnly) || file.size() > kMost) {
+        const Result<QByteArray> attached = readWholeFile(parser.value(attach), kMost);
+        if (!attached) {
             wrongArguments(QStringLiteral("--attach: '%1' cannot be read, or is larger than 64 MB")
-                               .arg(file.fileName()));
+                               .arg(parser.value(attach)));
             return std::nullopt;
         }
-        options.mcap.attachmentName = QFileInfo(file).fileName().toStdString();
-        options.mcap.attachment = file.readAll().toStdString();
+        options.mcap.attachmentName = QFileInfo(parser.value(attach)).fileName().toStdString();
+        options.mcap.attachment = attached->toStdString();
     }
     return options;
 }

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "robot/core/file_reading.h"
 #include "tiller_version.h"
 
 #if __has_include(<execinfo.h>)
@@ -34,11 +35,8 @@ QString crashReportPath() {
 }
 
 QByteArray readCrashReport(const QString& path) {
-    QFile file(path);
-    if (file.size() > kLargestReport || !file.open(QIODevice::ReadOnly)) {
-        return {};
-    }
-    return file.readAll();
+    const Result<QByteArray> report = readWholeFile(path, kLargestReport);
+    return report ? *report : QByteArray();
 }
 
 #ifdef TILLER_HAS_BACKTRACE

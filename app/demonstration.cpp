@@ -2,11 +2,11 @@
 #include "app/demonstration.h"
 
 #include <QApplication>
-#include <QFile>
 #include <QMouseEvent>
 #include <QTextStream>
 
 #include "app/main_window.h"
+#include "robot/core/atomic_file.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/texts.h"
 
@@ -193,10 +193,7 @@ void Demonstration::finish() {
         window_.session().stop(control::StopCause::ApiCall);
         window_.session().recording().stop();
     }
-    QFile file(folder_.filePath(QStringLiteral("summary.txt")));
-    if (file.open(QIODevice::WriteOnly)) {
-        file.write(summary().toUtf8());
-    }
+    (void)writeFileAtomically(folder_.filePath(QStringLiteral("summary.txt")), summary().toUtf8());
     Q_EMIT finished(succeeded());
 }
 

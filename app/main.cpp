@@ -70,7 +70,7 @@ int sizeFor(const QStringList& arguments) {
 
 /// Once: where any setting was chosen, this one was seen too.
 void tellOfSize(app::MainWindow& window) {
-    if (app::looksSmall(*window.screen()) && !app::openSettings({}).contains(QStringLiteral("look/size"))) {
+    if (app::looksSmall(*window.screen()) && !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
         Q_EMIT window.session().message(
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",
@@ -194,6 +194,7 @@ int main(int argc, char* argv[]) {
         return runDemonstration(application, *window, line->demoDirectory);
     }
     tellOfSize(*window);
+    window->keepUnsavedWorkIn(app::unsavedWorkFolder());
     window->offerCrashReport(app::crashReportPath());
     app::keepCrashReports(app::crashReportPath());
     window->lookForDevices();
@@ -213,6 +214,7 @@ int main(int argc, char* argv[]) {
         // What is open now, not what the program was started with.
         line->projectFile.clear();
         window = openWindow(*line, settings, [&](app::MainWindow& opened) { connectAgain(opened, *before); });
+        window->keepUnsavedWorkIn(app::unsavedWorkFolder());
         window->lookForDevices();
     }
 }

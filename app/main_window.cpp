@@ -129,6 +129,10 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     , session_(std::make_unique<RobotSession>(clock))
     , document_(std::make_unique<ProjectDocument>())
     , files_(std::make_unique<ProjectFiles>(*document_)) {
+    settings_.setWriteFailed([this](const Error& error) {
+        Q_EMIT session_->message(Severity::Error,
+                                 tr("The settings could not be saved. %1").arg(texts::errorText(error)));
+    });
     setObjectName("mainWindow");
     setWindowTitle(tr("Tiller"));
     setWindowIcon(applicationIcon());
@@ -366,12 +370,7 @@ void MainWindow::connectReplay() {
 void MainWindow::connectProject() {
     connect(document_.get(), &ProjectDocument::documentChanged, this, &MainWindow::keepProject);
     keepProject();
-    const auto showFile = [this] {
-        const ProjectStore& store = files_->store();
-        const QString copy = store.copyName();
-        status_->setProjectFile(copy.isEmpty() ? QFileInfo(store.path()).fileName() : copy,
-                                copy.isEmpty() && !store.isModified());
-    };
+    const auto showFile = [this] { status_->setProjectText(files_->store().statusText()); };
     connect(&files_->store(), &ProjectStore::statusChanged, this, showFile);
     showFile();
     connect(&files_->store(), &ProjectStore::pathChanged, this, [this](const QString& path) {
@@ -382,9 +381,8 @@ void MainWindow::connectProject() {
     });
     connect(files_.get(), &ProjectFiles::message, this,
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
-    connect(files_.get(), &ProjectFiles::noticeWanted, waypoints_, [this](const ProjectNotice& notice) {
-        waypoints_->showNotice(notice.title, notice.text, notice.accept, notice.accepted);
-    });
+    connect(files_.get(), &ProjectFiles::noticeWanted, waypoints_, &WaypointsTab::showNotice);
+    connect(files_.get(), &ProjectFiles::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
 }
 
 void MainWindow::connectIo() {
@@ -657,6 +655,11 @@ void MainWindow::keepIncidentsIn(const QString& folder) {
     keepProject();
 }
 
+void MainWindow::keepUnsavedWorkIn(const QString& folder) {
+    files_->store().setCopyFolder(folder);
+    files_->offerKept();
+}
+
 void MainWindow::keepProject() {
     const auto bytes = project::serializeProject(document_->project());
     if (!bytes) {
@@ -706,6 +709,9 @@ void MainWindow::changeEvent(QEvent* event) {
     if ((event->type() == QEvent::ActivationChange && !isActiveWindow()) ||
         (event->type() == QEvent::WindowStateChange && isMinimized())) {
         stopMotion(control::StopCause::WindowDeactivated);
+    }
+    if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
+        files_->store().checkFile();
     }
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange) {
@@ -1089,9 +1095,11 @@ void MainWindow::offerCrashReport(const QString& path) {
     const QString kept = path + QStringLiteral(".last");
     QFile::remove(kept);
     crashReport_ = QFile::rename(path, kept) ? kept : path;
-    waypoints_->showNotice(tr("Tiller ended unexpectedly the last time"),
-                           tr("What it was doing then was kept. Save it as a report for whoever helps you."),
-                           tr("Report a problem…"), [this] { showReport(); });
+    waypoints_->showNotice({.title = tr("Tiller ended unexpectedly the last time"),
+                            .text = tr("Tiller saved a crash log. You can attach it to a problem report."),
+                            .accept = tr("Report a problem…"),
+                            .accepted = [this] { showReport(); },
+                            .cause = QStringLiteral("crash")});
 }
 
 void MainWindow::connectTransfer() {

@@ -95,6 +95,8 @@ public:
     void openProject(const QString& path);
     /// From now on every stop of the safety system becomes a file in this folder, and a line of the log that opens it.
     void keepIncidentsIn(const QString& folder);
+    /// From now on changes that are in no file are kept in this folder; offers those that an earlier window left there.
+    void keepUnsavedWorkIn(const QString& folder);
     /// Everything that is known, as one file to give to somebody who helps.
     void showReport();
     /// Offers what a crash has left in this file, if it is there; goes with the next report.

@@ -2,10 +2,9 @@
 #include "app/perspective_store.h"
 
 #include <QCryptographicHash>
-#include <QSettings>
 #include <algorithm>
 
-#include "app/settings.h"
+#include "app/settings_store.h"
 
 namespace tiller::app {
 namespace {
@@ -28,16 +27,17 @@ QByteArray unsealed(const QByteArray& kept) {
 
 }  // namespace
 
-QVector<SavedPerspective> readPerspectives(const QString& file) {
+QVector<SavedPerspective> readPerspectives(const SettingsView& settings) {
     QVector<SavedPerspective> perspectives;
-    QSettings settings = openSettings(file);
-    const int count = std::min(settings.beginReadArray("perspectives"), kMostPerspectives);
+    const int count =
+        std::min(settings.value(QStringLiteral("perspectives/size")).toInt(), kMostPerspectives);
     for (int i = 0; i < count; ++i) {
-        settings.setArrayIndex(i);
-        const SavedPerspective read{settings.value("number").toInt(),
-                                    settings.value("name").toString().trimmed().left(kLongestPerspectiveName),
-                                    settings.value("tab").toString(),
-                                    unsealed(settings.value("panels").toByteArray())};
+        const auto field = [&settings, i](const char* name) {
+            return settings.value(QStringLiteral("perspectives/%1/%2").arg(i + 1).arg(QLatin1String(name)));
+        };
+        const SavedPerspective read{field("number").toInt(),
+                                    field("name").toString().trimmed().left(kLongestPerspectiveName),
+                                    field("tab").toString(), unsealed(field("panels").toByteArray())};
         const bool twice = std::any_of(perspectives.begin(), perspectives.end(), [&read](const auto& other) {
             return other.number == read.number || other.name.compare(read.name, Qt::CaseInsensitive) == 0;
         });
@@ -48,24 +48,67 @@ QVector<SavedPerspective> readPerspectives(const QString& file) {
     return perspectives;
 }
 
-void writePerspectives(const QString& file, const QVector<SavedPerspective>& perspectives) {
-    QSettings settings = openSettings(file);
-    settings.remove("perspectives");
-    settings.beginWriteArray("perspectives", static_cast<int>(perspectives.size()));
+void writePerspectives(SettingsEdit& settings, const QVector<SavedPerspective>& perspectives) {
+    settings.remove(QStringLiteral("perspectives"));
+    settings.setValue(QStringLiteral("perspectives/size"), static_cast<int>(perspectives.size()));
     for (int i = 0; i < perspectives.size(); ++i) {
-        settings.setArrayIndex(i);
-        settings.setValue("number", perspectives[i].number);
-        settings.setValue("name", perspectives[i].name);
-        settings.setValue("tab", perspectives[i].tab);
-        settings.setValue("panels",
-                          perspectives[i].panels.isEmpty() ? QByteArray() : sealed(perspectives[i].panels));
+        const auto set = [&settings, i](const char* name, const QVariant& value) {
+            settings.setValue(QStringLiteral("perspectives/%1/%2").arg(i + 1).arg(QLatin1String(name)),
+                              value);
+        };
+        set("number", perspectives[i].number);
+        set("name", perspectives[i].name);
+        set("tab", perspectives[i].tab);
+        set("panels", perspectives[i].panels.isEmpty() ? QByteArray() : sealed(perspectives[i].panels));
     }
-    settings.endArray();
 }
 
-LastArrangement readArrangement(const QString& file) {
+QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& before,
+                                            const QVector<SavedPerspective>& ours,
+                                            QVector<SavedPerspective> there) {
+    const auto withNumber = [](auto& list, int number) {
+        return std::find_if(list.begin(), list.end(),
+                            [number](const auto& one) { return one.number == number; });
+    };
+    for (const SavedPerspective& old : before) {
+        if (withNumber(ours, old.number) == ours.end()) {
+            there.removeIf([&old](const SavedPerspective& one) { return one.number == old.number; });
+        }
+    }
+    for (SavedPerspective mine : ours) {
+        const auto old = withNumber(before, mine.number);
+        const auto found = withNumber(there, mine.number);
+        if (old != before.end()) {
+            if (*old == mine) {
+                continue;
+            }
+            if (found != there.end()) {
+                *found = mine;
+            } else {
+                there.append(mine);  // deleted in the other window, and changed here
+            }
+            continue;
+        }
+        // New here. The other window may have given its number or its name to one of its own.
+        while (withNumber(there, mine.number) != there.end()) {
+            ++mine.number;
+        }
+        const QString name = mine.name;
+        const auto isTaken = [&there](const QString& wanted) {
+            return std::any_of(there.begin(), there.end(), [&wanted](const auto& one) {
+                return one.name.compare(wanted, Qt::CaseInsensitive) == 0;
+            });
+        };
+        for (int copy = 2; isTaken(mine.name); ++copy) {
+            mine.name = QStringLiteral("%1 %2").arg(name.left(kLongestPerspectiveName - 4)).arg(copy);
+        }
+        there.append(mine);
+    }
+    return there;
+}
+
+LastArrangement readArrangement(const SettingsView& settings) {
     using Found = LastArrangement::Found;
-    QSettings settings = openSettings(file);
     LastArrangement last;
     if (!settings.contains("arrangement/panels")) {
         // As earlier versions wrote it, whose panels were others.
@@ -80,8 +123,7 @@ LastArrangement readArrangement(const QString& file) {
     return last;
 }
 
-void writeArrangement(const QString& file, const LastArrangement& arrangement) {
-    QSettings settings = openSettings(file);
+void writeArrangement(SettingsEdit& settings, const LastArrangement& arrangement) {
     settings.setValue("arrangement/perspective", arrangement.perspective);
     settings.setValue("arrangement/changed", arrangement.changed);
     settings.setValue("arrangement/panels", sealed(arrangement.panels));

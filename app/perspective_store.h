@@ -8,6 +8,8 @@
 #include <QString>
 #include <QVector>
 
+#include "app/settings_store.h"
+
 namespace tiller::app {
 
 /// Characters of a name, and how many perspectives of one's own there can be.
@@ -34,12 +36,16 @@ struct LastArrangement {
     int jogWidth = 0;      ///< [px], 0: not known
 };
 
-/// file  as for Settings
-QVector<SavedPerspective> readPerspectives(const QString& file);
-void writePerspectives(const QString& file, const QVector<SavedPerspective>& perspectives);
+QVector<SavedPerspective> readPerspectives(const SettingsView& settings);
+void writePerspectives(SettingsEdit& settings, const QVector<SavedPerspective>& perspectives);
+/// Applies what this window has changed since it read `before` to what the settings hold now, so that windows keep each
+/// other's perspectives. Two new ones of the same number or name both stay, the later one renamed.
+QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& before,
+                                            const QVector<SavedPerspective>& ours,
+                                            QVector<SavedPerspective> there);
 
-LastArrangement readArrangement(const QString& file);
+LastArrangement readArrangement(const SettingsView& settings);
 /// The member `found` is of no account.
-void writeArrangement(const QString& file, const LastArrangement& arrangement);
+void writeArrangement(SettingsEdit& settings, const LastArrangement& arrangement);
 
 }  // namespace tiller::app

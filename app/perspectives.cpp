@@ -164,9 +164,9 @@ void Perspectives::saveAs(const QString& name) {
         number = std::max(number, saved.number + 1);
     }
     saved_.append({number, name.trimmed(), hooks_.tab(), stage_.state()});
-    current_ = idOf(saved_.last());
     changed_ = false;
     write();
+    current_ = idOf(saved_.last());
     Q_EMIT currentChanged();
 }
 
@@ -198,7 +198,7 @@ void Perspectives::remove(const QString& id) {
 }
 
 void Perspectives::write() {
-    settings_.setPerspectives(saved_);
+    saved_ = settings_.setPerspectives(saved_);
     Q_EMIT listChanged();
 }
 

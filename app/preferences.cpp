@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QSettings>
-
 #include "app/interface_size.h"
-#include "app/settings.h"
+#include "app/settings_store.h"
 
 namespace tiller::app {
 namespace {
@@ -49,16 +47,16 @@ bool stopsTheArm(const QKeySequence& keys) {
 }
 
 int readInterfaceSize(const QString& file) {
-    return saneInterfaceSize(openSettings(file).value("look/size", kInterfaceSizes.front()).toInt());
+    return saneInterfaceSize(SettingsView(file).value("look/size", kInterfaceSizes.front()).toInt());
 }
 
-Preferences readPreferences(const QString& file) {
+Preferences readPreferences(const SettingsView& settings) {
     Preferences preferences;
-    QSettings settings = openSettings(file);
     preferences.language = settings.value("look/language").toString();
     const QString density = settings.value("look/density", kDensities[1]).toString();
     preferences.density = choiceOf<Density>(density, kDensities);
-    preferences.interfaceSize = readInterfaceSize(file);
+    preferences.interfaceSize =
+        saneInterfaceSize(settings.value("look/size", kInterfaceSizes.front()).toInt());
     preferences.notation.length = choiceOf<LengthUnit>(settings.value("look/lengths").toString(), kLengths);
     preferences.notation.rotation =
         choiceOf<RotationNotation>(settings.value("look/rotations").toString(), kRotations);
@@ -75,14 +73,13 @@ Preferences readPreferences(const QString& file) {
     }
     for (const auto& [kind, first] :
          {std::pair{kGamepadKind, kGamepadTuning}, {kSpaceMouseKind, kSpaceMouseTuning}}) {
-        settings.beginGroup("devices/" + kind);
-        if (!settings.childKeys().isEmpty()) {
-            const DeviceTuning read{settings.value("deadZone", first.deadZone).toDouble(),
-                                    settings.value("exponent", first.exponent).toDouble(),
-                                    settings.value("dominantAxis", first.dominantAxis).toBool()};
+        const QString group = "devices/" + kind;
+        if (!settings.childKeys(group).isEmpty()) {
+            const DeviceTuning read{settings.value(group + "/deadZone", first.deadZone).toDouble(),
+                                    settings.value(group + "/exponent", first.exponent).toDouble(),
+                                    settings.value(group + "/dominantAxis", first.dominantAxis).toBool()};
             preferences.devices[kind] = read.sane();
         }
-        settings.endGroup();
     }
     RecordingChoice recording;
     recording.folder = settings.value("recording/folder").toString();
@@ -92,11 +89,10 @@ Preferences readPreferences(const QString& file) {
     recording.format = formatByName(settings.value("recording/format").toString());
     recording.keepFree = settings.value("recording/keepFree", recording.keepFree).toInt();
     preferences.recording = recording.sane();
-    settings.beginGroup("shortcuts");
-    const QStringList ids = settings.childKeys();
+    const QStringList ids = settings.childKeys("shortcuts");
     for (const QString& id : ids) {
-        const QKeySequence keys =
-            QKeySequence::fromString(settings.value(id).toString(), QKeySequence::PortableText);
+        const QKeySequence keys = QKeySequence::fromString(settings.value("shortcuts/" + id).toString(),
+                                                           QKeySequence::PortableText);
         if (!stopsTheArm(keys)) {
             preferences.shortcuts[currentName(id)] = keys;
         }
@@ -104,33 +100,31 @@ Preferences readPreferences(const QString& file) {
     return preferences;
 }
 
-void writePreferences(const QString& file, const Preferences& preferences) {
-    QSettings settings = openSettings(file);
-    settings.setValue("look/language", preferences.language);
-    settings.setValue("look/density", kDensities[static_cast<int>(preferences.density)]);
-    settings.setValue("look/size", preferences.interfaceSize);
-    settings.setValue("look/lengths", kLengths[static_cast<int>(preferences.notation.length)]);
-    settings.setValue("look/rotations", kRotations[static_cast<int>(preferences.notation.rotation)]);
-    settings.setValue("motion/speedCap", std::min(preferences.speedCap, Preferences::kOrdinaryCap));
-    settings.setValue("motion/longestHold", preferences.longestHold);
+SettingsMap preferenceValues(const Preferences& preferences) {
+    SettingsMap values{
+        {"look/language", preferences.language},
+        {"look/density", QLatin1String(kDensities[static_cast<int>(preferences.density)])},
+        {"look/size", preferences.interfaceSize},
+        {"look/lengths", QLatin1String(kLengths[static_cast<int>(preferences.notation.length)])},
+        {"look/rotations", QLatin1String(kRotations[static_cast<int>(preferences.notation.rotation)])},
+        {"motion/speedCap", std::min(preferences.speedCap, Preferences::kOrdinaryCap)},
+        {"motion/longestHold", preferences.longestHold},
+        {"recording/folder", preferences.recording.folder},
+        {"recording/pattern", preferences.recording.pattern},
+        {"recording/fields", preferences.recording.fields},
+        {"recording/every", preferences.recording.every},
+        {"recording/format", formatName(preferences.recording.format)},
+        {"recording/keepFree", preferences.recording.keepFree}};
     for (auto it = preferences.devices.constBegin(); it != preferences.devices.constEnd(); ++it) {
-        settings.beginGroup("devices/" + it.key());
-        settings.setValue("deadZone", it->deadZone);
-        settings.setValue("exponent", it->exponent);
-        settings.setValue("dominantAxis", it->dominantAxis);
-        settings.endGroup();
+        const QString group = "devices/" + it.key();
+        values.insert(group + "/deadZone", it->deadZone);
+        values.insert(group + "/exponent", it->exponent);
+        values.insert(group + "/dominantAxis", it->dominantAxis);
     }
-    settings.setValue("recording/folder", preferences.recording.folder);
-    settings.setValue("recording/pattern", preferences.recording.pattern);
-    settings.setValue("recording/fields", preferences.recording.fields);
-    settings.setValue("recording/every", preferences.recording.every);
-    settings.setValue("recording/format", formatName(preferences.recording.format));
-    settings.setValue("recording/keepFree", preferences.recording.keepFree);
-    settings.remove("shortcuts");
-    settings.beginGroup("shortcuts");
     for (auto it = preferences.shortcuts.constBegin(); it != preferences.shortcuts.constEnd(); ++it) {
-        settings.setValue(it.key(), it->toString(QKeySequence::PortableText));
+        values.insert("shortcuts/" + it.key(), it->toString(QKeySequence::PortableText));
     }
+    return values;
 }
 
 }  // namespace tiller::app

@@ -8,6 +8,7 @@
 #include <QMap>
 #include <QString>
 
+#include "app/settings_store.h"
 #include "widgets/common/density.h"
 #include "widgets/common/notation.h"
 #include "widgets/jog/input_device.h"
@@ -49,7 +50,8 @@ bool stopsTheArm(const QKeySequence& keys);
 /// file  where they are kept; empty: the place the system has for them
 /// The one value that is needed before there is an application [%].
 int readInterfaceSize(const QString& file);
-Preferences readPreferences(const QString& file);
-void writePreferences(const QString& file, const Preferences& preferences);
+Preferences readPreferences(const SettingsView& settings);
+/// As they are in the settings.
+SettingsMap preferenceValues(const Preferences& preferences);
 
 }  // namespace tiller::app

@@ -8,13 +8,13 @@
 #include <QDir>
 #include <QGuiApplication>
 #include <QRegularExpression>
-#include <QSaveFile>
 #include <QScreen>
 #include <QSysInfo>
 #include <QThread>
 #include <QtEndian>
 #include <algorithm>
 
+#include "robot/core/atomic_file.h"
 #include "robot/core/robot_model.h"
 #include "tiller_version.h"
 
@@ -195,14 +195,7 @@ QByteArray zipped(const QVector<ReportPart>& parts) {
 }
 
 Result<void> writeReport(const QString& path, const QVector<ReportPart>& parts) {
-    QSaveFile file(path);
-    const QByteArray bytes = zipped(parts);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        const bool full = file.error() == QFileDevice::ResourceError;
-        return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-                     ProblemReport::tr("write %1").arg(path), file.errorString()};
-    }
-    return {};
+    return writeFileAtomically(path, zipped(parts), ProblemReport::tr("write %1").arg(path));
 }
 
 }  // namespace tiller::app

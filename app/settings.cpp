@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/settings.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
-#include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
 
@@ -26,109 +24,33 @@ QString gripperKey(const QString& robot) {
     return QStringLiteral("grippers/") + QString(robot).replace(QLatin1Char('/'), QLatin1Char('_'));
 }
 
-}  // namespace
-
-QSettings openSettings(const QString& file) {
-    return file.isEmpty() ? QSettings(QStringLiteral("Tiller"), QStringLiteral("Tiller"))
-                          : QSettings(file, QSettings::IniFormat);
-}
-
-Settings::Settings(QString file) : file_(std::move(file)) {}
-
-QVector<RobotAddress> Settings::rememberedRobots() const {
+QVector<RobotAddress> robotsIn(const SettingsView& settings) {
     QVector<RobotAddress> robots;
-    QSettings settings = openSettings(file_);
-    const int count = std::min(settings.beginReadArray("robots"), kRobotsRemembered);
+    const int count = std::min(settings.value("robots/size").toInt(), kRobotsRemembered);
     for (int i = 0; i < count; ++i) {
-        settings.setArrayIndex(i);
-        const QString host = settings.value("host").toString();
-        const int offset = settings.value("portOffset").toInt();
+        const QString group = QStringLiteral("robots/%1/").arg(i + 1);
+        const QString host = settings.value(group + "host").toString();
+        const int offset = settings.value(group + "portOffset").toInt();
         if (!host.isEmpty() && offset >= kLowestPortOffset && offset <= kHighestPortOffset) {
-            const QString name = settings.value("name").toString();
+            const QString name = settings.value(group + "name").toString();
             robots.append({name.isEmpty() ? host : name, host, offset, false});
         }
     }
     return robots;
 }
 
-void Settings::rememberRobot(const RobotAddress& robot) {
-    QVector<RobotAddress> robots = rememberedRobots();
-    robots.removeIf([&robot](const RobotAddress& other) { return other.host == robot.host; });
-    robots.prepend(robot);
-    writeRobots(robots.mid(0, kRobotsRemembered));
-}
-
-void Settings::forgetRobot(const RobotAddress& robot) {
-    QVector<RobotAddress> robots = rememberedRobots();
-    robots.removeIf([&robot](const RobotAddress& other) { return other.host == robot.host; });
-    writeRobots(robots);
-}
-
-void Settings::writeRobots(const QVector<RobotAddress>& robots) {
-    QSettings settings = openSettings(file_);
+void writeRobots(SettingsEdit& settings, const QVector<RobotAddress>& robots) {
     settings.remove("robots");
-    settings.beginWriteArray("robots", static_cast<int>(robots.size()));
+    settings.setValue("robots/size", static_cast<int>(robots.size()));
     for (int i = 0; i < robots.size(); ++i) {
-        settings.setArrayIndex(i);
-        settings.setValue("name", robots[i].name);
-        settings.setValue("host", robots[i].host);
-        settings.setValue("portOffset", robots[i].portOffset);
-    }
-    settings.endArray();
-}
-
-QString Settings::theme() const {
-    const QString theme = openSettings(file_).value("look/theme").toString();
-    return theme == "light" || theme == "dark" ? theme : QString();
-}
-
-void Settings::setTheme(const QString& theme) {
-    openSettings(file_).setValue("look/theme", theme);
-}
-
-QByteArray Settings::windowGeometry() const {
-    return openSettings(file_).value("window/geometry").toByteArray();
-}
-
-void Settings::setWindowGeometry(const QByteArray& geometry) {
-    openSettings(file_).setValue("window/geometry", geometry);
-}
-
-QMap<QString, QString> Settings::ioNames() const {
-    QMap<QString, QString> names;
-    QSettings settings = openSettings(file_);
-    settings.beginGroup("io");
-    const QStringList terminals = settings.childKeys();
-    for (const QString& terminal : terminals) {
-        names[terminal] = settings.value(terminal).toString().left(kLongestIoText);
-    }
-    return names;
-}
-
-void Settings::setIoNames(const QMap<QString, QString>& names) {
-    QSettings settings = openSettings(file_);
-    settings.remove("io");
-    settings.beginGroup("io");
-    for (auto it = names.constBegin(); it != names.constEnd(); ++it) {
-        settings.setValue(it.key(), it.value());
+        const QString group = QStringLiteral("robots/%1/").arg(i + 1);
+        settings.setValue(group + "name", robots[i].name);
+        settings.setValue(group + "host", robots[i].host);
+        settings.setValue(group + "portOffset", robots[i].portOffset);
     }
 }
 
-QString Settings::gripper(const QString& robot) const {
-    return openSettings(file_).value(gripperKey(robot)).toString();
-}
-
-void Settings::setGripper(const QString& robot, const QString& choice) {
-    QSettings settings = openSettings(file_);
-    if (choice.isEmpty()) {
-        settings.remove(gripperKey(robot));
-    } else {
-        settings.setValue(gripperKey(robot), choice);
-    }
-}
-
-QStringList Settings::recentProjects() const {
-    const QSettings settings = openSettings(file_);
+QStringList projectsIn(const SettingsView& settings) {
     QStringList projects = settings.value("projects/recent").toStringList();
     // As earlier versions wrote it.
     projects.append(settings.value("session/file").toString());
@@ -137,53 +59,238 @@ QStringList Settings::recentProjects() const {
     return projects.mid(0, kProjectsRemembered);
 }
 
+Learned learnedIn(const SettingsView& settings) {
+    return {settings.value("learned/dismissed").toBool(), settings.value("learned/firstSteps").toStringList(),
+            settings.value("learned/practice").toStringList()};
+}
+
+/// What `there` becomes when the difference between `before` and `after` is applied to it.
+QStringList merged(const QStringList& before, const QStringList& after, QStringList there) {
+    for (const QString& word : before) {
+        if (!after.contains(word)) {
+            there.removeAll(word);
+        }
+    }
+    for (const QString& word : after) {
+        if (!before.contains(word) && !there.contains(word)) {
+            there.append(word);
+        }
+    }
+    return there;
+}
+
+SettingsMap ioNamesIn(const SettingsView& settings) {
+    SettingsMap names;
+    const QStringList terminals = settings.childKeys("io");
+    for (const QString& terminal : terminals) {
+        names[terminal] = settings.value("io/" + terminal).toString().left(kLongestIoText);
+    }
+    return names;
+}
+
+void writeParts(SettingsEdit& settings, const SettingsBundle& bundle, const QSet<SettingsPart>& parts) {
+    const QStringList keys = settings.values().keys();
+    for (const QString& key : keys) {
+        if (travels(key) && parts.contains(partOf(key))) {
+            settings.remove(key);
+        }
+    }
+    for (auto it = bundle.values.constBegin(); it != bundle.values.constEnd(); ++it) {
+        if (travels(it.key()) && parts.contains(partOf(it.key()))) {
+            settings.setValue(it.key(), it.value());
+        }
+    }
+}
+
+}  // namespace
+
+Settings::Settings(QString file) : file_(std::move(file)) {}
+
+Result<void> Settings::edit(const std::function<void(SettingsEdit&)>& change) {
+    SettingsEdit settings(file_);
+    change(settings);
+    const Result<void> written = settings.commit();
+    if (!written && !failed_ && writeFailed_) {
+        writeFailed_(written.error());
+    }
+    failed_ = !written;
+    return written;
+}
+
+QVector<RobotAddress> Settings::rememberedRobots() const {
+    return robotsIn(SettingsView(file_));
+}
+
+void Settings::rememberRobot(const RobotAddress& robot) {
+    (void)edit([&robot](SettingsEdit& settings) {
+        QVector<RobotAddress> robots = robotsIn(settings);
+        robots.removeIf([&robot](const RobotAddress& other) { return other.host == robot.host; });
+        robots.prepend(robot);
+        writeRobots(settings, robots.mid(0, kRobotsRemembered));
+    });
+}
+
+void Settings::forgetRobot(const RobotAddress& robot) {
+    (void)edit([&robot](SettingsEdit& settings) {
+        QVector<RobotAddress> robots = robotsIn(settings);
+        robots.removeIf([&robot](const RobotAddress& other) { return other.host == robot.host; });
+        writeRobots(settings, robots);
+    });
+}
+
+QString Settings::theme() const {
+    const QString theme = SettingsView(file_).value("look/theme").toString();
+    return theme == "light" || theme == "dark" ? theme : QString();
+}
+
+void Settings::setTheme(const QString& theme) {
+    (void)edit([&theme](SettingsEdit& settings) { settings.setValue("look/theme", theme); });
+}
+
+QByteArray Settings::windowGeometry() const {
+    return SettingsView(file_).value("window/geometry").toByteArray();
+}
+
+void Settings::setWindowGeometry(const QByteArray& geometry) {
+    (void)edit([&geometry](SettingsEdit& settings) { settings.setValue("window/geometry", geometry); });
+}
+
+QMap<QString, QString> Settings::ioNames() const {
+    knownIoNames_ = ioNamesIn(SettingsView(file_));
+    QMap<QString, QString> names;
+    for (auto it = knownIoNames_->constBegin(); it != knownIoNames_->constEnd(); ++it) {
+        names[it.key()] = it->toString();
+    }
+    return names;
+}
+
+void Settings::setIoNames(const QMap<QString, QString>& names) {
+    SettingsMap after;
+    for (auto it = names.constBegin(); it != names.constEnd(); ++it) {
+        after.insert(it.key(), it.value());
+    }
+    const Result<void> written = edit([this, &after](SettingsEdit& settings) {
+        settings.merge("io", knownIoNames_ ? *knownIoNames_ : ioNamesIn(settings), after);
+    });
+    if (written) {
+        knownIoNames_ = after;
+    }
+}
+
+QString Settings::gripper(const QString& robot) const {
+    return SettingsView(file_).value(gripperKey(robot)).toString();
+}
+
+void Settings::setGripper(const QString& robot, const QString& choice) {
+    (void)edit([&](SettingsEdit& settings) {
+        if (choice.isEmpty()) {
+            settings.remove(gripperKey(robot));
+        } else {
+            settings.setValue(gripperKey(robot), choice);
+        }
+    });
+}
+
+QStringList Settings::recentProjects() const {
+    return projectsIn(SettingsView(file_));
+}
+
 void Settings::rememberProject(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    QStringList projects = recentProjects();
-    projects.removeAll(absolute);
-    projects.prepend(absolute);
-    openSettings(file_).setValue("projects/recent", projects.mid(0, kProjectsRemembered));
+    (void)edit([&absolute](SettingsEdit& settings) {
+        QStringList projects = projectsIn(settings);
+        projects.removeAll(absolute);
+        projects.prepend(absolute);
+        settings.setValue("projects/recent", projects.mid(0, kProjectsRemembered));
+    });
 }
 
 QByteArray Settings::plots() const {
-    return openSettings(file_).value("plots/arrangement").toString().toUtf8();
+    return SettingsView(file_).value("plots/arrangement").toString().toUtf8();
 }
 
 std::size_t Settings::plotBudget() const {
     constexpr int kMostMegabytes = 65536;
     return static_cast<std::size_t>(
-               std::clamp(openSettings(file_).value("plots/budget").toInt(), 0, kMostMegabytes))
+               std::clamp(SettingsView(file_).value("plots/budget").toInt(), 0, kMostMegabytes))
            << 20;
 }
 
 void Settings::setPlots(const QByteArray& arrangement, std::size_t budget) {
-    QSettings settings = openSettings(file_);
-    settings.setValue("plots/arrangement", QString::fromUtf8(arrangement));
-    settings.setValue("plots/budget", static_cast<int>(budget >> 20));
+    (void)edit([&](SettingsEdit& settings) {
+        settings.setValue("plots/arrangement", QString::fromUtf8(arrangement));
+        settings.setValue("plots/budget", static_cast<int>(budget >> 20));
+    });
 }
 
 Learned Settings::learned() const {
-    const QSettings settings = openSettings(file_);
-    return {settings.value("learned/dismissed").toBool(), settings.value("learned/firstSteps").toStringList(),
-            settings.value("learned/practice").toStringList()};
+    knownLearned_ = learnedIn(SettingsView(file_));
+    return *knownLearned_;
 }
 
 void Settings::setLearned(const Learned& learned) {
-    QSettings settings = openSettings(file_);
-    settings.setValue("learned/dismissed", learned.dismissed);
-    settings.setValue("learned/firstSteps", learned.firstSteps);
-    settings.setValue("learned/practice", learned.practice);
+    const Result<void> written = edit([&](SettingsEdit& settings) {
+        const Learned there = learnedIn(settings);
+        const Learned before = knownLearned_ ? *knownLearned_ : there;
+        if (learned.dismissed != before.dismissed || !settings.contains("learned/dismissed")) {
+            settings.setValue("learned/dismissed", learned.dismissed);
+        }
+        settings.setValue("learned/firstSteps",
+                          merged(before.firstSteps, learned.firstSteps, there.firstSteps));
+        settings.setValue("learned/practice", merged(before.practice, learned.practice, there.practice));
+    });
+    if (written) {
+        knownLearned_ = learned;
+    }
+}
+
+Preferences Settings::preferences() const {
+    const Preferences preferences = readPreferences(SettingsView(file_));
+    knownPreferences_ = preferenceValues(preferences);
+    return preferences;
+}
+
+void Settings::setPreferences(const Preferences& preferences) {
+    const SettingsMap after = preferenceValues(preferences);
+    const Result<void> written = edit([&](SettingsEdit& settings) {
+        settings.merge(
+            {}, knownPreferences_ ? *knownPreferences_ : preferenceValues(readPreferences(settings)), after);
+    });
+    if (written) {
+        knownPreferences_ = after;
+    }
+}
+
+QVector<SavedPerspective> Settings::perspectives() const {
+    knownPerspectives_ = readPerspectives(SettingsView(file_));
+    return *knownPerspectives_;
+}
+
+QVector<SavedPerspective> Settings::setPerspectives(const QVector<SavedPerspective>& all) {
+    QVector<SavedPerspective> merged = all;
+    const Result<void> written = edit([&](SettingsEdit& settings) {
+        const QVector<SavedPerspective> there = readPerspectives(settings);
+        merged = mergePerspectives(knownPerspectives_ ? *knownPerspectives_ : there, all, there);
+        writePerspectives(settings, merged);
+    });
+    if (!written) {
+        return all;
+    }
+    knownPerspectives_ = merged;
+    return merged;
+}
+
+void Settings::setArrangement(const LastArrangement& arrangement) {
+    (void)edit([&arrangement](SettingsEdit& settings) { writeArrangement(settings, arrangement); });
 }
 
 SettingsBundle Settings::bundle() const {
     SettingsBundle bundle;
     bundle.writtenBy = QStringLiteral(TILLER_VERSION);
-    QSettings settings = openSettings(file_);
-    settings.setFallbacksEnabled(false);  // ours, not those of the system
-    const QStringList keys = settings.allKeys();
-    for (const QString& key : keys) {
-        if (travels(key)) {
-            bundle.values.insert(key, settings.value(key));
+    const SettingsView settings(file_);
+    for (auto it = settings.values().constBegin(); it != settings.values().constEnd(); ++it) {
+        if (travels(it.key())) {
+            bundle.values.insert(it.key(), it.value());
         }
     }
     return bundle;
@@ -197,38 +304,13 @@ QString Settings::backupPath() const {
     return QDir(folder).filePath(QStringLiteral("settings-before-import_%1.json").arg(stamp));
 }
 
-void Settings::writeParts(const SettingsBundle& bundle, const QSet<SettingsPart>& parts) {
-    QSettings settings = openSettings(file_);
-    settings.setFallbacksEnabled(false);
-    const QStringList keys = settings.allKeys();
-    for (const QString& key : keys) {
-        if (travels(key) && parts.contains(partOf(key))) {
-            settings.remove(key);
-        }
-    }
-    for (auto it = bundle.values.constBegin(); it != bundle.values.constEnd(); ++it) {
-        if (travels(it.key()) && parts.contains(partOf(it.key()))) {
-            settings.setValue(it.key(), it.value());
-        }
-    }
-}
-
 Result<QString> Settings::replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts) {
-    const SettingsBundle before = this->bundle();
     const QString backup = backupPath();
-    if (const Result<void> kept = writeSettingsFile(backup, before); !kept) {
+    if (const Result<void> kept = writeSettingsFile(backup, this->bundle()); !kept) {
         return kept.error();
     }
-    writeParts(bundle, parts);
-    QSettings settings = openSettings(file_);
-    settings.sync();
-    if (settings.status() != QSettings::NoError) {
-        writeParts(before, parts);
-        return Error{ErrorCode::FileNotWritable,
-                     QCoreApplication::translate("SettingsFile", "write %1").arg(settings.fileName()),
-                     {}};
-    }
-    return backup;
+    const Result<void> written = edit([&](SettingsEdit& settings) { writeParts(settings, bundle, parts); });
+    return written ? Result<QString>(backup) : Result<QString>(written.error());
 }
 
 }  // namespace tiller::app

@@ -5,20 +5,19 @@
 
 #include <QByteArray>
 #include <QMap>
-#include <QSettings>
 #include <QString>
 #include <QStringList>
 #include <QVector>
+#include <functional>
+#include <optional>
 
 #include "app/perspective_store.h"
 #include "app/preferences.h"
 #include "app/settings_file.h"
+#include "app/settings_store.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller::app {
-
-/// file  an .ini file; empty: the place the system has for them
-QSettings openSettings(const QString& file);
 
 /// What a newcomer has done so far, by name.
 struct Learned {
@@ -31,6 +30,9 @@ class Settings {
 public:
     /// file  where they are kept; empty: the place the system has for them
     explicit Settings(QString file = {});
+
+    /// Called when something could not be written, once until writing works again.
+    void setWriteFailed(std::function<void(const Error&)> tell) { writeFailed_ = std::move(tell); }
 
     /// Newest first. The simulated robot is none of them.
     QVector<RobotAddress> rememberedRobots() const;
@@ -59,9 +61,11 @@ public:
     Learned learned() const;
     void setLearned(const Learned& learned);
 
+    // Of these, several windows each write what they have changed themselves and keep the other entries of the file.
+
     /// What the settings page offers.
-    Preferences preferences() const { return readPreferences(file_); }
-    void setPreferences(const Preferences& preferences) { writePreferences(file_, preferences); }
+    Preferences preferences() const;
+    void setPreferences(const Preferences& preferences);
 
     /// Everything that may go to another computer.
     SettingsBundle bundle() const;
@@ -71,18 +75,26 @@ public:
     /// Errors  FileNotWritable, DiskFull
     Result<QString> replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
     /// The operator's own perspectives, in the order of saving.
-    QVector<SavedPerspective> perspectives() const { return readPerspectives(file_); }
-    void setPerspectives(const QVector<SavedPerspective>& all) { writePerspectives(file_, all); }
+    QVector<SavedPerspective> perspectives() const;
+    /// Returns  all there are now, those of other windows included
+    QVector<SavedPerspective> setPerspectives(const QVector<SavedPerspective>& all);
     /// How the panels stood when the window was closed last.
-    LastArrangement arrangement() const { return readArrangement(file_); }
-    void setArrangement(const LastArrangement& arrangement) { writeArrangement(file_, arrangement); }
+    LastArrangement arrangement() const { return readArrangement(SettingsView(file_)); }
+    void setArrangement(const LastArrangement& arrangement);
 
 private:
     QString backupPath() const;
-    void writeParts(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
-    void writeRobots(const QVector<RobotAddress>& robots);
+    /// Changes the newest settings while no other window writes.
+    Result<void> edit(const std::function<void(SettingsEdit&)>& change);
 
     QString file_;
+    std::function<void(const Error&)> writeFailed_;
+    bool failed_ = false;
+    // What this window last read or wrote: only what differs from it is written.
+    mutable std::optional<SettingsMap> knownPreferences_;
+    mutable std::optional<SettingsMap> knownIoNames_;
+    mutable std::optional<Learned> knownLearned_;
+    mutable std::optional<QVector<SavedPerspective>> knownPerspectives_;
 };
 
 }  // namespace tiller::app

@@ -2,15 +2,16 @@
 #include "app/settings_file.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "robot/core/atomic_file.h"
+#include "robot/core/file_reading.h"
 
 namespace tiller::app {
 namespace {
@@ -29,6 +30,10 @@ constexpr qsizetype kLongestText = 64 * 1024;
 
 Error corrupt(const QString& why) {
     return {ErrorCode::FileCorrupt, why, {}};
+}
+
+Error tooLarge() {
+    return corrupt(SettingsFile::tr("The file is too large for settings."));
 }
 
 Error badValue(const QString& key) {
@@ -184,7 +189,7 @@ QByteArray settingsToJson(const SettingsBundle& bundle) {
 
 Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
     if (bytes.size() > kLargestFile) {
-        return corrupt(SettingsFile::tr("The file is too large for settings."));
+        return tooLarge();
     }
     QJsonParseError fault;
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &fault);
@@ -229,22 +234,15 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
 }
 
 Result<void> writeSettingsFile(const QString& path, const SettingsBundle& bundle) {
-    QSaveFile file(path);
-    const QByteArray bytes = settingsToJson(bundle);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        const bool full = file.error() == QFileDevice::ResourceError;
-        return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-                     SettingsFile::tr("write %1").arg(path), file.errorString()};
-    }
-    return {};
+    return writeFileAtomically(path, settingsToJson(bundle), SettingsFile::tr("write %1").arg(path));
 }
 
 Result<SettingsBundle> readSettingsFile(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return Error{ErrorCode::FileNotReadable, SettingsFile::tr("read %1").arg(path), file.errorString()};
+    const Result<QByteArray> bytes = readWholeFile(path, kLargestFile);
+    if (!bytes) {
+        return bytes.error().code == ErrorCode::FileCorrupt ? tooLarge() : bytes.error();
     }
-    return settingsFromJson(file.read(kLargestFile + 1));
+    return settingsFromJson(*bytes);
 }
 
 }  // namespace tiller::app

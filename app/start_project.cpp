@@ -15,6 +15,11 @@ constexpr char kFirstName[] = "cell.tiller";
 
 }  // namespace
 
+QString unsavedWorkFolder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
+        .filePath(QStringLiteral("Unsaved"));
+}
+
 StartProject startProject(const Settings& settings) {
     StartProject start;
     for (const QString& path : settings.recentProjects()) {

@@ -18,4 +18,7 @@ struct StartProject {
 /// for application data, else "cell.tiller" in projectFolder(), which is made.
 StartProject startProject(const Settings& settings);
 
+/// Where changes that are in no file survive the end of the program.
+QString unsavedWorkFolder();
+
 }  // namespace tiller::app

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "robot/project/project_file.h"
 
-#include <QFile>
+#include <QCryptographicHash>
 #include <QFileInfo>
 #include <QJsonDocument>
-#include <QSaveFile>
 
+#include "robot/core/atomic_file.h"
+#include "robot/core/file_reading.h"
+#include "robot/core/save_guard.h"
 #include "robot/project/detail/project_reader.h"
 #include "robot/project/detail/project_writer.h"
 
@@ -31,49 +33,19 @@ Error inFile(Error error, const QString& path) {
     return error;
 }
 
-Result<QByteArray> readFile(const QString& path) {
-    QFile file(path);
-    if (QFileInfo(path).isDir() || !file.open(QIODevice::ReadOnly)) {
-        return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path), file.errorString()};
+/// A file that would be written over although it cannot be read completely is kept under another name first.
+/// there  its content
+Result<QString> keepDamaged(const QString& path, const QByteArray& there) {
+    if (there.isEmpty() || parseProject(there).ok()) {
+        return QString();
     }
-    if (file.size() > kMaxProjectFileBytes) {
-        return inFile(
-            corrupt(
-                QStringLiteral("has %1 MB, more than a project can have").arg(file.size() / (1024 * 1024))),
-            path);
+    QString copy;
+    for (int number = 1; copy.isEmpty() || QFileInfo::exists(copy); ++number) {
+        copy = QStringLiteral("%1.damaged-%2").arg(path).arg(number);
     }
-    QByteArray bytes = file.readAll();
-    if (file.error() != QFileDevice::NoError) {
-        return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path), file.errorString()};
-    }
-    return bytes;
-}
-
-Error writeError(const QString& path, const QFileDevice& file) {
-    const bool full = file.error() == QFileDevice::ResourceError;
-    return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, QStringLiteral("write %1").arg(path),
-            file.errorString()};
-}
-
-/// A file that would be written over although it cannot be read completely goes aside first.
-Result<SaveReport> keepWhatCannotBeRead(const QString& path) {
-    const QFileInfo info(path);
-    if (!info.exists() || (info.isFile() && info.size() == 0) || loadProject(path).ok()) {
-        return SaveReport{};
-    }
-    for (int number = 1;; ++number) {
-        const QString copy = QStringLiteral("%1.damaged-%2").arg(path).arg(number);
-        if (QFileInfo::exists(copy)) {
-            continue;
-        }
-        QFile file(path);
-        if (!file.copy(copy)) {
-            return Error{ErrorCode::FileNotWritable,
-                         QStringLiteral("put the damaged %1 aside as %2").arg(path, copy),
-                         file.errorString()};
-        }
-        return SaveReport{copy};
-    }
+    const Result<void> kept =
+        writeFileAtomically(copy, there, QStringLiteral("keep the damaged file %1 as %2").arg(path, copy));
+    return kept ? Result<QString>(copy) : Result<QString>(kept.error());
 }
 
 Result<RecoveredProject> readRoot(const QJsonObject& root) {
@@ -131,13 +103,21 @@ Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes) {
     return readRoot(json.object());
 }
 
+QByteArray fingerprintOf(const QByteArray& content) {
+    return QCryptographicHash::hash(content, QCryptographicHash::Sha256);
+}
+
 Result<RecoveredProject> recoverProject(const QString& path) {
-    const Result<QByteArray> bytes = readFile(path);
+    const Result<QByteArray> bytes = readWholeFile(path, kMaxProjectFileBytes);
     if (!bytes) {
         return bytes.error();
     }
     Result<RecoveredProject> recovered = recoverFromBytes(*bytes);
-    return recovered ? recovered : inFile(recovered.error(), path);
+    if (!recovered) {
+        return inFile(recovered.error(), path);
+    }
+    recovered->fingerprint = fingerprintOf(*bytes);
+    return recovered;
 }
 
 Result<Project> parseProject(const QByteArray& bytes) {
@@ -156,13 +136,21 @@ Result<Project> parseProject(const QByteArray& bytes) {
     return std::move(recovered->document);
 }
 
-Result<Project> loadProject(const QString& path) {
-    const Result<QByteArray> bytes = readFile(path);
+Result<OpenedProject> openProject(const QString& path) {
+    const Result<QByteArray> bytes = readWholeFile(path, kMaxProjectFileBytes);
     if (!bytes) {
         return bytes.error();
     }
     Result<Project> document = parseProject(*bytes);
-    return document ? document : inFile(document.error(), path);
+    if (!document) {
+        return inFile(document.error(), path);
+    }
+    return OpenedProject{std::move(*document), fingerprintOf(*bytes)};
+}
+
+Result<Project> loadProject(const QString& path) {
+    Result<OpenedProject> opened = openProject(path);
+    return opened ? Result<Project>(std::move(opened->document)) : opened.error();
 }
 
 Result<QByteArray> serializeProject(const Project& document) {
@@ -175,18 +163,36 @@ Result<QByteArray> serializeProject(const Project& document) {
     return bytes;
 }
 
-Result<SaveReport> saveProject(const QString& path, const Project& document) {
+Result<SaveReport> saveProject(const QString& path, const Project& document,
+                               const std::optional<QList<QByteArray>>& known) {
     const Result<QByteArray> bytes = serializeProject(document);
     if (!bytes) {
         return bytes.error();
     }
-    Result<SaveReport> report = keepWhatCannotBeRead(path);
-    if (!report) {
-        return report;
+    const auto guard = SaveGuard::acquire(path);
+    if (!guard) {
+        return guard.error();
     }
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(*bytes) != bytes->size() || !file.commit()) {
-        return writeError(path, file);
+    SaveReport report;
+    report.fingerprint = fingerprintOf(*bytes);
+    if (QFileInfo::exists(path)) {
+        const Result<QByteArray> there = readWholeFile(path, kMaxProjectFileBytes);
+        if (!there) {
+            return there.error();
+        }
+        const QByteArray found = fingerprintOf(*there);
+        if (known && found != report.fingerprint && !known->contains(found)) {
+            report.changedByOther = true;
+            return report;
+        }
+        const Result<QString> kept = keepDamaged(path, *there);
+        if (!kept) {
+            return kept.error();
+        }
+        report.keptCopy = *kept;
+    }
+    if (const Result<void> written = writeFileAtomically(path, *bytes); !written) {
+        return written.error();
     }
     return report;
 }

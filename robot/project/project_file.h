@@ -31,6 +31,7 @@
 
 #include <QByteArray>
 #include <QJsonObject>
+#include <QList>
 #include <QString>
 #include <QVector>
 #include <optional>
@@ -77,14 +78,26 @@ struct RecoveredProject {
     QVector<FileProblem> problems;
     int lostWaypoints = 0;  ///< entries that were left out
     int lostFrames = 0;
-    int lostParts = 0;  ///< tools, payloads, positions, patterns, boxes, planes and paths
+    int lostParts = 0;       ///< tools, payloads, positions, patterns, boxes, planes and paths
+    QByteArray fingerprint;  ///< of the file's content; empty when it was not read from a file
 };
+
+/// A project and the content it was read from.
+struct OpenedProject {
+    Project document;
+    QByteArray fingerprint;  ///< as fingerprintOf() of the file's content
+};
+
+/// Identifies the content of a file, to see later whether another program has changed it.
+QByteArray fingerprintOf(const QByteArray& content);
 
 /// Everything of the file, or the first thing that is wrong with it.
 /// Errors   FileNotReadable; FileCorrupt with place and reason; VersionUnsupported for a newer file
 /// Threads  any. Blocks: for the file system. Real-time: no
+/// Only regular files of at most kMaxProjectFileBytes are read.
 Result<Project> loadProject(const QString& path);
-Result<Project> parseProject(const QByteArray& bytes);  ///< As loadProject().
+Result<OpenedProject> openProject(const QString& path);  ///< As loadProject().
+Result<Project> parseProject(const QByteArray& bytes);   ///< As loadProject().
 
 /// As much of the file as makes sense: every waypoint that is whole, also from a file cut off in the middle.
 /// Never touches the file.
@@ -92,16 +105,20 @@ Result<Project> parseProject(const QByteArray& bytes);  ///< As loadProject().
 Result<RecoveredProject> recoverProject(const QString& path);
 Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes);  ///< As recoverProject().
 
-/// Where a file went that would have been lost, if there was one.
+/// What saving did.
 struct SaveReport {
-    QString keptCopy;  ///< "cell-7.tiller.damaged-1"; empty if nothing had to be put aside
+    QString keptCopy;             ///< "cell-7.tiller.damaged-1"; empty if no damaged file was there
+    QByteArray fingerprint;       ///< of the content written
+    bool changedByOther = false;  ///< nothing was written: the file holds something this program has not read
 };
 
-/// Writes a new file beside the old one and puts it in its place in one step: a crash, a full disk or a
-/// pulled plug leaves the old one as it was.
+/// Writes a new file and replaces the old one in one step: a crash, a full disk or a power failure leaves the old one
+/// as it was.
+/// known    fingerprints of the contents that may be replaced; without it, any content. A missing file is created.
 /// Errors   InvalidArgument for values no file may hold (not finite, no name); FileNotWritable, DiskFull
 /// Threads  any. Blocks: for the file system. Real-time: no
-Result<SaveReport> saveProject(const QString& path, const Project& document);
+Result<SaveReport> saveProject(const QString& path, const Project& document,
+                               const std::optional<QList<QByteArray>>& known = std::nullopt);
 /// Errors   InvalidArgument
 /// Threads  any. Blocks: never. Real-time: no
 Result<QByteArray> serializeProject(const Project& document);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/core/file_reading.h"
+
 namespace tiller::recording {
 
 namespace {
@@ -69,9 +71,9 @@ const std::vector<double>* CsvTable::column(std::string_view name) const {
 }
 
 Result<CsvTable> readCsv(const Text& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path), file.errorString()};
+    QFile file;
+    if (const Result<void> opened = openForReading(file, path); !opened) {
+        return opened.error();
     }
     const QByteArray content = file.readAll();
     if (file.error() != QFileDevice::NoError) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/core/file_reading.h"
 #include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/table_recording.h"
 
@@ -281,9 +282,9 @@ private:
 }  // namespace
 
 Result<std::unique_ptr<Recording>> openCsv(const Text& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path), file.errorString()};
+    QFile file;
+    if (const Result<void> opened = openForReading(file, path); !opened) {
+        return opened.error();
     }
     return CsvParser(path).parse(file);
 }

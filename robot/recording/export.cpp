@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "robot/recording/export.h"
 
-#include <QSaveFile>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <memory>
 
+#include "robot/core/atomic_file.h"
 #include "robot/recording/detail/ranges.h"
 
 namespace tiller::recording {
@@ -43,12 +43,6 @@ char* putNumber(char* at, double value, bool whole, char decimal) {
 /// A cell of the heading: between quotation marks where it holds what separates cells.
 std::string cell(const std::string& text, char separator) {
     return text.find(separator) == std::string::npos ? text : '"' + text + '"';
-}
-
-Error writeError(const QFileDevice& file, const Text& path) {
-    const bool full = file.error() == QFileDevice::ResourceError || file.errorString().contains("space");
-    return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, QStringLiteral("export to %1").arg(path),
-            file.errorString()};
 }
 
 }  // namespace
@@ -124,9 +118,9 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     if (!rows) {
         return rows.error();
     }
-    QSaveFile file(choice.path);
-    if (!file.open(QIODevice::WriteOnly)) {
-        return writeError(file, choice.path);
+    AtomicFile file(choice.path, QStringLiteral("export to %1").arg(choice.path));
+    if (const Result<void> opened = file.open(); !opened) {
+        return opened.error();
     }
     std::string heading;
     std::string units;
@@ -141,11 +135,11 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     ExportReport report;
     const auto write = [&](const char* text, std::size_t size) {
         report.bytes += static_cast<std::int64_t>(size);
-        return file.write(text, static_cast<qint64>(size)) == static_cast<qint64>(size);
+        return file.write(std::string_view(text, size));
     };
     const std::string above = heading + '\n' + (style.unitsLine ? units + '\n' : std::string());
-    if (!write(above.data(), above.size())) {
-        return writeError(file, choice.path);
+    if (const Result<void> written = write(above.data(), above.size()); !written) {
+        return written.error();
     }
     const std::size_t count = columns.value().size();
     std::vector<std::uint8_t> whole;
@@ -175,13 +169,14 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
             }
             at[-1] = '\n';
         }
-        if (!write(text.get(), static_cast<std::size_t>(at - text.get()))) {
-            return writeError(file, choice.path);
+        if (const Result<void> written = write(text.get(), static_cast<std::size_t>(at - text.get()));
+            !written) {
+            return written.error();
         }
         report.rows += part.count;
     }
-    if (!file.commit()) {
-        return writeError(file, choice.path);
+    if (const Result<void> committed = file.commit(); !committed) {
+        return committed.error();
     }
     return report;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "robot/core/file_reading.h"
 #include "robot/ur_rtde/detail/arguments.h"
 #include "robot/ur_rtde/detail/control_session.h"
 #include "robot/ur_rtde/detail/waiting.h"
@@ -16,6 +16,7 @@ using List = std::vector<double>;
 
 namespace {
 
+constexpr qint64 kMaxScriptBytes = 16 << 20;
 constexpr double kMaxMass = 100.0;    // [kg], above every arm's payload
 constexpr double kMaxLength = 2.0;    // [m], centres of gravity and the like
 constexpr double kMaxGravity = 20.0;  // [m/s2]
@@ -193,17 +194,15 @@ bool RTDEControlInterface::sendCustomScript(const std::string& script) {
 }
 
 bool RTDEControlInterface::sendCustomScriptFile(const std::string& file_path) {
-    std::ifstream file(file_path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file || text.str().empty()) {
+    const auto text = readWholeFile(QString::fromStdString(file_path), kMaxScriptBytes);
+    if (!text || text->isEmpty()) {
         throw std::invalid_argument("file_path: cannot read " + file_path);
     }
-    return d_->session.backend()->runCustom(text.str());
+    return d_->session.backend()->runCustom(text->toStdString());
 }
 
 void RTDEControlInterface::setCustomScriptFile(const std::string& file_path) {
-    if (!file_path.empty() && !std::ifstream(file_path)) {
+    if (!file_path.empty() && !readWholeFile(QString::fromStdString(file_path), kMaxScriptBytes)) {
         throw std::invalid_argument("file_path: cannot read " + file_path);
     }
     d_->session.useScriptFile(file_path);

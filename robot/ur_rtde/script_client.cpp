@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "robot/ur_rtde/script_client.h"
 
-#include <fstream>
 #include <iostream>
 #include <mutex>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "robot/control/programs.h"
+#include "robot/core/file_reading.h"
 #include "robot/script/script_client.h"
 #include "robot/ur_rtde/detail/arguments.h"
 #include "robot/ur_rtde/detail/waiting.h"
@@ -22,12 +22,11 @@ namespace {
 
 constexpr std::chrono::milliseconds kScriptConnectTime(2000);
 constexpr std::chrono::milliseconds kSendTime(5000);
+constexpr qint64 kMaxScriptBytes = 16 << 20;
 
 std::optional<std::string> contentOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return file ? std::optional(text.str()) : std::nullopt;
+    const auto content = readWholeFile(QString::fromStdString(path), kMaxScriptBytes);
+    return content ? std::optional(content->toStdString()) : std::nullopt;
 }
 
 }  // namespace

@@ -419,7 +419,7 @@ private Q_SLOTS:
             QByteArray damaged = panels;
             damaged[i] = static_cast<char>(damaged[i] ^ (1 << (i % 8)));
             QSettings(file, QSettings::IniFormat).setValue("arrangement/panels", damaged);
-            QCOMPARE(app::readArrangement(file).found, LastArrangement::Found::Damaged);
+            QCOMPARE(app::readArrangement(app::SettingsView(file)).found, LastArrangement::Found::Damaged);
         }
     }
 

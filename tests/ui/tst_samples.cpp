@@ -150,7 +150,7 @@ private Q_SLOTS:
         for (int row = 0; row < document.waypoints().size(); ++row) {
             QVERIFY2(document.reach(row).ok(), qPrintable(document.waypoints().at(row).name));
         }
-        QVERIFY(bench.store().path().isEmpty() && !bench.store().isUnsavedCopy());
+        QVERIFY(bench.store().path().isEmpty() && !bench.store().isModified());
         QVERIFY2(app::Settings(bench.file).recentProjects().isEmpty(), "a copy is no file to come back to");
         // Unchanged, it is left without a question.
         const Answer answer("unsavedCopy.stay");
@@ -162,10 +162,10 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY(bench.open("gluing"));
         bench.change();
-        QVERIFY(bench.store().isUnsavedCopy());
+        QVERIFY(bench.store().isModified());
         const QString mine = bench.folder.filePath("mine.tiller");
         bench.window.files().saveAs(mine);
-        QVERIFY(!bench.store().isUnsavedCopy());
+        QVERIFY(!bench.store().isModified());
         QCOMPARE(project::loadProject(mine)->waypoints.at(0).name, QString("mine"));
         QCOMPARE(app::Settings(bench.file).recentProjects(), QStringList{mine});
         // Opened anew, the sample is as it was.

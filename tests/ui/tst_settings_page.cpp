@@ -244,7 +244,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         const QString file = folder.filePath("settings.ini");
         QSettings(file, QSettings::IniFormat).setValue(key, value);
-        const Preferences read = app::readPreferences(file);
+        const Preferences read = app::readPreferences(app::SettingsView(file));
         QVERIFY(read.speedCap >= Preferences::kLowestCap && read.speedCap <= Preferences::kOrdinaryCap);
         QVERIFY(read.longestHold >= Preferences::kShortestLongestHold &&
                 read.longestHold <= Preferences::kLongestLongestHold);

@@ -17,6 +17,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     , title_(new QLabel)
     , text_(new QLabel)
     , accept_(new QPushButton)
+    , other_(new QPushButton)
     , dismiss_(new QPushButton) {
     setObjectName(QStringLiteral("notice"));
     setAccessibleName(tr("Notice"));
@@ -29,6 +30,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     accept_->setObjectName(QStringLiteral("notice.accept"));
     accept_->setAccessibleName(tr("Accept"));
     accept_->setProperty("primary", true);
+    other_->setObjectName(QStringLiteral("notice.other"));
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));
     dismiss_->setAccessibleName(tr("Dismiss"));
 
@@ -37,6 +39,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     auto* keys = new QHBoxLayout;
     keys->addWidget(dismiss_);
     keys->addStretch();
+    keys->addWidget(other_);
     keys->addWidget(accept_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 10, 12, 10);
@@ -45,30 +48,53 @@ NoticeBar::NoticeBar(QWidget* parent)
     layout->addWidget(text_);
     layout->addLayout(keys);
 
-    connect(accept_, &QPushButton::clicked, this, [this] {
-        const std::function<void()> accepted = std::move(accepted_);
-        dismiss();
-        if (accepted) {
-            accepted();
-        }
-    });
+    connect(accept_, &QPushButton::clicked, this, [this] { answer(&Notice::accepted); });
+    connect(other_, &QPushButton::clicked, this, [this] { answer(&Notice::otherAccepted); });
     connect(dismiss_, &QPushButton::clicked, this, &NoticeBar::dismiss);
     hide();
 }
 
+void NoticeBar::answer(std::function<void()> Notice::*callback) {
+    const std::function<void()> run = notice_.*callback;
+    dismiss();
+    if (run) {
+        run();
+    }
+}
+
 void NoticeBar::show(Kind kind, const QString& title, const QString& text, const QString& accept,
                      std::function<void()> accepted) {
+    show(kind, {.title = title, .text = text, .accept = accept, .accepted = std::move(accepted)});
+}
+
+void NoticeBar::show(Kind kind, const Notice& notice) {
+    if (!notice.cause.isEmpty()) {
+        std::erase_if(waiting_,
+                      [&notice](const Waiting& other) { return other.notice.cause == notice.cause; });
+    }
+    if (!isHidden() && !notice_.cause.isEmpty() && notice_.cause != notice.cause) {
+        waiting_.push_back({kind_, notice_});
+    }
+    display(kind, notice);
+}
+
+void NoticeBar::display(Kind kind, const Notice& notice) {
     kind_ = kind;
-    accepted_ = std::move(accepted);
-    title_->setText(kind == Kind::Warning ? QStringLiteral("▲ ") + title : title);
-    text_->setText(text);
-    text_->setVisible(!text.isEmpty());
-    accept_->setText(accept);
-    accept_->setAccessibleName(accept);
-    accept_->setVisible(!accept.isEmpty());
-    dismiss_->setText(accept.isEmpty() ? tr("Close") : tr("Cancel"));
+    notice_ = notice;
+    title_->setText(kind == Kind::Warning ? QStringLiteral("▲ ") + notice.title : notice.title);
+    text_->setText(notice.text);
+    text_->setVisible(!notice.text.isEmpty());
+    accept_->setText(notice.accept);
+    accept_->setAccessibleName(notice.accept);
+    accept_->setVisible(!notice.accept.isEmpty());
+    other_->setText(notice.other);
+    other_->setAccessibleName(notice.other);
+    other_->setVisible(!notice.other.isEmpty());
+    dismiss_->setText(!notice.dismiss.isEmpty() ? notice.dismiss
+                      : notice.accept.isEmpty() ? tr("Close")
+                                                : tr("Cancel"));
     dismiss_->setAccessibleName(dismiss_->text());
-    setAccessibleDescription(title + QLatin1Char(' ') + text);
+    setAccessibleDescription(notice.title + QLatin1Char(' ') + notice.text);
     QPalette colors = palette();
     const Theme& theme = Theme::current();
     colors.setColor(QPalette::WindowText, kind == Kind::Warning ? theme.warning : theme.text);
@@ -78,8 +104,32 @@ void NoticeBar::show(Kind kind, const QString& title, const QString& text, const
 }
 
 void NoticeBar::dismiss() {
-    accepted_ = {};
+    notice_ = {};
     hide();
+    if (!waiting_.empty()) {
+        const Waiting next = waiting_.back();
+        waiting_.pop_back();
+        display(next.kind, next.notice);
+    }
+}
+
+void NoticeBar::dismissWithoutCause() {
+    if (notice_.cause.isEmpty()) {
+        dismiss();
+    }
+}
+
+void NoticeBar::resolve(const QString& cause) {
+    std::erase_if(waiting_, [&cause](const Waiting& other) { return other.notice.cause == cause; });
+    if (!isHidden() && notice_.cause == cause) {
+        dismiss();
+    }
+}
+
+void NoticeBar::dismissQuestion() {
+    if (!isHidden() && notice_.cause.isEmpty() && notice_.accepted) {
+        dismiss();
+    }
 }
 
 QString NoticeBar::title() const {

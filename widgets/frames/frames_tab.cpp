@@ -104,6 +104,7 @@ void FramesTab::buildLayout() {
     layout->addWidget(details_);
     notice_ = new NoticeBar;
     new LowerEdge(*notice_, *this, {pages_, teacher_});
+    connect(&document_, &ProjectDocument::documentChanged, notice_, &NoticeBar::dismissQuestion);
     editing_ = new FrameEditing(document_, *model_, *notice_, this);
 
     connect(fromTcp_, &QPushButton::clicked, this, &FramesTab::teachFromTcp);

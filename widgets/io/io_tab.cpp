@@ -20,6 +20,8 @@
 namespace tiller {
 namespace {
 
+/// Cause of the notice about an output that did not switch.
+constexpr char kUnconfirmed[] = "output";
 /// After this long without the robot's word, "pending" would be a lie.
 constexpr std::int64_t kConfirmNs = 2 * kNsPerSecond;
 constexpr int kRefreshMs = 50;
@@ -285,11 +287,18 @@ void IoTab::refresh() {
             pending_.erase(asked);
             pending = false;
         } else if (pending && clock_->nowNs() - asked->sinceNs > kConfirmNs) {
+            const bool wanted = asked->wanted;
             pending_.erase(asked);
             pending = false;
             notice_->show(NoticeBar::Kind::Warning,
-                          tr("The robot did not confirm %1").arg(out->accessibleName()),
-                          tr("Another program or the installation may own it."));
+                          {.title = tr("The robot did not confirm %1").arg(out->accessibleName()),
+                           .text = tr("Another program or the installation may own it."),
+                           .cause = QLatin1String(kUnconfirmed)});
+            unconfirmed_ = {channel, wanted};
+        } else if (unconfirmed_.first == channel && (stale || unconfirmed_.second == on)) {
+            // Confirmed after all, or no longer known.
+            unconfirmed_ = {-1, false};
+            notice_->resolve(QLatin1String(kUnconfirmed));
         }
         out->setStale(stale);
         out->setObstacle(stale ? QString() : session_.outputs().holders().digital(channel));

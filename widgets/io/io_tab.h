@@ -10,6 +10,7 @@
 #include <QVector>
 #include <QWidget>
 #include <functional>
+#include <utility>
 
 #include "robot/core/clock.h"
 #include "widgets/session/replay_moment.h"
@@ -106,6 +107,7 @@ private:
         std::int64_t sinceNs = 0;
     };
     QMap<int, Pending> pending_;
+    std::pair<int, bool> unconfirmed_{-1, false};  ///< output of the notice, and the state that was asked for
 };
 
 }  // namespace tiller

@@ -9,7 +9,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSaveFile>
 #include <QScrollBar>
 #include <QTableView>
 #include <QToolButton>
@@ -17,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/core/atomic_file.h"
 #include "widgets/common/density.h"
 #include "widgets/common/list_typing.h"
 #include "widgets/common/nothing_found.h"
@@ -306,14 +306,7 @@ void LogTab::copy() {
 }
 
 Result<void> LogTab::exportTo(const QString& path) const {
-    QSaveFile file(path);
-    const QByteArray bytes = shownText().toUtf8();
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        const bool full = file.error() == QFileDevice::ResourceError;
-        return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, tr("write %1").arg(path),
-                     file.errorString()};
-    }
-    return {};
+    return writeFileAtomically(path, shownText().toUtf8(), tr("write %1").arg(path));
 }
 
 void LogTab::focusSearch() {

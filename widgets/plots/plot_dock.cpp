@@ -15,7 +15,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QSaveFile>
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QToolButton>
@@ -26,6 +25,8 @@
 #include <cmath>
 #include <utility>
 
+#include "robot/core/atomic_file.h"
+#include "robot/core/file_reading.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/incident.h"
 #include "widgets/common/density.h"
@@ -439,22 +440,16 @@ void PlotDock::buildPagesMenu() {
 }
 
 Result<void> PlotDock::saveArrangement(const QString& path) const {
-    QSaveFile file(path);
-    const QByteArray json = arrangement();
-    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
-        return Error{ErrorCode::FileNotWritable, tr("save the arrangement to %1").arg(path),
-                     file.errorString()};
-    }
-    return {};
+    return writeFileAtomically(path, arrangement(), tr("save the arrangement to %1").arg(path));
 }
 
 Result<void> PlotDock::openArrangement(const QString& path) {
     constexpr qint64 kLongest = 1 << 20;
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return Error{ErrorCode::FileNotReadable, tr("open the arrangement %1").arg(path), file.errorString()};
+    const Result<QByteArray> bytes = readWholeFile(path, kLongest);
+    if (!bytes) {
+        return bytes.error();
     }
-    const Result<PlotLayout> layout = PlotLayout::fromJson(file.read(kLongest));
+    const Result<PlotLayout> layout = PlotLayout::fromJson(*bytes);
     if (!layout) {
         return layout.error();
     }

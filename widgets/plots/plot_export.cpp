@@ -2,24 +2,13 @@
 #include "widgets/plots/plot_export.h"
 
 #include <QCoreApplication>
-#include <QSaveFile>
 #include <cmath>
 #include <optional>
 
+#include "robot/core/atomic_file.h"
 #include "widgets/signals/signal_store.h"
 
 namespace tiller {
-
-namespace {
-
-Error writeError(const QSaveFile& file, const QString& path) {
-    const bool full = file.error() == QFileDevice::ResourceError;
-    return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-                 QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path),
-                 file.errorString()};
-}
-
-}  // namespace
 
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
                                const QString& path) {
@@ -35,9 +24,9 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
             QCoreApplication::translate("tiller::PlotDock", "export: there are no samples in this range"),
             {}};
     }
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) {
-        return writeError(file, path);
+    AtomicFile file(path, QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path));
+    if (const Result<void> opened = file.open(); !opened) {
+        return opened.error();
     }
     QByteArray line = "timestamp";
     for (const int signal : shown) {
@@ -46,8 +35,8 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
     }
     line += '\n';
     for (std::int64_t sample = begin; sample <= end; ++sample) {
-        if (file.write(line) != line.size()) {
-            return writeError(file, path);
+        if (const Result<void> written = file.write(line); !written) {
+            return written.error();
         }
         if (sample == end) {
             break;
@@ -65,8 +54,8 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
         }
         line += '\n';
     }
-    if (!file.commit()) {
-        return writeError(file, path);
+    if (const Result<void> committed = file.commit(); !committed) {
+        return committed.error();
     }
     return end - begin;
 }

@@ -8,9 +8,9 @@
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
+#include "robot/core/atomic_file.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/plot_view.h"
 
@@ -118,19 +118,12 @@ Result<void> exportPicture(const PlotView& view, SignalStore& store, const State
             QCoreApplication::translate("tiller::PlotDock",
                                         "name the file .png, .svg or .pdf for a picture, .csv for values")};
     }
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) {
-        return Error{ErrorCode::FileNotWritable, context, file.errorString()};
-    }
     Page page(view, store, lane, text);
     const QByteArray bytes = ending == QLatin1String("png")   ? png(page)
                              : ending == QLatin1String("svg") ? svg(page, text.title)
                                                               : pdf(page, text.title);
-    if (bytes.isEmpty() || file.write(bytes) != bytes.size() || !file.commit()) {
-        const bool full = file.error() == QFileDevice::ResourceError;
-        return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, context, file.errorString()};
-    }
-    return {};
+    return bytes.isEmpty() ? Error{ErrorCode::Internal, context, {}}
+                           : writeFileAtomically(path, bytes, context);
 }
 
 }  // namespace tiller

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -12,6 +13,16 @@
 #include "widgets/session/texts.h"
 
 namespace tiller {
+namespace {
+
+// Causes of notices.
+constexpr char kDamaged[] = "project.damaged";
+constexpr char kSaving[] = "project.saving";
+constexpr char kElsewhere[] = "project.elsewhere";
+constexpr char kForeign[] = "project.foreign";
+constexpr char kKept[] = "project.kept";
+
+}  // namespace
 
 QString projectFolder() {
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -22,18 +33,127 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
     connect(&store_, &ProjectStore::keptAside, this, [this](const QString& copy) {
         Q_EMIT message(Severity::Warning, tr("The damaged project file was kept as %1").arg(copy));
     });
-    connect(&store_, &ProjectStore::saveFailed, this,
-            [this](const Error& error) { warn(tr("The project could not be saved"), error); });
+    connect(&store_, &ProjectStore::saveFailed, this, [this](const Error& error) {
+        warn(tr("The project could not be saved"), error, QLatin1String(kSaving));
+    });
+    connect(&store_, &ProjectStore::saveRecovered, this, [this] {
+        Q_EMIT message(Severity::Info, tr("%1 is saved again").arg(store_.name()));
+        Q_EMIT noticeResolved(QLatin1String(kSaving));
+    });
+    connect(&store_, &ProjectStore::openElsewhere, this, &ProjectFiles::onOpenElsewhere);
+    connect(&store_, &ProjectStore::freeAgain, this, [this] {
+        Q_EMIT noticeResolved(QLatin1String(kElsewhere));
+        Q_EMIT message(
+            Severity::Info,
+            tr("The other window has closed %1. Changes here are saved again.").arg(store_.name()));
+    });
+    connect(&store_, &ProjectStore::changedByOther, this, &ProjectFiles::onChangedByOther);
+    connect(&store_, &ProjectStore::pathChanged, this, [this] {
+        // These were about the project before.
+        for (const char* cause : {kDamaged, kSaving, kElsewhere, kForeign}) {
+            Q_EMIT noticeResolved(QLatin1String(cause));
+        }
+    });
 }
 
-void ProjectFiles::warn(const QString& title, const Error& error) {
+void ProjectFiles::warn(const QString& title, const Error& error, const QString& cause) {
     // The version is the file's here, never the robot's.
     const QString text =
         error.code == ErrorCode::VersionUnsupported
             ? tr("%1. Update Tiller to open it. The file was left as it is.").arg(error.context)
             : texts::errorText(error);
     Q_EMIT message(Severity::Error, text);
-    Q_EMIT noticeWanted({title, text, {}, {}});
+    Q_EMIT noticeWanted({.title = title, .text = text, .cause = cause});
+}
+
+void ProjectFiles::onOpenElsewhere() {
+    const QString title = tr("%1 is open in another window").arg(store_.name());
+    const QString who = store_.otherOwner() ? store_.otherOwner()->toString() : QString();
+    const QString text =
+        tr("Opened by %1. Changes in this window are not saved to the file until you take the "
+           "project over.")
+            .arg(who);
+    Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
+    Q_EMIT noticeWanted({.title = title,
+                         .text = text,
+                         .accept = tr("Take over"),
+                         .accepted = [this] { takeOver(); },
+                         .other = tr("Save as a copy"),
+                         .otherAccepted = [this] { keepBoth(); },
+                         .dismiss = tr("View only"),
+                         .cause = QLatin1String(kElsewhere)});
+}
+
+void ProjectFiles::onChangedByOther() {
+    const QString title = tr("Another window or program has changed %1").arg(store_.name());
+    const QString text =
+        store_.isModified()
+            ? tr("This window has changes of its own, which are not saved. Reload drops them, Keep both "
+                 "saves this window's project to a second file.")
+            : tr("Reload shows the new content. Keep both saves this window's project to a second file. "
+                 "Changes are not saved until you decide.");
+    Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
+    Q_EMIT noticeWanted({.title = title,
+                         .text = text,
+                         .accept = tr("Reload"),
+                         .accepted = [this] { reload(); },
+                         .other = tr("Keep both"),
+                         .otherAccepted = [this] { keepBoth(); },
+                         .dismiss = tr("Decide later"),
+                         .cause = QLatin1String(kForeign)});
+}
+
+void ProjectFiles::takeOver() {
+    Q_EMIT noticeResolved(QLatin1String(kElsewhere));
+    if (const Result<void> taken = store_.takeOver(); !taken) {
+        warn(tr("The project could not be taken over"), taken.error(), QLatin1String(kElsewhere));
+    }
+}
+
+void ProjectFiles::reload() {
+    if (const Result<void> loaded = store_.reload(); !loaded) {
+        warn(tr("The project could not be opened"), loaded.error(), QLatin1String(kDamaged));
+    } else {
+        Q_EMIT message(Severity::Info, tr("Reloaded %1").arg(store_.name()));
+    }
+}
+
+void ProjectFiles::keepBoth() {
+    const Result<QString> copy = store_.keepBoth();
+    if (!copy) {
+        warn(tr("The project could not be saved"), copy.error(), QLatin1String(kSaving));
+    } else {
+        Q_EMIT message(Severity::Info, tr("This window's project is now %1").arg(*copy));
+    }
+}
+
+void ProjectFiles::offerKept() {
+    const QList<project::KeptCopy> kept = project::keptCopies(store_.copyFolder());
+    if (kept.isEmpty()) {
+        return;
+    }
+    const project::KeptCopy newest = kept.first();
+    const QString name = newest.name.isEmpty() ? tr("A project without a file") : newest.name;
+    const QString title = tr("Unsaved work was kept");
+    const QString text = tr("“%1” was changed on %2 and not saved to a file.")
+                             .arg(name, QLocale().toString(newest.at.toLocalTime(), QLocale::ShortFormat));
+    Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
+    Q_EMIT noticeWanted({.title = title,
+                         .text = text,
+                         .accept = tr("Open it"),
+                         .accepted =
+                             [this, newest] {
+                                 if (!mayLeave(QApplication::activeWindow())) {
+                                     return;
+                                 }
+                                 if (const Result<void> opened = store_.openKept(newest); !opened) {
+                                     warn(tr("The project could not be opened"), opened.error(),
+                                          QLatin1String(kDamaged));
+                                 }
+                                 offerKept();
+                             },
+                         .dismiss = tr("Ask again next time"),
+                         .cause = QLatin1String(kKept)});
 }
 
 QString ProjectFiles::startingPlace() const {
@@ -72,25 +192,34 @@ void ProjectFiles::open(const QString& path) {
         Q_EMIT message(Severity::Error, texts::errorText(error));
         offerRecovery(path, error);
     } else {
-        warn(tr("The project could not be opened"), error);
+        warn(tr("The project could not be opened"), error, QLatin1String(kDamaged));
     }
 }
 
 void ProjectFiles::openCopy(const QString& path, const QString& name) {
     if (const Result<void> opened = store_.openCopy(path, name); !opened) {
-        warn(tr("The project could not be opened"), opened.error());
+        warn(tr("The project could not be opened"), opened.error(), QLatin1String(kDamaged));
         return;
     }
     Q_EMIT message(Severity::Info, tr("Opened a copy of “%1”. Save it to a file to keep changes.").arg(name));
 }
 
 bool ProjectFiles::mayLeave(QWidget* over) {
-    if (!store_.isUnsavedCopy()) {
+    if (!store_.isModified()) {
         return true;
     }
-    QMessageBox question(QMessageBox::Question, tr("Save project"),
-                         tr("“%1” is a copy and has changes that are in no file.").arg(store_.copyName()),
-                         QMessageBox::NoButton, over);
+    const bool hasFile = !store_.path().isEmpty();
+    const Result<void> saved = hasFile ? store_.saveNow() : Result<void>();
+    if (hasFile && saved) {
+        return true;
+    }
+    const QString why =
+        !store_.copyName().isEmpty()
+            ? tr("“%1” is a copy and has changes that are in no file.").arg(store_.copyName())
+        : hasFile
+            ? tr("%1 has changes that are not saved. %2").arg(store_.name(), texts::errorText(saved.error()))
+            : tr("The project has changes that are in no file.");
+    QMessageBox question(QMessageBox::Question, tr("Save project"), why, QMessageBox::NoButton, over);
     question.setObjectName(QStringLiteral("unsavedCopy"));
     QPushButton* save = question.addButton(tr("Save as…"), QMessageBox::AcceptRole);
     save->setObjectName(QStringLiteral("unsavedCopy.save"));
@@ -103,39 +232,47 @@ bool ProjectFiles::mayLeave(QWidget* over) {
     question.exec();
     if (question.clickedButton() == save) {
         askToSave(over);
-        return !store_.isUnsavedCopy();
+        return !store_.isModified();
     }
-    return question.clickedButton() == drop;
+    if (question.clickedButton() == drop) {
+        store_.discardChanges();
+        return true;
+    }
+    return false;
 }
 
 void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
     const QString title = tr("%1 is damaged").arg(QFileInfo(path).fileName());
     const Result<project::RecoveredProject> found = project::recoverProject(path);
     if (!found || found->document.waypoints.isEmpty()) {
-        Q_EMIT noticeWanted({title, error.context, {}, {}});
+        Q_EMIT noticeWanted({.title = title, .text = error.context, .cause = QLatin1String(kDamaged)});
         return;
     }
     const int whole = found->document.waypoints.size();
-    Q_EMIT noticeWanted({title,
-                         tr("%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.")
-                             .arg(error.context)
-                             .arg(whole)
-                             .arg(found->lostWaypoints),
-                         tr("Open %n waypoints", nullptr, whole), [this, path] {
-                             // What was open when the file was found damaged may have been changed since.
-                             if (!mayLeave(QApplication::activeWindow())) {
-                                 return;
-                             }
-                             if (const auto recovered = store_.openRecovered(path); !recovered) {
-                                 warn(tr("The project could not be opened"), recovered.error());
-                             }
-                         }});
+    Q_EMIT noticeWanted(
+        {.title = title,
+         .text = tr("%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.")
+                     .arg(error.context)
+                     .arg(whole)
+                     .arg(found->lostWaypoints),
+         .accept = tr("Open %n waypoints", nullptr, whole),
+         .accepted =
+             [this, path] {
+                 // What was open when the file was found damaged may have been changed since.
+                 if (!mayLeave(QApplication::activeWindow())) {
+                     return;
+                 }
+                 if (const auto recovered = store_.openRecovered(path); !recovered) {
+                     warn(tr("The project could not be opened"), recovered.error(), QLatin1String(kDamaged));
+                 }
+             },
+         .cause = QLatin1String(kDamaged)});
 }
 
 void ProjectFiles::saveAs(const QString& path) {
     const QString full = QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".tiller") : path;
     if (const Result<void> saved = store_.saveAs(full); !saved) {
-        warn(tr("The project could not be saved"), saved.error());
+        warn(tr("The project could not be saved"), saved.error(), QLatin1String(kSaving));
     }
 }
 

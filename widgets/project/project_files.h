@@ -5,8 +5,8 @@
 // a damaged one. Where the words appear is the window's affair.
 
 #include <QObject>
-#include <functional>
 
+#include "widgets/common/notice_bar.h"
 #include "widgets/project/project_store.h"
 #include "widgets/session/robot_session.h"
 
@@ -15,14 +15,6 @@ class QWidget;
 namespace tiller {
 
 class ProjectDocument;
-
-/// Something the operator should see now, beside the waypoints.
-struct ProjectNotice {
-    QString title;
-    QString text;
-    QString accept;  ///< label of the key that does something about it; empty for none
-    std::function<void()> accepted;
-};
 
 class ProjectFiles : public QObject {
     Q_OBJECT
@@ -43,7 +35,9 @@ public:
     /// Opens what is in the file as a project without a file; saving asks for one.
     /// name  what the copy is called until then
     void openCopy(const QString& path, const QString& name);
-    /// Asks what becomes of a changed copy, which nothing saves by itself; everything else may be left at once.
+    /// Offers the newest work that a window which has ended left behind unsaved.
+    void offerKept();
+    /// Saves what is not saved yet; where that is not possible, asks what becomes of it.
     /// over  the window the question stands in front of
     /// Returns  false when the operator wants to stay
     bool mayLeave(QWidget* over);
@@ -51,13 +45,20 @@ public:
     void saveAs(const QString& path);
 
 Q_SIGNALS:
-    void noticeWanted(const tiller::ProjectNotice& notice);
+    void noticeWanted(const tiller::Notice& notice);
+    /// Notices with this cause are no longer true.
+    void noticeResolved(const QString& cause);
     /// Something the operator should be able to read again later.
     void message(tiller::Severity severity, const QString& text);
 
 private:
     void offerRecovery(const QString& path, const Error& error);
-    void warn(const QString& title, const Error& error);
+    void warn(const QString& title, const Error& error, const QString& cause);
+    void onOpenElsewhere();
+    void onChangedByOther();
+    void takeOver();
+    void reload();
+    void keepBoth();
     /// Where the questions begin: the open file, or the folder for projects.
     QString startingPlace() const;
 

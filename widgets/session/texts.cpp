@@ -75,8 +75,7 @@ QString advice(ErrorCode code) {
         case ErrorCode::FileCorrupt:
             return TextsText::tr("The file was left as it is. Open a backup, or repair the named place.");
         case ErrorCode::DiskFull:
-            return TextsText::tr(
-                "The disk is full: what was recorded so far is kept. Free some space and record anew.");
+            return TextsText::tr("Free some space on the disk, then save or record again.");
         case ErrorCode::None:
         case ErrorCode::Cancelled:
         case ErrorCode::Stopped:

@@ -117,9 +117,8 @@ QString StatusLine::messageText() const {
     return message_->fullText();
 }
 
-void StatusLine::setProjectFile(const QString& name, bool saved) {
-    file_->setFullText(name.isEmpty() ? QString()
-                                      : tr("%1 — %2").arg(name, saved ? tr("saved") : tr("not saved")));
+void StatusLine::setProjectText(const QString& text) {
+    file_->setFullText(text);
 }
 
 void StatusLine::applyState(const SessionState& state) {

@@ -22,8 +22,8 @@ public:
     /// Follows this session's state and messages.
     explicit StatusLine(RobotSession& session, QWidget* parent = nullptr);
 
-    /// name  of the file, without its folder; empty for none
-    void setProjectFile(const QString& name, bool saved);
+    /// text  the project's name and whether it is saved; empty for none
+    void setProjectText(const QString& text);
     /// Puts a key of fixed width at the right end. The line becomes its parent.
     void addKey(QWidget* key);
     QString recordingText() const;

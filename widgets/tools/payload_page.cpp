@@ -19,6 +19,9 @@
 namespace tiller {
 namespace {
 
+/// Cause of the notice about what robot and project have differently.
+constexpr char kPayloadDifference[] = "robot.payload";
+
 PartModel* payloadModel(ProjectDocument& document) {
     const auto at = [&document](int row) -> const project::Payload& {
         return document.tooling().payloads.at(static_cast<std::size_t>(row));
@@ -157,6 +160,7 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
         payload.centre = centre;
         insert(payload);
     });
+    connect(&document_, &ProjectDocument::documentChanged, &notice(), &NoticeBar::dismissQuestion);
     connect(&document_, &ProjectDocument::toolingChanged, this, [this] {
         followList();
         compare();
@@ -220,12 +224,13 @@ void PayloadPage::use() {
     }
     const project::Payload chosen = *payload;
     // What is about to be set needs no question.
-    askedFor_ = chosen.id;
+    asked_ = chosen;
     askedMass_ = state_.payloadMass;
     askedCentre_ = state_.payloadCentre;
     project::Tooling after = document_.tooling();
     after.activePayload = chosen.id;
     document_.changeTooling(after, tr("Use the payload “%1”").arg(chosen.name));
+    notice().resolve(QLatin1String(kPayloadDifference));
     notice().dismiss();
     if (!state_.canMove()) {
         showProblem(state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
@@ -361,19 +366,23 @@ void PayloadPage::showFigures(const project::Payload& payload) {
 
 void PayloadPage::compare() {
     const project::Payload* used = document_.tooling().payloads.find(document_.tooling().activePayload);
-    if (used == nullptr || !state_.hasData() || state_.moving) {
+    if (used == nullptr || !state_.hasData()) {
+        asked_.reset();
+        notice().resolve(QLatin1String(kPayloadDifference));
+        return;
+    }
+    if (state_.moving) {
         return;
     }
     if (isOnRobot(*used)) {
-        if (askedFor_ == used->id) {
-            askedFor_ = {};
-        }
+        asked_.reset();
+        notice().resolve(QLatin1String(kPayloadDifference));
         return;
     }
-    if (askedFor_ == used->id && askedMass_ == state_.payloadMass && askedCentre_ == state_.payloadCentre) {
+    if (asked_ == *used && askedMass_ == state_.payloadMass && askedCentre_ == state_.payloadCentre) {
         return;
     }
-    askedFor_ = used->id;
+    asked_ = *used;
     askedMass_ = state_.payloadMass;
     askedCentre_ = state_.payloadCentre;
     const QString title = tr("The robot has another payload than “%1”").arg(used->name);
@@ -382,11 +391,15 @@ void PayloadPage::compare() {
             .arg(format::number(state_.payloadMass, 3), format::position(state_.payloadCentre),
                  format::number(used->mass, 3), format::position(used->centre));
     Q_EMIT message(Severity::Warning, title + QStringLiteral(": ") + text);
-    notice().show(NoticeBar::Kind::Question, title, text, tr("Set “%1” on the robot").arg(used->name),
-                  [this, id = used->id] {
-                      selectRow(document_.tooling().payloads.indexOf(id));
-                      use();
-                  });
+    notice().show(NoticeBar::Kind::Question, {.title = title,
+                                              .text = text,
+                                              .accept = tr("Set “%1” on the robot").arg(used->name),
+                                              .accepted =
+                                                  [this, id = used->id] {
+                                                      selectRow(document_.tooling().payloads.indexOf(id));
+                                                      use();
+                                                  },
+                                              .cause = QLatin1String(kPayloadDifference)});
 }
 
 }  // namespace tiller

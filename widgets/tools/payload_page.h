@@ -5,6 +5,7 @@
 // told is compared with it, and with what the arm feels.
 
 #include <array>
+#include <optional>
 
 #include "robot/project/tooling.h"
 #include "widgets/tools/part_page.h"
@@ -64,7 +65,7 @@ private:
     PayloadEstimator* estimator_;
     StandstillMean mean_;
     bool checking_ = false;
-    QUuid askedFor_;
+    std::optional<project::Payload> asked_;
     double askedMass_ = 0;
     Eigen::Vector3d askedCentre_ = Eigen::Vector3d::Zero();
 };

@@ -135,6 +135,7 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
             setHeight(project::SafeHeight{{}, state_.tcpPose.position.z()});
         }
     });
+    connect(&document_, &ProjectDocument::documentChanged, &notice(), &NoticeBar::dismissQuestion);
     connect(&document_, &ProjectDocument::positionsChanged, this, [this] { followList(); });
     keepDetails();
     followList();

@@ -18,6 +18,9 @@
 namespace tiller {
 namespace {
 
+/// Cause of the notice about what robot and project have differently.
+constexpr char kTcpDifference[] = "robot.tcp";
+
 PartModel* tcpModel(ProjectDocument& document) {
     const auto at = [&document](int row) -> const project::Tool& {
         return document.tooling().tools.at(static_cast<std::size_t>(row));
@@ -122,6 +125,7 @@ TcpPage::TcpPage(RobotSession& session, ProjectDocument& document, QWidget* pare
         tool.tcpOffset = tcp;
         insert(tool);
     });
+    connect(&document_, &ProjectDocument::documentChanged, &notice(), &NoticeBar::dismissQuestion);
     connect(&document_, &ProjectDocument::toolingChanged, this, [this] {
         followList();
         compare();
@@ -181,11 +185,12 @@ void TcpPage::use() {
     }
     const project::Tool chosen = *tool;
     // What is about to be set needs no question.
-    askedFor_ = chosen.id;
+    asked_ = chosen;
     askedAbout_ = state_.tcpOffset;
     project::Tooling after = document_.tooling();
     after.activeTool = chosen.id;
     document_.changeTooling(after, tr("Use the TCP “%1”").arg(chosen.name));
+    notice().resolve(QLatin1String(kTcpDifference));
     notice().dismiss();
     if (!state_.canMove()) {
         showProblem(state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
@@ -250,20 +255,24 @@ void TcpPage::refresh() {
 
 void TcpPage::compare() {
     const project::Tool* used = document_.tooling().tools.find(document_.tooling().activeTool);
-    if (used == nullptr || !state_.hasData() || state_.moving) {
+    if (used == nullptr || !state_.hasData()) {
+        asked_.reset();
+        notice().resolve(QLatin1String(kTcpDifference));
+        return;
+    }
+    if (state_.moving) {
         return;
     }
     const project::PoseDifference by = project::poseDifference(used->tcpOffset, state_.tcpOffset);
     if (by.distance <= kSameDistance && by.angle <= kSameAngle) {
-        if (askedFor_ == used->id) {
-            askedFor_ = {};
-        }
+        asked_.reset();
+        notice().resolve(QLatin1String(kTcpDifference));
         return;
     }
-    if (askedFor_ == used->id && askedAbout_ == state_.tcpOffset) {
+    if (asked_ == *used && askedAbout_ == state_.tcpOffset) {
         return;
     }
-    askedFor_ = used->id;
+    asked_ = *used;
     askedAbout_ = state_.tcpOffset;
     const QString title = tr("The robot has another TCP than “%1”").arg(used->name);
     const QString text =
@@ -271,11 +280,15 @@ void TcpPage::compare() {
             .arg(format::position(state_.tcpOffset.position), format::position(used->tcpOffset.position),
                  format::difference(by.distance, by.angle));
     Q_EMIT message(Severity::Warning, title + QStringLiteral(": ") + text);
-    notice().show(NoticeBar::Kind::Question, title, text, tr("Set “%1” on the robot").arg(used->name),
-                  [this, id = used->id] {
-                      selectRow(document_.tooling().tools.indexOf(id));
-                      use();
-                  });
+    notice().show(NoticeBar::Kind::Question, {.title = title,
+                                              .text = text,
+                                              .accept = tr("Set “%1” on the robot").arg(used->name),
+                                              .accepted =
+                                                  [this, id = used->id] {
+                                                      selectRow(document_.tooling().tools.indexOf(id));
+                                                      use();
+                                                  },
+                                              .cause = QLatin1String(kTcpDifference)});
 }
 
 }  // namespace tiller

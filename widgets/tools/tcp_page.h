@@ -4,6 +4,8 @@
 // The tool centre points of the project: named, typed or taught, one of them in use. What the robot has is shown beside
 // it; where the two differ it is said and asked about, and neither is changed by itself.
 
+#include <optional>
+
 #include "robot/project/tooling.h"
 #include "widgets/tools/part_page.h"
 
@@ -50,8 +52,8 @@ private:
     QLabel* facts_;
     TcpTeacher* teacher_;
     QUuid teachingInto_;
-    QUuid askedFor_;   ///< the difference of this tool
-    Pose askedAbout_;  ///< to this one of the robot has been asked about
+    std::optional<project::Tool> asked_;  ///< the operator was asked about the difference of this tool
+    Pose askedAbout_;                     ///< to this TCP of the robot
 };
 
 }  // namespace tiller

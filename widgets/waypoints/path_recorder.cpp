@@ -2,11 +2,11 @@
 #include "widgets/waypoints/path_recorder.h"
 
 #include <QFileInfo>
-#include <QSaveFile>
 #include <algorithm>
 #include <utility>
 
 #include "robot/core/angles.h"
+#include "robot/core/atomic_file.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/kinematics/speed_bounds.h"
 #include "robot/receive/robot_state.h"
@@ -264,14 +264,7 @@ Result<void> PathRecorder::exportTo(const QString& path, const QList<int>& rows)
         }
         places.push_back({time, q});
     }
-    QSaveFile file(path);
-    const QByteArray csv = project::demonstrationCsv(project::alongPath(places, kExportPeriod));
-    if (!file.open(QIODevice::WriteOnly) || file.write(csv) != csv.size() || !file.commit()) {
-        const bool full = file.error() == QFileDevice::ResourceError;
-        return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-                     QStringLiteral("write %1").arg(path), file.errorString()};
-    }
-    return {};
+    return writeFileAtomically(path, project::demonstrationCsv(project::alongPath(places, kExportPeriod)));
 }
 
 }  // namespace tiller

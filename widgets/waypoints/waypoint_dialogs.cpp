@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/waypoints/waypoint_dialogs.h"
 
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <algorithm>
 
+#include "robot/core/atomic_file.h"
+#include "robot/core/file_reading.h"
 #include "widgets/project/project_document.h"
 #include "widgets/waypoints/actions_dialog.h"
 #include "widgets/waypoints/pattern_dialog.h"
@@ -187,31 +187,32 @@ void WaypointDialogs::exportFile() {
 
 void WaypointDialogs::importFrom(const QString& path) {
     const QString name = QFileInfo(path).fileName();
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostImportBytes) {
+    const Result<QByteArray> read = readWholeFile(path, kMostImportBytes);
+    if (!read) {
         Q_EMIT refused(tr("Nothing was imported"),
-                       file.isOpen() ? tr("%1 is too large for a list of waypoints.").arg(name)
-                                     : tr("%1: %2").arg(name, file.errorString()));
+                       read.error().code == ErrorCode::FileCorrupt
+                           ? tr("%1 is too large for a list of waypoints.").arg(name)
+                           : tr("%1: %2").arg(name, read.error().controllerMessage));
         return;
     }
-    const QByteArray bytes = file.readAll();
+    const QByteArray& bytes = *read;
     waypoint_exchange::Imported imported;
     Error error;
     if (isJson(path)) {
-        const auto read = waypoint_exchange::fromJson(bytes, document_.frames());
-        error = read.error();
-        if (read) {
-            imported = *read;
+        const auto found = waypoint_exchange::fromJson(bytes, document_.frames());
+        error = found.error();
+        if (found) {
+            imported = *found;
         }
     } else {
         waypoint_clipboard::Defaults defaults;
         defaults.robot = &document_.robot();
         defaults.near = liveJoints_;
         defaults.tcpOffset = liveTcp_;
-        const auto read = waypoint_exchange::fromCsv(bytes, document_.frames(), defaults);
-        error = read.error();
-        if (read) {
-            imported.waypoints = *read;
+        const auto found = waypoint_exchange::fromCsv(bytes, document_.frames(), defaults);
+        error = found.error();
+        if (found) {
+            imported.waypoints = *found;
         }
     }
     if (error.code != ErrorCode::None || imported.waypoints.empty()) {
@@ -249,11 +250,12 @@ void WaypointDialogs::exportTo(const QString& path) {
     const Result<QByteArray> bytes =
         isJson(full) ? waypoint_exchange::toJson(chosen, document_.frames(), document_.robot().id)
                      : Result<QByteArray>(waypoint_exchange::toCsv(chosen, document_.frames()));
-    QSaveFile file(full);
-    if (!bytes || !file.open(QIODevice::WriteOnly) || file.write(*bytes) != bytes->size() || !file.commit()) {
+    const Result<void> written = bytes ? writeFileAtomically(full, *bytes) : Result<void>(bytes.error());
+    if (!written) {
+        const Error& error = written.error();
         Q_EMIT refused(
             tr("Nothing was exported"),
-            tr("%1: %2").arg(QFileInfo(full).fileName(), bytes ? file.errorString() : bytes.error().context));
+            tr("%1: %2").arg(QFileInfo(full).fileName(), bytes ? error.controllerMessage : error.context));
         return;
     }
     Q_EMIT done(tr("%n waypoints written to %1", nullptr, static_cast<int>(chosen.size()))

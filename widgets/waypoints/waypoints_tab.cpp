@@ -142,6 +142,8 @@ void WaypointsTab::buildLayout(MotionPort port) {
     notice_->installEventFilter(this);
     new LowerEdge(*notice_, *this, {pages_});
 
+    connect(&document_, &ProjectDocument::documentChanged, notice_, &NoticeBar::dismissQuestion);
+
     connect(teach_, &QPushButton::clicked, this, &WaypointsTab::teach);
     connect(touchUp_, &QPushButton::clicked, this, &WaypointsTab::touchUp);
     const auto refuse = [this](const QString& reason) {
@@ -265,7 +267,7 @@ void WaypointsTab::onSelection() {
     lastSelected_ = id;
     goTo_->stop(control::StopCause::SelectionChanged);
     goThrough_->setSelection(row, table_->selectedRows());
-    notice_->dismiss();
+    notice_->dismissWithoutCause();
     updateAvailability();
     showSpeed();
     Q_EMIT selectionChanged(id);
@@ -374,7 +376,7 @@ Result<MoveRequest> WaypointsTab::goToRequest() {
     if (const QString obstacle = goToObstacle(); !obstacle.isEmpty()) {
         return Error{ErrorCode::NoSolution, obstacle, {}};
     }
-    notice_->dismiss();
+    notice_->dismissWithoutCause();
     return moveTo(currentRow());
 }
 
@@ -596,10 +598,13 @@ void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& ta
     }
 }
 
-void WaypointsTab::showNotice(const QString& title, const QString& text, const QString& accept,
-                              const std::function<void()>& accepted) {
+void WaypointsTab::showNotice(const Notice& notice) {
     setTouchUpGhost(std::nullopt);
-    notice_->show(NoticeBar::Kind::Warning, title, text, accept, accepted);
+    notice_->show(NoticeBar::Kind::Warning, notice);
+}
+
+void WaypointsTab::resolveNotice(const QString& cause) {
+    notice_->resolve(cause);
 }
 
 void WaypointsTab::showProblem(const QString& text, const QString& details) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "robot/project/waypoint_list.h"
+#include "widgets/common/notice_bar.h"
 #include "widgets/session/gripper_port.h"
 #include "widgets/session/motion_port.h"
 #include "widgets/session/move_time.h"
@@ -88,9 +89,9 @@ public Q_SLOTS:
     void selectRow(int row);
     /// The speed that "Go to" keeps below is another one.
     void followSpeed();
-    /// accept  label of the key that runs `accepted`; empty for a warning that only needs to be put away
-    void showNotice(const QString& title, const QString& text, const QString& accept = {},
-                    const std::function<void()>& accepted = {});
+    void showNotice(const Notice& notice);
+    /// Removes the notice with this cause.
+    void resolveNotice(const QString& cause);
 
 Q_SIGNALS:
     /// Another waypoint, or none (null), is selected.

@@ -3,6 +3,7 @@
 
 #include <QFile>
 
+#include "robot/core/file_reading.h"
 #include "robot/recording/csv_recording.h"
 #include "robot/recording/hdf5/hdf5_recording.h"
 #include "robot/recording/mcap/mcap_recording.h"
@@ -10,9 +11,9 @@
 namespace tiller::recording {
 
 Result<std::unique_ptr<Recording>> openRecording(const Text& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path), file.errorString()};
+    QFile file;
+    if (const Result<void> opened = openForReading(file, path); !opened) {
+        return opened.error();
     }
     const QByteArray begin = file.read(8);
     file.close();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/core/atomic_file.h"
 #include "robot/recording/export.h"
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
 
@@ -246,8 +247,12 @@ Result<EpisodeReport> writeEpisodes(const std::vector<const Recording*>& recordi
         QFile::remove(part);
         return report;
     }
-    QFile::remove(path);
-    return QFile::rename(part, path) ? report : Result<EpisodeReport>(failure());
+    const Result<void> replaced = replaceFile(part, path, QStringLiteral("write episodes to %1").arg(path));
+    if (!replaced) {
+        QFile::remove(part);
+        return replaced.error();
+    }
+    return report;
 }
 
 }  // namespace tiller::recording

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <cmath>
 
+#include "robot/core/atomic_file.h"
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
 #include "robot/rtde/fields.h"
 
@@ -254,11 +255,11 @@ Result<ExportReport> exportHdf5(const Recording& recording, const ExportChoice& 
         QFile::remove(part);
         return report;
     }
-    QFile::remove(choice.path);
-    if (!QFile::rename(part, choice.path)) {
+    const Result<void> replaced =
+        replaceFile(part, choice.path, QStringLiteral("export to %1").arg(choice.path));
+    if (!replaced) {
         QFile::remove(part);
-        return Error{ErrorCode::FileNotWritable, QStringLiteral("export to %1").arg(choice.path),
-                     QStringLiteral("the file that is there cannot be replaced")};
+        return replaced.error();
     }
     return report;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "robot/core/file_reading.h"
 #include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/ranges.h"
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
@@ -68,6 +69,12 @@ public:
     explicit Hdf5Recording(const QString& path) : path_(path) {}
 
     Result<void> open() {
+        // The HDF5 library would wait at a pipe.
+        QFile readable;
+        if (const Result<void> opened = openForReading(readable, path_); !opened) {
+            return opened;
+        }
+        readable.close();
         const Quiet quiet;
         file_ = Handle(H5Fopen(QFile::encodeName(path_).constData(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
         if (!file_) {

@@ -15,6 +15,7 @@
 #include <optional>
 #include <thread>
 
+#include "robot/core/atomic_file.h"
 #include "robot/core/modes.h"
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/robot_state.h"
@@ -245,9 +246,9 @@ struct BlackBox::Worker {
         if (auto closed = file->close(); result && !closed) {
             result = closed;
         }
-        if (result && !QFile::rename(part, incident.path)) {
-            result = Error{
-                ErrorCode::FileNotWritable, QStringLiteral("write the incident %1").arg(incident.path), {}};
+        if (result) {
+            result =
+                replaceFile(part, incident.path, QStringLiteral("write the incident %1").arg(incident.path));
         }
         if (!result) {
             QFile::remove(part);

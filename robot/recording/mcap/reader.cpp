@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "robot/core/file_reading.h"
 #include "robot/recording/mcap/detail/bytes.h"
 #include "robot/recording/mcap/detail/crc.h"
 
@@ -67,9 +68,8 @@ Error Reader::corrupt(const QString& what) const {
 
 Result<std::unique_ptr<Reader>> Reader::open(const Text& path) {
     std::unique_ptr<Reader> reader(new Reader(path));
-    if (!reader->file_.open(QIODevice::ReadOnly)) {
-        return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path),
-                     reader->file_.errorString()};
+    if (const Result<void> opened = openForReading(reader->file_, path); !opened) {
+        return opened.error();
     }
     reader->size_ = static_cast<std::uint64_t>(reader->file_.size());
     if (auto header = reader->readHeader(); !header) {

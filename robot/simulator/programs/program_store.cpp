@@ -2,29 +2,26 @@
 #include "robot/simulator/programs/program_store.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStringList>
 #include <algorithm>
 
+#include "robot/core/atomic_file.h"
+#include "robot/core/file_reading.h"
 #include "robot/simulator/programs/urp_file.h"
 
 namespace tiller::simulator {
 
 namespace {
 
-constexpr qint64 kLargestProgram = 16 << 20;
 /// Where a robot and the vendor's simulator keep their programs: clients name them in full.
 constexpr const char* kProgramRoots[] = {"/ursim/programs/", "/programs/"};
 
 std::optional<QByteArray> contentOf(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestProgram) {
-        return std::nullopt;
-    }
-    return file.readAll();
+    const Result<QByteArray> content = readWholeFile(path, kLargestProgram);
+    return content ? std::optional(*content) : std::nullopt;
 }
 
 /// The application's part (frames, functions, threads) and the program's make one program.
@@ -172,8 +169,7 @@ bool ProgramStore::saveBelow(const QString& directory, const QString& bareName,
     if (target.isSymLink()) {
         return false;
     }
-    QFile file(target.filePath());
-    return file.open(QIODevice::WriteOnly) && file.write(content) == content.size();
+    return writeFileAtomically(target.filePath(), content).ok();
 }
 
 std::vector<QString> ProgramStore::list(const QString& ending) const {
@@ -207,8 +203,7 @@ bool ProgramStore::save(const QString& bareName, const QByteArray& content) {
         folder_ = own_->path();
     }
     const QString path = pathOf(bareName);
-    QFile file(path);
-    return !path.isEmpty() && file.open(QIODevice::WriteOnly) && file.write(content) == content.size();
+    return !path.isEmpty() && writeFileAtomically(path, content).ok();
 }
 
 }  // namespace tiller::simulator

@@ -22,6 +22,9 @@
 
 namespace tiller::simulator {
 
+/// Larger program files are not read.
+inline constexpr qint64 kLargestProgram = 16 << 20;
+
 /// Threads  the simulator's.
 class ProgramStore {
 public:

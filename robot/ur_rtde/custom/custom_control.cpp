@@ -2,9 +2,9 @@
 #include "robot/ur_rtde/custom/custom_control.h"
 
 #include <QScopeGuard>
-#include <fstream>
 #include <sstream>
 
+#include "robot/core/file_reading.h"
 #include "robot/core/wait_until.h"
 #include "robot/ur_rtde/detail/arguments.h"
 #include "robot/ur_rtde/detail/waiting.h"
@@ -178,13 +178,12 @@ void CustomControl::startProgram(RegisterLink& link) {
 
 std::string CustomControl::program(const SoftwareVersion& version, const std::string& pathCode,
                                    bool bare) const {
-    std::ifstream file(scriptFile_, std::ios::binary);
-    std::ostringstream content;
-    content << file.rdbuf();
-    if (!file) {
+    constexpr qint64 kMaxScriptBytes = 16 << 20;
+    const auto content = readWholeFile(QString::fromStdString(scriptFile_), kMaxScriptBytes);
+    if (!content) {
         throw std::runtime_error("cannot read the script " + scriptFile_);
     }
-    std::string text = content.str();
+    std::string text = content->toStdString();
     ur_rtde::ScriptClient tool(options_.host, version.major, version.minor);
     const std::string number = std::to_string(options_.offset());
     for (const auto& [place, code] : {std::pair{kOffsetPlace, "  global O = " + number + "\n"},

@@ -2,12 +2,12 @@
 #include "robot/simulator/servers/service/robot_api.h"
 
 #include <QDateTime>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <algorithm>
 
+#include "robot/core/file_reading.h"
 #include "robot/simulator/box/plant.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/programs/program_store.h"
@@ -376,9 +376,8 @@ HttpResponse RobotApi::programs(const HttpRequest&, const std::string&) {
                           {QStringLiteral("lastSavedDate"), changed},
                           {QStringLiteral("name"), file.completeBaseName()},
                           {QStringLiteral("programState"), QStringLiteral("FINAL")}};
-        QFile content(file.filePath());
-        if (content.open(QIODevice::ReadOnly)) {
-            const QJsonObject own = informationOf(QJsonDocument::fromJson(content.readAll()).object());
+        if (const auto content = readWholeFile(file.filePath(), kLargestProgram)) {
+            const QJsonObject own = informationOf(QJsonDocument::fromJson(*content).object());
             for (const char* key :
                  {"createdDate", "description", "lastModifiedDate", "lastSavedDate", "programState"}) {
                 if (own.contains(QLatin1String(key))) {
@@ -392,12 +391,13 @@ HttpResponse RobotApi::programs(const HttpRequest&, const std::string&) {
 }
 
 HttpResponse RobotApi::program(const HttpRequest&, const std::string& name) {
-    QFile file(store_.pathOf(QString::fromStdString(name) + kEnding));
-    if (file.fileName().isEmpty() || !file.open(QIODevice::ReadOnly)) {
+    const QString path = store_.pathOf(QString::fromStdString(name) + kEnding);
+    const auto content = path.isEmpty() ? std::nullopt : std::optional(readWholeFile(path, kLargestProgram));
+    if (!content || !*content) {
         return refuse(404, QStringLiteral("Program not found"), QString::fromStdString(name));
     }
     HttpResponse response;
-    response.body = file.readAll().toStdString();
+    response.body = (*content)->toStdString();
     return response;
 }
 

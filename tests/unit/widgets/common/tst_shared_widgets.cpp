@@ -172,6 +172,41 @@ private Q_SLOTS:
         applyTheme(*qApp, Theme::light());
     }
 
+    void aNoticeEndsWithItsCause() {
+        NoticeBar notice;
+        notice.show(NoticeBar::Kind::Warning, {.title = "damaged", .text = {}, .cause = "file"});
+        notice.resolve("other");
+        QVERIFY(notice.isVisible());
+        notice.dismissWithoutCause();
+        QVERIFY(notice.isVisible());
+        notice.resolve("file");
+        QVERIFY(!notice.isVisible());
+    }
+
+    void aNoticeWithACauseComesBackAfterThoseOverIt() {
+        NoticeBar notice;
+        notice.show(NoticeBar::Kind::Warning, {.title = "damaged", .text = {}, .cause = "file"});
+        notice.show(NoticeBar::Kind::Warning, {.title = "taken", .text = {}, .cause = "lock"});
+        notice.show(NoticeBar::Kind::Question, "Path recorded", {});
+        QVERIFY(notice.title().contains("Path recorded"));
+        notice.dismiss();
+        QVERIFY(notice.title().contains("taken"));
+        notice.resolve("file");
+        QVERIFY(notice.isVisible());
+        notice.dismiss();
+        QVERIFY(!notice.isVisible());
+    }
+
+    void aQuestionEndsWithWhatItWasComputedFrom() {
+        NoticeBar notice;
+        notice.show(NoticeBar::Kind::Question, "Path recorded", {});
+        notice.dismissQuestion();
+        QVERIFY(notice.isVisible());
+        notice.show(NoticeBar::Kind::Question, "Touch up?", {}, "Touch up", [] {});
+        notice.dismissQuestion();
+        QVERIFY(!notice.isVisible());
+    }
+
     // An answer may bring the next notice: a second click at the same place must not close that one unread.
     void aSecondClickDoesNotCloseTheNoticeThatTheFirstBrought() {
         NoticeBar notice;

@@ -62,7 +62,7 @@ private Q_SLOTS:
         files_ = std::make_unique<ProjectFiles>(*document_);
         notice_.reset();
         connect(files_.get(), &ProjectFiles::noticeWanted, this,
-                [this](const ProjectNotice& notice) { notice_ = notice; });
+                [this](const Notice& notice) { notice_ = notice; });
     }
     void cleanup() {
         files_.reset();
@@ -149,7 +149,7 @@ private Q_SLOTS:
         QVERIFY(notice_ && notice_->accepted);
         files_->openCopy(sample, "Sample");
         document_->insertWaypoints(3, {named("mine")}, "Teach");
-        QVERIFY(files_->store().isUnsavedCopy());
+        QVERIFY(files_->store().isModified());
         {
             const Answer answer("unsavedCopy.stay");
             notice_->accepted();
@@ -175,6 +175,92 @@ private Q_SLOTS:
         QVERIFY(notice_->accept.isEmpty() && !notice_->accepted);
     }
 
+    // As after the start with a damaged file: there is no file that the work could go to.
+    void workWithoutAFileIsAskedAbout() {
+        QVERIFY(files_->mayLeave(nullptr));
+        document_->insertWaypoints(0, {named("a")}, "Teach");
+        {
+            const Answer answer("unsavedCopy.stay");
+            QVERIFY(!files_->mayLeave(nullptr));
+            QVERIFY(answer.wasAsked());
+        }
+        const Answer answer("unsavedCopy.drop");
+        QVERIFY(files_->mayLeave(nullptr));
+        QVERIFY(answer.wasAsked());
+        QVERIFY(!files_->store().isModified());
+    }
+
+    void workThatCannotBeSavedIsAskedAbout() {
+        const QString folder = directory_->filePath("gone");
+        QVERIFY(QDir().mkdir(folder));
+        files_->open(folder + "/x.tiller");
+        QVERIFY(QDir(folder).removeRecursively());
+        document_->insertWaypoints(0, {named("a")}, "Teach");
+        {
+            const Answer answer("unsavedCopy.stay");
+            QVERIFY(!files_->mayLeave(nullptr));
+            QVERIFY(answer.wasAsked());
+        }
+        // Once it can be saved, nothing is asked.
+        QVERIFY(QDir().mkdir(folder));
+        QVERIFY(files_->mayLeave(nullptr));
+        QVERIFY(QFile::exists(folder + "/x.tiller"));
+    }
+
+    void anotherProjectResolvesTheNoticeOfADamagedFile() {
+        QSignalSpy resolved(files_.get(), &ProjectFiles::noticeResolved);
+        QFile file(path_);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("hello");
+        file.close();
+        files_->open(path_);
+        QVERIFY(notice_.has_value() && !notice_->cause.isEmpty());
+        QVERIFY(resolved.isEmpty());
+        files_->open(directory_->filePath("other.tiller"));
+        const auto isOfDamage = [this](const QList<QVariant>& signal) { return signal[0] == notice_->cause; };
+        QVERIFY(std::any_of(resolved.begin(), resolved.end(), isOfDamage));
+    }
+
+    void aProjectOpenElsewhereOffersTakeoverAndCopy() {
+        document_->insertWaypoints(0, {named("a")}, "Teach");
+        files_->saveAs(path_);
+        ProjectDocument otherDocument;
+        ProjectFiles other(otherDocument);
+        std::optional<Notice> asked;
+        connect(&other, &ProjectFiles::noticeWanted, this, [&](const Notice& notice) { asked = notice; });
+        other.open(path_);
+        QVERIFY(asked && asked->accepted && asked->otherAccepted);
+        QVERIFY2(asked->text.contains("tst_project_files"), qPrintable(asked->text));
+        QCOMPARE(otherDocument.waypoints().size(), 1);
+        asked->otherAccepted();
+        QCOMPARE(other.store().path(), directory_->filePath("cell-7-2.tiller"));
+        other.open(path_);
+        asked->accepted();
+        QVERIFY(other.store().obstacle() == ProjectStore::Obstacle::None);
+        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere);
+    }
+
+    void keptWorkIsOfferedAndOpened() {
+        const QString folder = directory_->filePath("Unsaved");
+        {
+            project::CopyKeeper keeper(folder);
+            project::Project project;
+            project.waypoints.append(named("kept"));
+            QVERIFY(keeper.keep(project, "Sample", 1).ok());
+        }
+        files_->offerKept();
+        QVERIFY(!notice_.has_value());
+        files_->store().setCopyFolder(folder);
+        files_->offerKept();
+        QVERIFY(notice_ && notice_->accepted);
+        QVERIFY(notice_->text.contains("Sample"));
+        notice_->accepted();
+        QCOMPARE(document_->waypoints().at(0).name, QString("kept"));
+        const Answer answer("unsavedCopy.drop");
+        QVERIFY(files_->mayLeave(nullptr));
+        QVERIFY(project::keptCopies(folder).isEmpty());
+    }
+
     void newProjectsGoToTheDocuments() {
         QVERIFY2(projectFolder().endsWith("/Tiller"), qPrintable(projectFolder()));
         QVERIFY2(!projectFolder().contains("/."), qPrintable(projectFolder()));
@@ -196,7 +282,7 @@ private:
     QString path_;
     std::unique_ptr<ProjectDocument> document_;
     std::unique_ptr<ProjectFiles> files_;
-    std::optional<ProjectNotice> notice_;
+    std::optional<Notice> notice_;
 };
 
 QTEST_MAIN(TestProjectFiles)

@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <memory>
 
 #include "widgets/project/project_document.h"
@@ -53,6 +54,17 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("home"));
     }
 
+    void changesWithoutAPauseAreSavedToo() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        QTimer changes;
+        connect(&changes, &QTimer::timeout, this, [this] {
+            document_->insertWaypoints(0, {named(QString::number(document_->waypoints().size()))}, "Teach");
+        });
+        changes.start(ProjectStore::kAutosaveMs / 10);
+        QTRY_VERIFY(QFile::exists(path_));
+        QVERIFY(changes.isActive());
+    }
+
     void aCopyHasNoFileUntilItIsSavedToOne() {
         project::Project sample;
         sample.waypoints.append(named("pick"));
@@ -62,15 +74,15 @@ private Q_SLOTS:
         QVERIFY(store_->openCopy(path_, "Sample").ok());
         QCOMPARE(document_->waypoints().size(), 1);
         QVERIFY(store_->path().isEmpty() && store_->copyName() == "Sample");
-        QVERIFY(!store_->isModified() && !store_->isUnsavedCopy());
+        QVERIFY(!store_->isModified());
         QCOMPARE(other.count(), 1);
         document_->insertWaypoints(1, {named("place")}, "Teach");
-        QVERIFY(store_->isUnsavedCopy());
+        QVERIFY(store_->isModified());
         QVERIFY2(store_->statusText().contains("not saved"), qPrintable(store_->statusText()));
         QVERIFY(!store_->saveNow().ok());
         const QString mine = directory_->filePath("mine.tiller");
         QVERIFY(store_->saveAs(mine).ok());
-        QVERIFY(store_->copyName().isEmpty() && !store_->isUnsavedCopy());
+        QVERIFY(store_->copyName().isEmpty() && !store_->isModified());
         QCOMPARE(store_->statusText(), QString("mine.tiller — saved"));
         QCOMPARE(project::loadProject(mine)->waypoints.size(), 2);
         // From here on it is saved by itself, and the file it came from is as it was.
@@ -167,7 +179,7 @@ private Q_SLOTS:
         const QString folder = directory_->filePath("gone");
         QVERIFY(QDir().mkdir(folder));
         QVERIFY(store_->openOrStart(folder + "/x.tiller").ok());
-        QVERIFY(QDir().rmdir(folder));
+        QVERIFY(QDir(folder).removeRecursively());  // with the lock of the project
         QSignalSpy failed(store_.get(), &ProjectStore::saveFailed);
         document_->insertWaypoints(0, {named("home")}, "Teach");
         QTRY_COMPARE(failed.count(), 1);
@@ -187,6 +199,144 @@ private Q_SLOTS:
         QVERIFY(store_->saveAs(other).ok());
         QCOMPARE(store_->path(), other);
         QVERIFY(QFileInfo::exists(other));
+    }
+
+    void aSecondWindowSavesNothingUntilItTakesOver() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("first")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        ProjectDocument otherDocument;
+        ProjectStore other(otherDocument);
+        QSignalSpy elsewhere(&other, &ProjectStore::openElsewhere);
+        QVERIFY(other.open(path_).ok());
+        QCOMPARE(elsewhere.count(), 1);
+        QVERIFY(other.otherOwner().has_value());
+        otherDocument.insertWaypoints(1, {named("second")}, "Teach");
+        QVERIFY(!other.saveNow().ok());
+        QVERIFY2(other.statusText().contains("not saved"), qPrintable(other.statusText()));
+        QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
+
+        QSignalSpy lost(store_.get(), &ProjectStore::openElsewhere);
+        QVERIFY(other.takeOver().ok());
+        QVERIFY(other.obstacle() == ProjectStore::Obstacle::None);
+        QTRY_VERIFY(!other.isModified());
+        QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
+        // The first window hears of it, and of the new content, and overwrites nothing.
+        QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
+        QTRY_COMPARE(lost.count(), 1);
+        QTRY_COMPARE(changed.count(), 1);
+        document_->insertWaypoints(1, {named("lost?")}, "Teach");
+        QVERIFY(!store_->saveNow().ok());
+        QCOMPARE(project::loadProject(path_)->waypoints.at(1).name, QString("second"));
+    }
+
+    void whenTheOtherWindowClosesSavingWorks() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("first")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        ProjectDocument otherDocument;
+        ProjectStore other(otherDocument);
+        QVERIFY(other.open(path_).ok());
+        otherDocument.insertWaypoints(1, {named("second")}, "Teach");
+        QSignalSpy free(&other, &ProjectStore::freeAgain);
+        store_.reset();
+        QTRY_COMPARE(free.count(), 1);
+        QTRY_VERIFY(!other.isModified());
+        QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
+    }
+
+    void aForeignChangeWaitsForTheOperator() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
+        project::Project foreign;
+        foreign.waypoints.append(named("theirs"));
+        QVERIFY(project::saveProject(path_, foreign).ok());
+        QTRY_COMPARE(changed.count(), 1);
+        QVERIFY(store_->obstacle() == ProjectStore::Obstacle::ChangedByOther);
+        document_->insertWaypoints(1, {named("more")}, "Teach");
+        QVERIFY(!store_->saveNow().ok());
+        QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("theirs"));
+        // Both stay.
+        const Result<QString> copy = store_->keepBoth();
+        QVERIFY(copy.ok());
+        QCOMPARE(*copy, directory_->filePath("cell-7-2.tiller"));
+        QCOMPARE(project::loadProject(*copy)->waypoints.size(), 2);
+        QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("theirs"));
+        QCOMPARE(store_->statusText(), QString("cell-7-2.tiller — saved"));
+        // Or the other one is shown.
+        QVERIFY(project::saveProject(*copy, foreign).ok());
+        QTRY_COMPARE(changed.count(), 2);
+        QVERIFY(store_->reload().ok());
+        QCOMPARE(document_->waypoints().at(0).name, QString("theirs"));
+        QVERIFY(store_->isSaved());
+    }
+
+    void ourOwnSavesAreNoForeignChange() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
+        for (int i = 0; i < 5; ++i) {
+            document_->insertWaypoints(0, {named(QString::number(i))}, "Teach");
+            QVERIFY(store_->saveNow().ok());
+            QTest::qWait(60);
+        }
+        store_->checkFile();
+        QTest::qWait(300);
+        QCOMPARE(changed.count(), 0);
+        QVERIFY(store_->isSaved());
+    }
+
+    void aChangedCopySurvivesAKilledProgram() {
+        project::Project sample;
+        sample.waypoints.append(named("pick"));
+        QVERIFY(project::saveProject(path_, sample).ok());
+        const QString folder = directory_->filePath("Unsaved");
+        store_->setCopyFolder(folder);
+        QVERIFY(store_->openCopy(path_, "Sample").ok());
+        document_->insertWaypoints(1, {named("place")}, "Teach");
+        // What a killed program leaves is what is on the disk now.
+        QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1);
+        const QString kept = QDir(folder).filePath(QDir(folder).entryList({"*.tiller"}, QDir::Files).first());
+        QTRY_COMPARE(project::loadProject(kept)->waypoints.size(), 2);
+        store_.reset();
+        const auto copies = project::keptCopies(folder);
+        QCOMPARE(copies.size(), 1);
+
+        store_ = std::make_unique<ProjectStore>(*document_);
+        store_->setCopyFolder(folder);
+        QVERIFY(store_->openKept(copies[0]).ok());
+        QCOMPARE(store_->copyName(), QString("Sample"));
+        QVERIFY(store_->isModified());
+        QCOMPARE(document_->waypoints().at(1).name, QString("place"));
+        QVERIFY(store_->saveAs(directory_->filePath("mine.tiller")).ok());
+        QVERIFY(project::keptCopies(folder).isEmpty());
+        QCOMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files), QStringList());
+    }
+
+    void workThatCannotBeSavedAtTheEndIsKept() {
+        const QString folder = directory_->filePath("Unsaved");
+        const QString gone = directory_->filePath("gone");
+        QVERIFY(QDir().mkdir(gone));
+        store_->setCopyFolder(folder);
+        QVERIFY(store_->openOrStart(gone + "/x.tiller").ok());
+        QVERIFY(QDir(gone).removeRecursively());
+        document_->insertWaypoints(0, {named("home")}, "Teach");
+        store_.reset();
+        const auto copies = project::keptCopies(folder);
+        QCOMPARE(copies.size(), 1);
+        QCOMPARE(copies[0].name, QString("x.tiller"));
+        QCOMPARE(project::loadKeptCopy(copies[0])->waypoints.at(0).name, QString("home"));
+    }
+
+    void discardedWorkIsNotKept() {
+        const QString folder = directory_->filePath("Unsaved");
+        store_->setCopyFolder(folder);
+        document_->insertWaypoints(0, {named("home")}, "Teach");
+        QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1);
+        store_->discardChanges();
+        store_.reset();
+        QVERIFY(project::keptCopies(folder).isEmpty());
     }
 
 private:

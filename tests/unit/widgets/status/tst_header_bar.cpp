@@ -545,7 +545,7 @@ private Q_SLOTS:
             StatusLine line;
             header.show();
             line.show();
-            line.setProjectFile(QStringLiteral("cell-7.tiller"), true);
+            line.setProjectText(QStringLiteral("cell-7.tiller — saved"));
             SessionState state = movingState();
             state.recording.active = true;
             state.recording.path = QStringLiteral("/home/x/pick-and-place.csv");

@@ -143,6 +143,57 @@ private Q_SLOTS:
         QCOMPARE(said.count(), 2);
     }
 
+    // The key of the notice sets what the notice says, never a value that came after it.
+    void theNoticeFollowsTheProjectAndTheRobot() {
+        project::Tooling tooling;
+        tooling.tools = {{QUuid::createUuid(), "gripper", Pose(), 0, {}, {}}};
+        tooling.activeTool = tooling.tools.at(0).id;
+        document_->changeTooling(tooling, "x");
+        project::Tooling taught = tooling;
+        project::Tool tool = tooling.tools.at(0);
+        tool.tcpOffset = Pose(0, 0, 0.15, 0, 0, 0);
+        taught.tools.replace(0, tool);
+        document_->changeTooling(taught, "y");
+        SessionState state = liveState();
+        state.tcpOffset = Pose(0, 0, 0.10, 0, 0, 0);
+        feed(state);
+        QVERIFY(notice("tcp.page")->text().contains("50.0 mm"));
+        // Undone: the project has 0 again, and the notice says so.
+        document_->undoStack().undo();
+        QVERIFY(notice("tcp.page")->isVisible());
+        QVERIFY2(notice("tcp.page")->text().contains("100.0 mm"), qPrintable(notice("tcp.page")->text()));
+        // The robot gets that TCP from elsewhere.
+        state.tcpOffset = Pose();
+        feed(state);
+        QVERIFY(!notice("tcp.page")->isVisible());
+        state.tcpOffset = Pose(0, 0, 0.10, 0, 0, 0);
+        feed(state);
+        QVERIFY(notice("tcp.page")->isVisible());
+        // Another project is opened.
+        document_->setProject({});
+        QVERIFY(!notice("tcp.page")->isVisible());
+    }
+
+    void thePayloadNoticeFollowsTheProjectAndTheRobot() {
+        project::Tooling tooling;
+        tooling.payloads = {{QUuid::createUuid(), "part", 2.0, Eigen::Vector3d::Zero(), {}, {}, {}}};
+        tooling.activePayload = tooling.payloads.at(0).id;
+        document_->changeTooling(tooling, "x");
+        SessionState state = liveState();
+        state.payloadMass = 1.0;
+        feed(state);
+        QVERIFY(notice("payload.page")->text().contains("2.000 kg"));
+        project::Tooling heavier = tooling;
+        project::Payload payload = tooling.payloads.at(0);
+        payload.mass = 3.0;
+        heavier.payloads.replace(0, payload);
+        document_->changeTooling(heavier, "y");
+        QVERIFY2(notice("payload.page")->text().contains("3.000 kg"),
+                 qPrintable(notice("payload.page")->text()));
+        document_->setProject({});
+        QVERIFY(notice("payload.page")->isHidden());
+    }
+
     void settingWithoutControlSaysWhatToDo() {
         SessionState state = liveState();
         state.control = ControlState::None;

@@ -600,9 +600,8 @@ private Q_SLOTS:
         QTemporaryDir directory;
         const QString path = directory.filePath("cell-7.tiller");
         ProjectFiles files(*document_);
-        connect(&files, &ProjectFiles::noticeWanted, tab_.get(), [this](const ProjectNotice& wanted) {
-            tab_->showNotice(wanted.title, wanted.text, wanted.accept, wanted.accepted);
-        });
+        connect(&files, &ProjectFiles::noticeWanted, tab_.get(),
+                [this](const ProjectNotice& wanted) { tab_->showNotice(wanted); });
         files.saveAs(path);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadWrite));

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "robot/core/atomic_file.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QUuid>
+#include <cerrno>
+
+#ifdef Q_OS_WIN
+#include <io.h>
+#include <qt_windows.h>
+#else
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+namespace tiller {
+
+namespace {
+
+/// Devices, pipes and some file systems have nothing to flush.
+bool hasNothingToSync(int systemError) {
+    return systemError == EINVAL || systemError == ENOTSUP || systemError == EROFS;
+}
+
+/// Flushes the data of an open file to the storage device.
+/// Returns  0, or the system's error number
+int syncDescriptor(int descriptor) {
+#ifdef Q_OS_WIN
+    // _commit() calls FlushFileBuffers().
+    const int result = _commit(descriptor);
+#else
+    int result = ::fsync(descriptor);
+    while (result != 0 && errno == EINTR) {
+        result = ::fsync(descriptor);
+    }
+#endif
+    return result == 0 || hasNothingToSync(errno) ? 0 : errno;
+}
+
+/// Flushes the entry of `path` in its folder: without it, a power failure can leave the data without a name.
+/// Returns  0, or the system's error number
+int syncFolderOf(const QString& path) {
+#ifdef Q_OS_WIN
+    Q_UNUSED(path)  // MOVEFILE_WRITE_THROUGH has flushed it
+    return 0;
+#else
+    const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
+    const int descriptor = ::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) {
+        return 0;  // a folder that may be written to, but not read
+    }
+    const int error = syncDescriptor(descriptor);
+    ::close(descriptor);
+    return error;
+#endif
+}
+
+bool isDiskFull(int systemError) {
+#ifdef Q_OS_WIN
+    return systemError == ENOSPC;
+#else
+    return systemError == ENOSPC || systemError == EDQUOT;
+#endif
+}
+
+/// Follows symbolic links, also one whose target does not exist yet.
+QString resolved(const QString& path) {
+    QFileInfo info(path);
+    constexpr int kMaxLinks = 40;
+    for (int links = 0; info.isSymLink() && links < kMaxLinks; ++links) {
+        info.setFile(info.symLinkTarget());
+    }
+    return info.absoluteFilePath();
+}
+
+QString temporaryNameFor(const QString& path) {
+    // Independent of the file's name, which may already have the maximum length.
+    return QFileInfo(path).absoluteDir().filePath(
+        QStringLiteral(".tiller-%1.tmp").arg(QUuid::createUuid().toString(QUuid::Id128)));
+}
+
+QString contextOf(const QString& what, const QString& path) {
+    return what.isEmpty() ? QStringLiteral("write %1").arg(QDir::toNativeSeparators(path)) : what;
+}
+
+Error writeFailure(const QString& what, int systemError, const QString& reason) {
+    return {isDiskFull(systemError) ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, what, reason};
+}
+
+/// Returns  0, or the system's error number
+int renameOver(const QString& from, const QString& to) {
+#ifdef Q_OS_WIN
+    const auto* source = reinterpret_cast<const wchar_t*>(from.utf16());
+    const auto* target = reinterpret_cast<const wchar_t*>(to.utf16());
+    // ReplaceFile() keeps the access rights of the old file; without an old file it fails.
+    if (ReplaceFileW(target, source, nullptr, REPLACEFILE_IGNORE_MERGE_ERRORS, nullptr, nullptr) != 0 ||
+        MoveFileExW(source, target, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0) {
+        return 0;
+    }
+    const DWORD error = GetLastError();
+    return error == ERROR_DISK_FULL || error == ERROR_HANDLE_DISK_FULL ? ENOSPC : EACCES;
+#else
+    return ::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0 ? 0 : errno;
+#endif
+}
+
+#ifdef Q_OS_LINUX
+/// A file without a name: a killed process leaves nothing of it behind.
+int openUnnamed(const QString& folder) {
+    return ::open(QFile::encodeName(folder).constData(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+bool giveName(int descriptor, const QString& path) {
+    const QByteArray link = "/proc/self/fd/" + QByteArray::number(descriptor);
+    return ::linkat(AT_FDCWD, link.constData(), AT_FDCWD, QFile::encodeName(path).constData(),
+                    AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// Whether giveName() works at all: not without /proc.
+bool canGiveNames() {
+    return ::access("/proc/self/fd", X_OK) == 0;
+}
+#endif
+
+}  // namespace
+
+AtomicFile::AtomicFile(const QString& path, const QString& what)
+    : path_(resolved(path)), what_(contextOf(what, path)) {}
+
+AtomicFile::~AtomicFile() {
+    discard();
+}
+
+void AtomicFile::discard() {
+    file_.close();
+    if (!temporary_.isEmpty()) {
+        QFile::remove(temporary_);
+        temporary_.clear();
+    }
+}
+
+Result<void> AtomicFile::fail(int systemError, const QString& reason) {
+    error_ = writeFailure(what_, systemError, reason);
+    discard();
+    return error_;
+}
+
+Result<void> AtomicFile::open() {
+    error_ = {};
+    const QFileInfo old(path_);
+    if (old.exists() && !old.isFile()) {
+        return fail(EISDIR, QStringLiteral("is not a regular file"));
+    }
+    if (old.exists() && !old.isWritable()) {
+        return fail(EACCES, qt_error_string(EACCES));
+    }
+#ifdef Q_OS_WIN
+    temporary_ = temporaryNameFor(path_);
+    file_.setFileName(temporary_);
+    if (!file_.open(QIODevice::WriteOnly | QIODevice::NewOnly | QIODevice::Unbuffered)) {
+        temporary_.clear();
+        return fail(EACCES, file_.errorString());
+    }
+#else
+    int descriptor = -1;
+#ifdef Q_OS_LINUX
+    if (canGiveNames()) {
+        descriptor = openUnnamed(old.absolutePath());
+    }
+#endif
+    if (descriptor < 0) {
+        temporary_ = temporaryNameFor(path_);
+        descriptor =
+            ::open(QFile::encodeName(temporary_).constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor < 0) {
+            const int systemError = errno;
+            temporary_.clear();
+            return fail(systemError, qt_error_string(systemError));
+        }
+    }
+    file_.open(descriptor, QIODevice::WriteOnly | QIODevice::Unbuffered, QFileDevice::AutoCloseHandle);
+    struct stat status {};
+    if (::stat(QFile::encodeName(path_).constData(), &status) == 0) {
+        // Changing the owner needs rights that only some users have; it clears bits of the mode, so it is first.
+        if (::fchown(descriptor, status.st_uid, status.st_gid) != 0) {
+            errno = 0;
+        }
+        if (::fchmod(descriptor, status.st_mode & 07777) != 0) {
+            return fail(errno, qt_error_string(errno));
+        }
+    }
+#endif
+    return {};
+}
+
+Result<void> AtomicFile::write(std::string_view bytes) {
+    if (!file_.isOpen()) {
+        return error_.code != ErrorCode::None ? error_
+                                              : writeFailure(what_, EBADF, QStringLiteral("not open"));
+    }
+    errno = 0;
+    const auto size = static_cast<qint64>(bytes.size());
+    if (file_.write(bytes.data(), size) != size) {
+        return fail(errno, file_.errorString());
+    }
+    return {};
+}
+
+Result<void> AtomicFile::write(const QByteArray& bytes) {
+    return write(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+}
+
+Result<void> AtomicFile::commit() {
+    if (!file_.isOpen()) {
+        return error_.code != ErrorCode::None ? error_
+                                              : writeFailure(what_, EBADF, QStringLiteral("not open"));
+    }
+    if (const int systemError = syncDescriptor(file_.handle()); systemError != 0) {
+        return fail(systemError, qt_error_string(systemError));
+    }
+#ifdef Q_OS_LINUX
+    if (temporary_.isEmpty()) {
+        const QString name = temporaryNameFor(path_);
+        if (!giveName(file_.handle(), name)) {
+            const int systemError = errno;
+            return fail(systemError, qt_error_string(systemError));
+        }
+        temporary_ = name;
+    }
+#endif
+    file_.unsetError();
+    errno = 0;
+    file_.close();
+    if (file_.error() != QFileDevice::NoError) {
+        return fail(errno, file_.errorString());
+    }
+    if (const int systemError = renameOver(temporary_, path_); systemError != 0) {
+        return fail(systemError, qt_error_string(systemError));
+    }
+    temporary_.clear();
+    if (const int systemError = syncFolderOf(path_); systemError != 0) {
+        return fail(systemError, qt_error_string(systemError));
+    }
+    return {};
+}
+
+Result<void> writeFileAtomically(const QString& path, const QByteArray& content, const QString& what) {
+    AtomicFile file(path, what);
+    if (const Result<void> opened = file.open(); !opened) {
+        return opened;
+    }
+    if (const Result<void> written = file.write(content); !written) {
+        return written;
+    }
+    return file.commit();
+}
+
+Result<void> replaceFile(const QString& part, const QString& path, const QString& what) {
+    const QString context = contextOf(what, path);
+    if (const QFileInfo old(resolved(path)); old.exists() && !old.isFile()) {
+        return writeFailure(context, EISDIR, QStringLiteral("is not a regular file"));
+    }
+    const auto failure = [&context](int systemError) {
+        return writeFailure(context, systemError, qt_error_string(systemError));
+    };
+    QFile written(part);
+    errno = 0;
+    if (!written.open(QIODevice::ReadWrite | QIODevice::ExistingOnly)) {
+        return writeFailure(context, errno, written.errorString());
+    }
+    const int syncError = syncDescriptor(written.handle());
+    written.close();
+    if (syncError != 0) {
+        return failure(syncError);
+    }
+    if (const int systemError = renameOver(part, resolved(path)); systemError != 0) {
+        return failure(systemError);
+    }
+    if (const int systemError = syncFolderOf(resolved(path)); systemError != 0) {
+        return failure(systemError);
+    }
+    return {};
+}
+
+}  // namespace tiller

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Writes a file completely or not at all. QSaveFile reports success when its last flush fails, so that a full disk
+// turns a small file into an empty one; here every step is checked: writing, flushing to the storage device, replacing
+// the old file and flushing the folder. A crash, a full disk or a power failure leaves either the old or the new file.
+
+#include <QByteArray>
+#include <QFile>
+#include <QString>
+#include <string_view>
+
+#include "robot/core/result.h"
+
+namespace tiller {
+
+/// A file that replaces `path` when commit() succeeds. Until then the old file is untouched; an object that is
+/// destroyed before leaves nothing behind.
+/// Errors   of every call: DiskFull, FileNotWritable; the context says what was being written,
+///          controllerMessage holds the system's reason
+/// Threads  one at a time. Blocks: for the file system. Real-time: no
+class AtomicFile {
+public:
+    /// path  of the file; a symbolic link is followed. The permissions and the owner of an existing file are kept.
+    /// what  context of errors, e.g. "export to plot.csv"; "write PATH" when empty
+    explicit AtomicFile(const QString& path, const QString& what = {});
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /// Creates the temporary file in the folder of `path`.
+    Result<void> open();
+    /// Appends to the temporary file.
+    Result<void> write(std::string_view bytes);
+    Result<void> write(const QByteArray& bytes);  ///< As above.
+    /// Replaces the old file. Afterwards the object is closed.
+    Result<void> commit();
+
+private:
+    Result<void> fail(int systemError, const QString& reason);
+    void discard();
+
+    QString path_;       ///< with symbolic links resolved
+    QString what_;       ///< context of errors
+    QString temporary_;  ///< name of the temporary file; empty while it has none
+    QFile file_;
+    Error error_;  ///< of the first step that failed
+};
+
+/// Replaces the file `path` by one with this content in one step.
+/// what     context of errors, e.g. "export to plot.csv"; "write PATH" when empty
+/// Errors   DiskFull, FileNotWritable
+/// Threads  any. Blocks: for the file system. Real-time: no
+Result<void> writeFileAtomically(const QString& path, const QByteArray& content, const QString& what = {});
+
+/// Flushes the closed file `part`, which a library has written, and renames it to `path` in the same folder,
+/// replacing what is there. On an error `part` remains.
+/// what     context of errors; "write PATH" when empty
+/// Errors   DiskFull, FileNotWritable
+/// Threads  any. Blocks: for the file system. Real-time: no
+Result<void> replaceFile(const QString& part, const QString& path, const QString& what = {});
+
+}  // namespace tiller

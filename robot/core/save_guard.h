@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Keeps other processes of Tiller from writing files of the same folder while one of them compares a file with what it
+// read and then replaces it. The system releases the guard when its process ends, however it ends.
+
+#include <QString>
+#include <memory>
+
+#include "robot/core/result.h"
+
+namespace tiller {
+
+/// Held for milliseconds, by one thread. File systems without locks give none; the guard then counts as held, and only
+/// the comparison before the write protects the file.
+class SaveGuard {
+public:
+    /// Waits until no other process or thread holds the guard for the folder of `path`.
+    /// Errors   FileNotWritable after 3 s
+    /// Threads  any. Blocks: up to 3 s. Real-time: no
+    static Result<std::unique_ptr<SaveGuard>> acquire(const QString& path);
+    ~SaveGuard();
+    SaveGuard(const SaveGuard&) = delete;
+    SaveGuard& operator=(const SaveGuard&) = delete;
+
+private:
+    struct Handle;
+    explicit SaveGuard(std::unique_ptr<Handle> handle);
+    std::unique_ptr<Handle> handle_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+//
+// A file is replaced completely or not at all, on full disks too.
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "robot/core/atomic_file.h"
+#include "tests/support/small_disk.h"
+
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+using namespace tiller;
+
+namespace {
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be read)");
+}
+
+QByteArray pattern(qsizetype size, char first) {
+    QByteArray bytes(size, '\0');
+    for (qsizetype i = 0; i < size; ++i) {
+        bytes[i] = static_cast<char>(first + i % 23);
+    }
+    return bytes;
+}
+
+/// Around the blocks of file systems and the buffer of QFile (16384).
+QList<qsizetype> sizesAroundBuffers() {
+    QList<qsizetype> sizes{0, 1, 100};
+    for (const qsizetype buffer : {4096, 8192, 16384, 32768, 49152}) {
+        sizes << buffer - 1 << buffer << buffer + 1;
+    }
+    return sizes;
+}
+
+/// The old file or the new one, and the result says which.
+void replaceOnFullDisk(const SmallDisk& disk) {
+    const QString path = disk.filePath("cell.tiller");
+    int failures = 0;
+    for (const int freeBlocks : {0, 1, 3, 5, 13}) {
+        for (const qsizetype size : sizesAroundBuffers()) {
+            disk.makeRoom();
+            const QByteArray before = pattern(700, 'A');
+            const QByteArray after = pattern(size, 'a');
+            QVERIFY(writeFileAtomically(path, before).ok());
+            QVERIFY(disk.fill(freeBlocks));
+            const Result<void> written = writeFileAtomically(path, after);
+            const QByteArray context = QByteArray::number(size) + " bytes, " +
+                                       QByteArray::number(freeBlocks) +
+                                       " blocks free: " + written.error().toString().toUtf8();
+            QVERIFY2(contentOf(path) == (written ? after : before), context.constData());
+            if (!written) {
+                ++failures;
+                QVERIFY2(written.error().code == ErrorCode::DiskFull, context.constData());
+                QVERIFY2(!written.error().controllerMessage.isEmpty(), context.constData());
+            }
+            QCOMPARE(QDir(disk.filePath(".")).entryList({".tiller-*"}, QDir::Files | QDir::Hidden),
+                     QStringList());
+        }
+    }
+    QVERIFY2(failures > 20, "the disk was never full");
+}
+
+}  // namespace
+
+class TestAtomicFile : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() {
+        directory_ = std::make_unique<QTemporaryDir>();
+        path_ = directory_->filePath("file.txt");
+    }
+
+    void createsAndReplaces() {
+        QVERIFY(writeFileAtomically(path_, "one").ok());
+        QCOMPARE(contentOf(path_), QByteArray("one"));
+        QVERIFY(writeFileAtomically(path_, "two").ok());
+        QCOMPARE(contentOf(path_), QByteArray("two"));
+        for (const qsizetype size : sizesAroundBuffers()) {
+            QVERIFY(writeFileAtomically(path_, pattern(size, 'a')).ok());
+            QCOMPARE(contentOf(path_), pattern(size, 'a'));
+        }
+        QCOMPARE(everything(), QStringList{"file.txt"});
+    }
+
+    void anUncommittedFileLeavesNothing() {
+        QVERIFY(writeFileAtomically(path_, "old").ok());
+        {
+            AtomicFile file(path_);
+            QVERIFY(file.open().ok());
+            QVERIFY(file.write(QByteArray("new")).ok());
+        }
+        QCOMPARE(contentOf(path_), QByteArray("old"));
+        QCOMPARE(everything(), QStringList{"file.txt"});
+    }
+
+    void severalWritesMakeOneFile() {
+        AtomicFile file(path_, "export to file.txt");
+        QVERIFY(!file.write(QByteArray("before it is open")).ok());
+        QVERIFY(file.open().ok());
+        QVERIFY(file.write(QByteArray("one ")).ok());
+        QVERIFY(file.write(QByteArray("two")).ok());
+        QVERIFY(!QFile::exists(path_));
+        QVERIFY(file.commit().ok());
+        QCOMPARE(contentOf(path_), QByteArray("one two"));
+        QVERIFY(!file.commit().ok());
+    }
+
+#ifdef Q_OS_UNIX
+    void permissionsAndOwnerStay() {
+        QVERIFY(writeFileAtomically(path_, "old").ok());
+        QVERIFY(::chmod(path_.toLocal8Bit().constData(), 0640) == 0);
+        const bool isRoot = ::geteuid() == 0;
+        if (isRoot) {
+            QVERIFY(::chown(path_.toLocal8Bit().constData(), 1234, 4321) == 0);
+        }
+        QVERIFY(writeFileAtomically(path_, "new").ok());
+        struct stat status {};
+        QVERIFY(::stat(path_.toLocal8Bit().constData(), &status) == 0);
+        QCOMPARE(status.st_mode & 07777, mode_t(0640));
+        if (isRoot) {
+            QCOMPARE(status.st_uid, uid_t(1234));
+            QCOMPARE(status.st_gid, gid_t(4321));
+        }
+    }
+
+    void symbolicLinksAreFollowed() {
+        const QString link = directory_->filePath("link.txt");
+        QVERIFY(QDir().mkdir(directory_->filePath("folder")));
+        const QString target = directory_->filePath("folder/target.txt");
+        QVERIFY(QFile::link(target, link));
+        QVERIFY(writeFileAtomically(link, "through a link without a target").ok());
+        QVERIFY(QFileInfo(link).isSymLink());
+        QCOMPARE(contentOf(target), QByteArray("through a link without a target"));
+        QVERIFY(writeFileAtomically(link, "again").ok());
+        QVERIFY(QFileInfo(link).isSymLink());
+        QCOMPARE(contentOf(target), QByteArray("again"));
+    }
+
+    void foldersPipesAndDevicesAreRefused() {
+        const QString pipe = directory_->filePath("pipe");
+        QVERIFY(::mkfifo(pipe.toLocal8Bit().constData(), 0600) == 0);
+        for (const QString& path : {directory_->path(), pipe, QString("/dev/null")}) {
+            const Result<void> written = writeFileAtomically(path, "text");
+            QVERIFY2(!written, qPrintable(path));
+            QVERIFY(written.error().code == ErrorCode::FileNotWritable);
+            QVERIFY(QFile::exists(path));
+        }
+        const QString part = directory_->filePath("part");
+        QVERIFY(writeFileAtomically(part, "text").ok());
+        QVERIFY(!replaceFile(part, pipe).ok());
+        QVERIFY(QFile::exists(part));
+    }
+
+    void aFileThatMayNotBeWrittenStays() {
+        if (::geteuid() == 0) {
+            QSKIP("root may write every file");
+        }
+        QVERIFY(writeFileAtomically(path_, "old").ok());
+        QVERIFY(QFile::setPermissions(path_, QFile::ReadOwner));
+        QVERIFY(writeFileAtomically(path_, "new").error().code == ErrorCode::FileNotWritable);
+        QCOMPARE(contentOf(path_), QByteArray("old"));
+    }
+#endif
+
+    void aMissingFolderIsAnErrorThatNamesTheFile() {
+        const Result<void> written = writeFileAtomically(directory_->filePath("no/such/file"), "text");
+        QVERIFY(written.error().code == ErrorCode::FileNotWritable);
+        QVERIFY(written.error().context.contains("file"));
+        QCOMPARE(
+            writeFileAtomically(directory_->filePath("no/file"), "text", "export to file").error().context,
+            QString("export to file"));
+    }
+
+    void anotherFileIsReplacedByAPart() {
+        const QString part = path_ + ".part";
+        QVERIFY(writeFileAtomically(part, "new").ok());
+        QVERIFY(writeFileAtomically(path_, "old").ok());
+        QVERIFY(replaceFile(part, path_).ok());
+        QCOMPARE(contentOf(path_), QByteArray("new"));
+        QVERIFY(!QFile::exists(part));
+        QVERIFY(replaceFile(part, path_).error().code == ErrorCode::FileNotWritable);
+        QCOMPARE(contentOf(path_), QByteArray("new"));
+    }
+
+    void aFullTmpfsKeepsTheOldFile() {
+        const SmallDisk disk(SmallDisk::Kind::Tmpfs, 512);
+        if (!disk.problem().isEmpty()) {
+            QSKIP(qPrintable(disk.problem()));
+        }
+        replaceOnFullDisk(disk);
+    }
+
+    void aFullExt4KeepsTheOldFile() {
+        const SmallDisk disk(SmallDisk::Kind::Ext4, 2048);
+        if (!disk.problem().isEmpty()) {
+            QSKIP(qPrintable(disk.problem()));
+        }
+        replaceOnFullDisk(disk);
+    }
+
+private:
+    QStringList everything() const {
+        return QDir(directory_->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
+    std::unique_ptr<QTemporaryDir> directory_;
+    QString path_;
+};
+
+QTEST_GUILESS_MAIN(TestAtomicFile)
+#include "tst_atomic_file.moc"
