@@ -102,6 +102,7 @@ CustomControl::~CustomControl() {
 void CustomControl::disconnect(control::Supervision supervision) {
     disconnecting_ = true;
     if (const auto current = link()) {
+        current->endHeartbeat();
         if (supervision == control::Supervision::Heartbeat && isPlaying(current->state())) {
             const Uninterrupted stopping;
             sendStop(*current, kStopBeforeLeaving);

@@ -90,6 +90,7 @@ public:
     /// From now on a heartbeat goes to the robot at least every 20 ms, as long as the link is alive.
     /// Returns  false when another client owns the register
     bool beginHeartbeat();
+    void endHeartbeat() { beats_ = false; }
     int heartbeatRegister() const;
     /// Sends the command register as it is, for a watchdog: what is under way goes on.
     bool kick();
