@@ -22,6 +22,13 @@ QString codeOf(const QString& line) {
     return code.section(QLatin1Char('#'), 0, 0).trimmed();
 }
 
+/// Words that are no URScript: "run program", "power on".
+bool isCommand(const QString& code) {
+    static const QRegularExpression kCommand(
+        QStringLiteral("^(?:(?:run|stop|pause) program|power (?:on|off)|set \\w+.*)$"));
+    return kCommand.match(code).hasMatch();
+}
+
 /// By how many blocks a line opens more than it closes.
 int depthChange(const QString& code) {
     static const QRegularExpression kWord(
@@ -81,6 +88,10 @@ QString watchdogScript(const Heartbeat& heartbeat, const SoftwareVersion& versio
         "    halt\n"
         "  end\n"
         "  tiller_heartbeat_thread = run tiller_heartbeat()\n");
+    if (heartbeat.expired) {
+        lines.prepend(
+            QStringLiteral("  write_output_integer_register(%1, 0)\n").arg(heartbeat.expired->number));
+    }
     lines.replace(QStringLiteral("{{EXPIRED}}"), expired);
     lines.replace(QStringLiteral("{{REGISTER}}"), QString::number(heartbeat.number));
     lines.replace(QStringLiteral("{{FREQUENCY}}"), QString::number(1.0 / (kLater * timeout), 'f', 3));
@@ -131,7 +142,7 @@ SupervisedProgram supervised(const QString& program, const Heartbeat& heartbeat,
             endWrapping();
             lines += line;
             insert(watchdog);
-        } else if (depth == 0 && beginsWith(code, "sec")) {
+        } else if (depth == 0 && (beginsWith(code, "sec") || isCommand(code))) {
             endWrapping();
             lines += line;
         } else {

@@ -25,8 +25,8 @@ struct Heartbeat {
     std::optional<Expected> session = {};
     /// A larger number in this register ends the program at once.
     std::optional<Expected> lastEpoch = {};
-    /// Output register that gets this value when the heartbeat has stayed away: how a client that is still there
-    /// learns why the program ended.
+    /// Output register that is 0 from the beginning of the program and gets this value when no heartbeat has come:
+    /// how a client that is still there learns why the program ended.
     std::optional<Expected> expired = {};
     std::chrono::milliseconds timeout{0};  ///< without a heartbeat the program ends after this time
 };

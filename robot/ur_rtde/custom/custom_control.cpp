@@ -60,9 +60,13 @@ std::vector<double> numbered(const RecipeCommand& command) {
 const RecipeCommand kStopBeforeLeaving{CommandId::StopJ, 20, {4.0, 1.0}};
 constexpr milliseconds kLastWords(160);
 
+// In the register of results, when the watchdog thread has ended the program.
+constexpr int kHeartbeatExpired = 100'004;
+
 script::Heartbeat heartbeatOf(const RegisterLink& link) {
     script::Heartbeat heartbeat;
     heartbeat.number = link.heartbeatRegister();
+    heartbeat.expired = {link.resultRegister(), kHeartbeatExpired};
     heartbeat.timeout = control::kHoldTime;
     return heartbeat;
 }
@@ -360,6 +364,10 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         // Nobody waits for it any more: it shall not go on by itself.
         end();
         throw;
+    }
+    if (ran && current->state().result == kHeartbeatExpired) {
+        say("no heartbeat reached the robot for 100 ms, so the custom script was ended");
+        ran = false;
     }
     if (!ran && stopsWaiting_ > 0) {
         end();

@@ -92,6 +92,7 @@ public:
     bool beginHeartbeat();
     void endHeartbeat() { beats_ = false; }
     int heartbeatRegister() const;
+    int resultRegister() const { return options_.offset + 1; }
     /// Sends the command register as it is, for a watchdog: what is under way goes on.
     bool kick();
 

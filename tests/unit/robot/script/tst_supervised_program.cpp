@@ -109,6 +109,7 @@ private Q_SLOTS:
 
     void aStopEndsItAtOnce() {
         Bench bench(kMoving);
+        bench.host.intOut[26] = 4321;  // of a program before
         QCOMPARE(bench.run(300, true), 300);
         bench.host.intIn[25] = 8;
         QVERIFY(bench.run(300, true) <= 2);
@@ -158,6 +159,11 @@ private Q_SLOTS:
         QCOMPARE(count(QStringLiteral("def a():\n  sync()\nend\ndef b():\n  sync()\nend\n")), 2);
         QCOMPARE(count(QStringLiteral("sec a():\n  set_standard_digital_out(1, True)\nend\n")), 0);
         QCOMPARE(count(QStringLiteral("sec a():\n  sync()\nend\nmovej([0,0,0,0,0,0])\n")), 1);
+        // Programs for ur_rtde end like this; it is no line of a program.
+        const QString whole = QStringLiteral("def a():\n  sync()\nend\nrun program\n");
+        QCOMPARE(count(whole), 1);
+        QVERIFY(
+            supervised(whole, heartbeat(), kVersion).text.endsWith(QStringLiteral("\nend\nrun program\n")));
         // Functions inside of a program, and words in comments and strings, begin none.
         QCOMPARE(count(QStringLiteral(
                      "def a():\n  def f():\n    # end\n    textmsg(\"end def x():\")\n    if True:\n"
