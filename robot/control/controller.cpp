@@ -141,9 +141,9 @@ void Controller::release() {
     });
 }
 
-void Controller::leave() {
-    const auto stopEndless = [this] {
-        if (!d_->mailbox.hasAnEnd()) {
+void Controller::leave(Supervision supervision) {
+    const auto stopEndless = [this, supervision] {
+        if (supervision == Supervision::Heartbeat || !d_->mailbox.hasAnEnd()) {
             stop(StopCause::ControlLost);
         }
         d_->loop.permitForce(false);

@@ -100,11 +100,11 @@ public:
     /// Threads  as takeControl()
     Result<void> joinProgram(const Deadline& deadline);
 
-    /// Closes the connection and leaves the control program running for a client to come (joinProgram()). A
-    /// move or path under way comes to its end without us; whatever else moves the arm is ended, force mode
-    /// too.
+    /// Closes the connection and leaves the control program running for another client (joinProgram()).
+    /// supervision  Heartbeat: stops what moves. Unattended: a move or path under way continues to its target
+    ///              with no client to stop it; everything else that moves the arm is ended, force mode too
     /// Threads  and blocking as release()
-    void leave();
+    void leave(Supervision supervision = Supervision::Heartbeat);
 
     /// Stops what moves, ends the control program and closes the connection. Cancels a call that is waiting
     /// (takeControl() and all that sends programs), through its deadline's token.

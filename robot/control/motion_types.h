@@ -28,6 +28,14 @@ inline constexpr std::chrono::milliseconds kLongestSilence{4'000};
 /// for MoveParameters::silence).
 enum class Holding : std::uint8_t { Held, Free };
 
+/// Whether something may move the arm although no client supervises it.
+enum class Supervision : std::uint8_t {
+    Heartbeat,  ///< the arm brakes when the client ends, closes the connection or sends nothing for 100 ms
+    /// The arm moves on after the client has ended, until the motion or program is done. No one but a person
+    /// at the pendant, or another client, can stop it then.
+    Unattended,
+};
+
 enum class JogFrame : std::uint8_t {
     Base,    ///< axes of the controller's base frame
     Tool,    ///< axes of the tool, followed while it turns

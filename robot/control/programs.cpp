@@ -8,6 +8,7 @@
 #include "robot/control/detail/controller_private.h"
 #include "robot/core/wait_until.h"
 #include "robot/script/script_client.h"
+#include "robot/script/supervised_program.h"
 
 namespace tiller::control {
 
@@ -15,11 +16,16 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// What the controller calls this program in its messages.
-QString scriptName(const QString& program) {
-    static const QRegularExpression kDefinition(QStringLiteral("^[ \\t]*def[ \\t]+(\\w+)"),
-                                                QRegularExpression::MultilineOption);
-    return kDefinition.match(program).captured(1);
+/// Where a program that replaces the control program finds the heartbeat of the control thread.
+script::Heartbeat heartbeatOf(const Controller::Private& d, std::uint64_t epoch) {
+    const int first = firstRegister(d.options.registers);
+    script::Heartbeat heartbeat;
+    heartbeat.number = first;
+    heartbeat.session = {first + kSessionRegister, d.program.session()};
+    heartbeat.lastEpoch = {first + kEpochRegister, static_cast<std::int32_t>(epoch)};
+    heartbeat.expired = {first + kStateRegister, static_cast<std::int32_t>(ScriptState::HeartbeatExpired)};
+    heartbeat.timeout = kHoldTime;
+    return heartbeat;
 }
 
 Error stopped(const QString& context) {
@@ -100,6 +106,11 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
     };
     // The deadline is one of the reasons to end it, and named among them.
     waitUntil(Deadline::never(), settled);
+    if (bad.code == ErrorCode::None && d.loop.scriptState() == ScriptState::HeartbeatExpired) {
+        bad = {ErrorCode::LinkLost, context,
+               QStringLiteral("no heartbeat reached the robot for %1 ms, so the script was ended")
+                   .arg(kHoldTime.count())};
+    }
     return bad.code == ErrorCode::None ? Result<void>() : bad;
 }
 
@@ -132,10 +143,16 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
     return MotionAccess::make(*controller_, *id, MotionKind::Function);
 }
 
-Result<void> Programs::runScript(const Text& program, const Deadline& deadline) {
+Result<void> Programs::runScript(const Text& program, const Deadline& deadline, Supervision supervision) {
     const QString context = QStringLiteral("run a script");
     if (program.trimmed().isEmpty()) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("program: it is empty")};
+    }
+    const bool attended = supervision == Supervision::Heartbeat;
+    if (attended && program.contains(QLatin1String(script::kHeartbeatPrefix))) {
+        return Error{ErrorCode::InvalidArgument, context,
+                     QStringLiteral("program: names beginning with %1 belong to the watchdog thread")
+                         .arg(QLatin1String(script::kHeartbeatPrefix))};
     }
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = d.mailbox.epoch().stops();
@@ -151,7 +168,10 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline) 
     if (auto ended = d.program.end(ControlLoss::OwnScript, deadline); !ended) {
         return ended;
     }
-    d.program.giveWayTo(scriptName(program), static_cast<int>(program.count(QLatin1Char('\n'))) + 1);
+    const script::SupervisedProgram sent =
+        attended ? script::supervised(program, heartbeatOf(d, epoch), d.program.version())
+                 : script::unsupervised(program);
+    d.program.giveWayTo(sent);
     const std::uint64_t played = d.loop.playing();
     Result<void> outcome;
     {
@@ -161,7 +181,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline) 
             outcome = stopped(context);
         }
         if (outcome) {
-            outcome = client.send(program, deadline);
+            outcome = client.send(sent.text, deadline);
         }
         if (outcome) {
             outcome = watchScript(d, epoch, played, context, deadline);

@@ -26,9 +26,16 @@ public:
     Result<Motion> startFunction(const Text& name, const Text& body, const Deadline& start,
                                  Holding holding = Holding::Free);
 
-    /// Runs a whole program in place of the control program, waits for its end and takes control again. While
-    /// it runs nothing watches over the link: only Controller::stop() and the deadline end it.
-    Result<void> runScript(const Text& program, const Deadline& deadline);
+    /// Runs a whole program in place of the control program, waits for its end and takes control again.
+    /// Controller::stop() and the deadline end it.
+    /// program      `def ... end`, or lines, which run one after the other. It must not use names beginning
+    ///              with tiller_heartbeat
+    /// supervision  Heartbeat: a watchdog thread, sent in the program, ends it when the heartbeat of this
+    ///              process stays away for 100 ms; the controller then brakes the arm as at the end of any
+    ///              program. Unattended: the program is sent as it is; when this process is killed or the link
+    ///              is lost, the arm moves on until the program is done
+    Result<void> runScript(const Text& program, const Deadline& deadline,
+                           Supervision supervision = Supervision::Heartbeat);
 
     /// Ends the control program; data go on coming. reupload() brings it back.
     Result<void> endControlProgram(const Deadline& deadline);

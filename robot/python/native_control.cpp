@@ -430,12 +430,13 @@ void defineQueries(ControllerClass& cls) {
                           return Programs(self->controller).startFunction(name, body, deadline);
                       }));
     });
-    cls.def("run_script",
-            [](const SharedController& self, const std::string& program, const Seconds& seconds) {
-                waited(seconds, [&](const Deadline& deadline) {
-                    return Programs(self->controller).runScript(program, deadline);
-                });
-            });
+    cls.def("run_script", [](const SharedController& self, const std::string& program, const Seconds& seconds,
+                             bool unattended) {
+        const auto supervision = unattended ? Supervision::Unattended : Supervision::Heartbeat;
+        waited(seconds, [&](const Deadline& deadline) {
+            return Programs(self->controller).runScript(program, deadline, supervision);
+        });
+    });
 }
 
 }  // namespace

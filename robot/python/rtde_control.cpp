@@ -137,14 +137,16 @@ void defineLife(ControlClass& cls) {
             }
             control.disconnect();
         });
-    cls.def("disconnect", &Control::disconnect, Unlocked());
+    cls.def("disconnect", &Control::disconnect, py::arg("unattended") = false, Unlocked());
     cls.def("reconnect", &Control::reconnect, Unlocked());
     cls.def("isConnected", &Control::isConnected, Unlocked());
     cls.def("lastError", &Control::lastError);
     cls.def("sendCustomScriptFunction", &Control::sendCustomScriptFunction, py::arg("function_name"),
-            py::arg("script"), Unlocked());
-    cls.def("sendCustomScript", &Control::sendCustomScript, py::arg("script"), Unlocked());
-    cls.def("sendCustomScriptFile", &Control::sendCustomScriptFile, py::arg("file_path"), Unlocked());
+            py::arg("script"), py::arg("unattended") = false, Unlocked());
+    cls.def("sendCustomScript", &Control::sendCustomScript, py::arg("script"), py::arg("unattended") = false,
+            Unlocked());
+    cls.def("sendCustomScriptFile", &Control::sendCustomScriptFile, py::arg("file_path"),
+            py::arg("unattended") = false, Unlocked());
     cls.def("setCustomScriptFile", &Control::setCustomScriptFile, py::arg("file_path"), Unlocked());
     cls.def("stopScript", &Control::stopScript, Unlocked());
     cls.def("reuploadScript", &Control::reuploadScript, Unlocked());

@@ -21,6 +21,10 @@ constexpr double kMaxMass = 100.0;    // [kg], above every arm's payload
 constexpr double kMaxLength = 2.0;    // [m], centres of gravity and the like
 constexpr double kMaxGravity = 20.0;  // [m/s2]
 
+tiller::control::Supervision supervisionOf(bool unattended) {
+    return unattended ? tiller::control::Supervision::Unattended : tiller::control::Supervision::Heartbeat;
+}
+
 SessionOptions checked(const SessionOptions& options) {
     if (options.host.empty()) {
         throw std::invalid_argument("hostname is empty");
@@ -118,8 +122,8 @@ RTDEControlInterface::RTDEControlInterface(std::string hostname, double frequenc
 
 RTDEControlInterface::~RTDEControlInterface() = default;
 
-void RTDEControlInterface::disconnect() {
-    d_->session.disconnect();
+void RTDEControlInterface::disconnect(bool unattended) {
+    d_->session.disconnect(supervisionOf(unattended));
 }
 
 bool RTDEControlInterface::reconnect() {
@@ -171,7 +175,7 @@ bool RTDEControlInterface::reuploadScript() {
 }
 
 bool RTDEControlInterface::sendCustomScriptFunction(const std::string& function_name,
-                                                    const std::string& script) {
+                                                    const std::string& script, bool unattended) {
     if (function_name.empty()) {
         throw std::invalid_argument("function_name is empty");
     }
@@ -183,22 +187,22 @@ bool RTDEControlInterface::sendCustomScriptFunction(const std::string& function_
     for (std::string line; std::getline(lines, line);) {
         text += "\t" + line + "\n";
     }
-    return d_->session.backend()->runCustom(text + "end\n");
+    return d_->session.backend()->runCustom(text + "end\n", supervisionOf(unattended));
 }
 
-bool RTDEControlInterface::sendCustomScript(const std::string& script) {
+bool RTDEControlInterface::sendCustomScript(const std::string& script, bool unattended) {
     if (script.empty()) {
         throw std::invalid_argument("script is empty");
     }
-    return d_->session.backend()->runCustom(script);
+    return d_->session.backend()->runCustom(script, supervisionOf(unattended));
 }
 
-bool RTDEControlInterface::sendCustomScriptFile(const std::string& file_path) {
+bool RTDEControlInterface::sendCustomScriptFile(const std::string& file_path, bool unattended) {
     const auto text = readWholeFile(QString::fromStdString(file_path), kMaxScriptBytes);
     if (!text || text->isEmpty()) {
         throw std::invalid_argument("file_path: cannot read " + file_path);
     }
-    return d_->session.backend()->runCustom(text->toStdString());
+    return d_->session.backend()->runCustom(text->toStdString(), supervisionOf(unattended));
 }
 
 void RTDEControlInterface::setCustomScriptFile(const std::string& file_path) {

@@ -12,17 +12,20 @@
 // joints and their speeds are the connected robot's own. Whether the arm can reach a pose is looked at before
 // a move begins.
 //
-// What ends a motion, beyond its own end and the stops: a thread of this process tells the robot 500 times a
-// second that it lives. When the process is killed or stopped, or the link falls silent, for 0.1 s, every
-// motion ends, moves and paths too; a program that merely sleeps keeps its motion. The same after a protective,
-// safeguard or emergency stop, and when the program is paused. Nothing of it comes back by itself: set points
-// (speed, servo) are refused until servoStop(), speedStop(), jogStop() or another command has been called.
-// disconnect() lets a move or path under way come to its end and ends everything else.
+// What ends a motion, beyond its own end and the stops: a thread of this process sends a heartbeat 500 times a
+// second. When the process ends for whatever reason, is killed or stopped, or the link sends nothing for 0.1 s,
+// every motion ends: moves, paths and custom scripts too; a program that merely sleeps keeps its motion. The same
+// after a protective, safeguard or emergency stop, and when the program is paused. Nothing of it comes back by
+// itself: set points (speed, servo) are refused until servoStop(), speedStop(), jogStop() or another command has
+// been called. disconnect() and the destructor stop the arm as well. Only where `unattended` is given as true
+// does the arm move on without this process. ENDS.md lists every call.
 //
 // Beyond what ur_rtde does: stopJ, stopL, stopScript and triggerProtectiveStop overtake a motion another thread
 // is waiting for; stops end force mode too; a move after servoing needs no servoStop(); a lost connection is not
 // taken up again without reconnect(). With setCustomScriptFile(), FLAG_CUSTOM_SCRIPT, or without upload where
-// another program runs, commands go to that program by ur_rtde's registers, and what ends a motion is up to it.
+// another program runs, commands go to that program by ur_rtde's registers. A program sent by setCustomScriptFile()
+// contains the heartbeat watchdog; what else ends a motion, and everything in a program started elsewhere, is up
+// to that program.
 
 #include <ur_rtde/async_operation_status.h>
 #include <ur_rtde/dashboard_enums.h>
@@ -108,8 +111,11 @@ public:
     RTDEControlInterface(const RTDEControlInterface&) = delete;
     RTDEControlInterface& operator=(const RTDEControlInterface&) = delete;
 
-    /// Ends the connection; the program on the robot goes on, bounded motions too (see stopScript()).
-    void disconnect();
+    /// Stops what moves and ends the connection; the program on the robot keeps running (see stopScript()).
+    /// unattended  true: a move or path under way continues to its end, as with ur_rtde, and nothing in this
+    ///             process can stop it any more. Use it only where no person can be in reach of the arm. Beyond
+    ///             what ur_rtde has
+    void disconnect(bool unattended = false);
     /// Returns  false when it did not work: lastError() says why. Never throws on that account
     bool reconnect();
     /// Why the last call that returned false or threw did; empty when none has. Also said on standard error,
@@ -128,9 +134,14 @@ public:
     /// Returns true when it runs; during a protective or emergency stop when it was handed over.
     bool reuploadScript();
     /// Runs `script` (lines of URScript) as a function of this name, then the control program again.
-    bool sendCustomScriptFunction(const std::string& function_name, const std::string& script);
-    bool sendCustomScript(const std::string& script);
-    bool sendCustomScriptFile(const std::string& file_path);
+    /// unattended  false: a watchdog thread in the script ends it when this process ends or the link is lost;
+    ///             names beginning with tiller_heartbeat belong to it. true: the script is sent as it is, and
+    ///             moves the arm on after this process was killed. Beyond what ur_rtde has. The same for the
+    ///             two below
+    bool sendCustomScriptFunction(const std::string& function_name, const std::string& script,
+                                  bool unattended = false);
+    bool sendCustomScript(const std::string& script, bool unattended = false);
+    bool sendCustomScriptFile(const std::string& file_path, bool unattended = false);
     /// Replaces the control program by a file's, at once and in every later upload; empty: by the built-in
     /// one.
     void setCustomScriptFile(const std::string& file_path);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A simulated robot for the Python tests, with "real" as its argument in real time. Says its address on the
-// first line, obeys the words that come in on standard input (freeze, thaw, hand, free, cut, join, still),
-// and ends with it. "still" answers when the arm stands: with how long it was seen moving after it was last
-// told anything, in milliseconds of the robot's time.
+// A simulated robot for the Python tests. Arguments: "real" (in real time), "torque" (software that takes
+// torques), "low" (begins where the programs of the stop contract do). Writes its address on the first line,
+// obeys the words that come in on standard input (freeze, thaw, hand, push, free, cut, join, still, speed,
+// watch), and ends with it. "still" answers when the arm is at standstill: with how long it moved after the last
+// packet that came in, in milliseconds of the robot's time. "speed" answers with that of the TCP [m/s]. "watch"
+// looks on for a second and answers with how long [ms] and how far [rad] it moved after that packet, how long
+// after the word [ms], and whether it still moves.
 #include <QCoreApplication>
 #include <algorithm>
 #include <iostream>
@@ -29,25 +32,66 @@ double untilStill(tiller::test::FaceCell& cell) {
     return cell.until(stands) ? std::max(moved - told, 0.0) * 1000 : kNever;
 }
 
+std::string watch(tiller::test::FaceCell& cell) {
+    constexpr double kSeconds = 1.0;
+    tiller::simulator::Truth heard = cell.robot.truth();
+    const double begin = heard.timestamp;
+    const double end = begin + kSeconds;
+    std::uint64_t packages = cell.robot.inputPackages();
+    double moved = heard.timestamp;
+    bool moves = false;
+    tiller::JointPositions last = heard.q;
+    cell.until([&](const tiller::simulator::Truth& truth) {
+        if (cell.robot.inputPackages() != packages) {
+            packages = cell.robot.inputPackages();
+            heard = truth;
+        }
+        moves = truth.qd.values.cwiseAbs().maxCoeff() >= 2e-3;
+        moved = moves ? truth.timestamp : moved;
+        last = truth.q;
+        return truth.timestamp >= end;
+    });
+    const double angle = (last.values - heard.q.values).cwiseAbs().maxCoeff();
+    return std::to_string(std::max(moved - heard.timestamp, 0.0) * 1000) + ' ' + std::to_string(angle) + ' ' +
+           std::to_string((moved - begin) * 1000) + (moves ? " moves" : " still");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     QCoreApplication app(argc, argv);
-    const bool real = argc > 1 && std::string(argv[1]) == "real";
-    tiller::test::FaceCell cell([real](tiller::simulator::SimulatorOptions& options) {
+    const QStringList arguments = app.arguments();
+    tiller::test::FaceCell cell([&arguments](tiller::simulator::SimulatorOptions& options) {
+        const bool real = arguments.contains(QLatin1String("real"));
         options.time = real ? tiller::simulator::Time::Real : tiller::simulator::Time::Virtual;
+        if (arguments.contains(QLatin1String("torque"))) {
+            options.software = {5, 25, 1, 0};
+        }
+        if (arguments.contains(QLatin1String("low"))) {
+            options.startJoints = tiller::JointPositions(-1.57, -1.2, -2.3, -1.2, 1.57, 0);
+        }
     });
     std::cout << cell.host() << std::endl;
     for (std::string word; std::getline(std::cin, word);) {
         if (word == "freeze" || word == "thaw") {
             cell.freeze(word == "freeze");
-        } else if (word == "hand" || word == "free") {
+        } else if (word == "hand" || word == "push" || word == "free") {
+            constexpr double kFirm = 150;  // [N]
+            constexpr double kGentle = 12;
             tiller::Vector6 wrench = tiller::Vector6::Zero();
-            wrench[2] = word == "hand" ? 150 : 0;
+            wrench[2] = word == "hand" ? kFirm : word == "push" ? kGentle : 0;
             cell.robot.pressHand(tiller::Wrench::fromVector(wrench));
         }
         if (word == "cut" || word == "join") {
             (void)cell.robot.inject(word == "cut" ? "link lost" : "link back");
+        }
+        if (word == "speed") {
+            std::cout << cell.robot.truth().tcpSpeed.linear.norm() << std::endl;
+            continue;
+        }
+        if (word == "watch") {
+            std::cout << watch(cell) << std::endl;
+            continue;
         }
         if (word == "still") {
             std::cout << untilStill(cell) << std::endl;

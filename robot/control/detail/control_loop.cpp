@@ -248,6 +248,7 @@ std::int64_t ControlLoop::patienceNs() const {
 
 void ControlLoop::followEcho(const Feedback& data) {
     const Echo& echo = data.echo;
+    scriptState_.store(echo.state, std::memory_order_release);
     if (echo.session != session_) {
         return;
     }
@@ -361,6 +362,7 @@ void ControlLoop::watch(const Feedback& data) {
             case ScriptState::Ready:
             case ScriptState::Executing:
             case ScriptState::Braking:
+            case ScriptState::HeartbeatExpired:
                 break;
         }
     }

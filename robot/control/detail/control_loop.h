@@ -132,6 +132,8 @@ public:
     /// Whether the arm yielded to forces or hands when it was paused: what ends that is a line of the program,
     /// which does not run then. Threads  the control thread
     bool yieldedWhenPaused() const { return yieldedWhenPaused_; }
+    /// Of the newest package.
+    ScriptState scriptState() const { return scriptState_.load(std::memory_order_acquire); }
     /// How many packages said that a program plays.
     std::uint64_t playing() const { return playing_.load(std::memory_order_acquire); }
     /// For the time in which no control thread runs.
@@ -175,6 +177,7 @@ private:
     std::int64_t patienceNs_ = kMaxDataAgeNs;
     bool sentEarly_ = false;  ///< set points, since the newest package
     std::atomic<std::uint64_t> playing_{0};
+    std::atomic<ScriptState> scriptState_{ScriptState::Ready};
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};
     bool paused_ = false;

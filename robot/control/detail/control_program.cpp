@@ -139,6 +139,7 @@ Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& sec
         const std::lock_guard lock(guard_);
         primary_->takeMessages();  // what was said before is not about us
         script_ = script;
+        own_ = {};
     }
     session_ = session;
     // Stays until the program answers: a controller can drop a program whose sender hangs up at once.
@@ -218,14 +219,12 @@ Result<void> ControlProgram::sendAnew(const Deadline& deadline) {
     return upload(next, {}, deadline);
 }
 
-void ControlProgram::giveWayTo(const QString& name, int lines) {
+void ControlProgram::giveWayTo(const script::SupervisedProgram& program) {
     complaint({});  // what was said before is not about this script
     const std::lock_guard lock(guard_);
-    script_ = {};
-    script_.sectionLine = 1;
-    script_.sectionLines = lines;
+    own_ = program;
     sectionName_ = QString();
-    scriptHeard_ = {name, false, false};
+    scriptHeard_ = {program.name, false, false};
 }
 
 Error ControlProgram::complaint(const QString& context) {
@@ -241,10 +240,16 @@ Error ControlProgram::complaint(const QString& context) {
             scriptHeard_.stopped = scriptHeard_.stopped || message.title.endsWith(QLatin1String("STOPPED"));
         }
         if (message.kind == script::MessageKind::RuntimeException) {
-            const QString place = message.line > 0 ? script_.place(message.line, message.column) + ": " : "";
+            const QString place = message.line > 0 ? placeOf(message.line, message.column) + ": " : "";
             const QString name = sectionName_.isEmpty() ? QString() : sectionName_ + QLatin1Char(' ');
             const bool ours = place.contains(QLatin1String(".script line "));
-            return {ErrorCode::ScriptError, context, (ours ? QString() : name) + place + message.text};
+            QString text = message.text;
+            if (const int line = own_.lineOf(message.line); !own_.text.isEmpty() && line > 0) {
+                // A syntax error repeats its line.
+                text.replace(QStringLiteral("on_line:%1:").arg(message.line),
+                             QStringLiteral("on_line:%1:").arg(line));
+            }
+            return {ErrorCode::ScriptError, context, (ours ? QString() : name) + place + text};
         }
         if (message.kind == script::MessageKind::ErrorCode && message.code == kReadOnlySocket) {
             return {ErrorCode::RemoteControlRequired, context,
@@ -252,6 +257,15 @@ Error ControlProgram::complaint(const QString& context) {
         }
     }
     return {};
+}
+
+// Needs `guard_`.
+QString ControlProgram::placeOf(int line, int column) const {
+    if (own_.text.isEmpty()) {
+        return script_.place(line, column);
+    }
+    const int inOwn = own_.lineOf(line);
+    return inOwn > 0 ? QStringLiteral("line %1").arg(inOwn) : QStringLiteral("watchdog thread");
 }
 
 std::uint64_t ControlProgram::statesHeard() const {

@@ -14,6 +14,7 @@
 #include "robot/core/deadline.h"
 #include "robot/core/result.h"
 #include "robot/script/primary_client.h"
+#include "robot/script/supervised_program.h"
 
 namespace tiller::control {
 
@@ -72,8 +73,7 @@ public:
     // ---- what is said of it -----------------------------------------------------------------------------------
 
     /// A script of the user's takes its place: complaints are about that one from now on.
-    /// name  what the controller calls it
-    void giveWayTo(const QString& name, int lines);
+    void giveWayTo(const script::SupervisedProgram& program);
     /// What the controller complained of since the last upload; code None when it did not.
     Error complaint(const QString& context);
     /// Counts states on the connection complaints come on, each after the complaints of its time.
@@ -81,6 +81,7 @@ public:
     ScriptHeard scriptHeard() const;
 
 private:
+    QString placeOf(int line, int column) const;
     Result<void> uploadOnce(std::int32_t newSession, const QString& section, const Deadline& deadline);
 
     const ControllerOptions& options_;
@@ -94,8 +95,10 @@ private:
     ArmLimits arm_;
     std::unique_ptr<script::PrimaryClient> primary_;
     ControlScript script_;  ///< the one sent last
-    QString sectionName_;   ///< what its section is called in messages
-    QStringList refused_;   ///< names that this controller does not know and the program does without
+    /// The user's program that has taken its place; no text: none.
+    script::SupervisedProgram own_;
+    QString sectionName_;  ///< what its section is called in messages
+    QStringList refused_;  ///< names that this controller does not know and the program does without
     ScriptHeard scriptHeard_;
 };
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "robot/control/detail/registers.h"
+#include "robot/script/supervised_program.h"
 
 namespace tiller::control {
 
@@ -26,11 +27,6 @@ QString numbers(const std::array<double, 6>& values) {
         out.append(fixed(value));
     }
     return out.join(QLatin1String(", "));
-}
-
-QString stepTimeText(const SoftwareVersion& version) {
-    const bool hasFunction = version >= SoftwareVersion{5, 4, 0, 0};
-    return hasFunction ? QStringLiteral("get_steptime()") : fixed(version.controlPeriod());
 }
 
 /// "5.10 3.15": from these e-Series and CB3 versions on; with the e-Series version only, or "-" in place of
@@ -154,7 +150,7 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     };
     fill("FIRST", QString::number(firstRegister(range)));
     fill("SESSION", QString::number(session));
-    fill("STEP", stepTimeText(version));
+    fill("STEP", script::stepTimeText(version));
     fill("BRAKE_LINEAR", fixed(limits.jogDeceleration));
     fill("BRAKE_ROTATION", fixed(limits.jointDeceleration));
     fill("BRAKE_JOINTS", fixed(limits.jointDeceleration));

@@ -16,7 +16,10 @@
 
 namespace tiller::control {
 
-int firstRegister(RegisterRange range);  ///< 0 or 24
+int firstRegister(RegisterRange range);     ///< 0 or 24
+inline constexpr int kEpochRegister = 1;    ///< integer input, counted from the first register
+inline constexpr int kSessionRegister = 4;  ///< the same
+inline constexpr int kStateRegister = 2;    ///< integer output
 
 enum class ScriptCommand : std::int32_t {
     Idle = 0,  ///< nothing may move; ends whatever does
@@ -50,6 +53,8 @@ enum class ScriptState : std::int32_t {
     TooFar = 7,      ///< a servo target further off than the arm could get: stopped, dead
     TcpTooFast = 8,  ///< torques made the TCP faster than the cap: stopped, dead
     ElbowTooFast = 9,
+    /// Of a program of the user's in place of the control program: it ended because no heartbeat came.
+    HeartbeatExpired = 100'004,
 };
 
 /// Questions and settings. Source: serve() in control.script

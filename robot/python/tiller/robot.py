@@ -262,11 +262,17 @@ class Robot:
         with self._waiting():
             return self._move(self._controller.start_function(name, body, timeout))
 
-    def run_script(self, program: str, timeout: float | None = None) -> None:
+    def run_script(self, program: str, timeout: float | None = None, *, unattended: bool = False) -> None:
         """Runs a whole URScript program in place of the control program, waits for its end [s] and takes control again.
-        Raises ScriptError with line and text."""
+
+        program: `def ... end`, or lines, which run one after the other; names beginning with tiller_heartbeat are reserved.
+        A watchdog thread, sent in the program, ends it and brakes the arm when this process ends, is killed or loses the
+        link for 100 ms. unattended: True sends the program as it is. Then the arm moves on after this process has ended,
+        until the program is done, and only the pendant or another client can stop it.
+        Raises ScriptError with line and text.
+        """
         with self._waiting():
-            self._controller.run_script(program, timeout)
+            self._controller.run_script(program, timeout, unattended)
 
     def _move(self, native: _native.Motion) -> Move:
         return Move(native, self._waiting)

@@ -6,6 +6,7 @@
 
 #include "robot/core/file_reading.h"
 #include "robot/core/wait_until.h"
+#include "robot/script/supervised_program.h"
 #include "robot/ur_rtde/detail/arguments.h"
 #include "robot/ur_rtde/detail/waiting.h"
 
@@ -45,6 +46,7 @@ constexpr const char* kOffsetPlace = "  # register offset\n";
 constexpr const char* kFloatOffsetPlace = "# float register offset\n";
 constexpr const char* kIntOffsetPlace = "# int register offset\n";
 constexpr const char* kPathPlace = "# inject move path\n";
+constexpr const char* kHeaderEnd = "# HEADER_END";
 
 constexpr milliseconds kReadyTime(3000);
 
@@ -52,6 +54,21 @@ std::vector<double> numbered(const RecipeCommand& command) {
     std::vector<double> values{static_cast<double>(command.id)};
     values.insert(values.end(), command.values.begin(), command.values.end());
     return values;
+}
+
+// The arm shall not move on without its client.
+const RecipeCommand kStopBeforeLeaving{CommandId::StopJ, 20, {4.0, 1.0}};
+constexpr milliseconds kLastWords(160);
+
+// In the register of results, when the watchdog thread has ended the program.
+constexpr int kHeartbeatExpired = 100'004;
+
+script::Heartbeat heartbeatOf(const RegisterLink& link) {
+    script::Heartbeat heartbeat;
+    heartbeat.number = link.heartbeatRegister();
+    heartbeat.expired = {link.resultRegister(), kHeartbeatExpired};
+    heartbeat.timeout = control::kHoldTime;
+    return heartbeat;
 }
 
 // What was not sent needs no end, but what an earlier client or program left must not begin by itself.
@@ -83,12 +100,19 @@ CustomControl::CustomControl(const SessionOptions& options, Pendant& pendant, Pr
 }
 
 CustomControl::~CustomControl() {
-    disconnect();
+    disconnect(control::Supervision::Heartbeat);
 }
 
-void CustomControl::disconnect() {
+void CustomControl::disconnect(control::Supervision supervision) {
     disconnecting_ = true;
     if (const auto current = link()) {
+        current->endHeartbeat();
+        if (supervision == control::Supervision::Heartbeat && isPlaying(current->state())) {
+            const Uninterrupted stopping;
+            sendStop(*current, kStopBeforeLeaving);
+            current->wait([&](const RegisterState&) { return !current->isCommandAlone(); }, hasEnded,
+                          kLastWords);
+        }
         current->close();
     }
     // Whoever waited has noticed by now.
@@ -158,7 +182,7 @@ void CustomControl::connect() {
 
 void CustomControl::startProgram(RegisterLink& link) {
     if (server_ != nullptr && !scriptFile_.empty()) {
-        server_->setProgram(program(link.version(), {}, true));
+        server_->setProgram(program(link, {}, true));
     }
     if (server_ == nullptr && !scriptFile_.empty()) {
         if (isPlaying(link.state()) && !endProgram(link)) {
@@ -176,8 +200,8 @@ void CustomControl::startProgram(RegisterLink& link) {
     }
 }
 
-std::string CustomControl::program(const SoftwareVersion& version, const std::string& pathCode,
-                                   bool bare) const {
+std::string CustomControl::program(RegisterLink& link, const std::string& pathCode, bool bare) const {
+    const SoftwareVersion version = link.version();
     constexpr qint64 kMaxScriptBytes = 16 << 20;
     const auto content = readWholeFile(QString::fromStdString(scriptFile_), kMaxScriptBytes);
     if (!content) {
@@ -198,10 +222,18 @@ std::string CustomControl::program(const SoftwareVersion& version, const std::st
         throw std::runtime_error("The script " + scriptFile_ +
                                  " has a version mark that cannot be understood");
     }
-    if (bare || isWhole(text)) {
-        return text;
+    if (!link.beginHeartbeat()) {
+        throw std::runtime_error("Another client owns input_int_register_" +
+                                 std::to_string(link.heartbeatRegister()) + ", which the heartbeat needs");
     }
-    return "def rtde_control():\n" + text + "end\n";
+    if (bare) {
+        // The header of a program with the URCap runs long before its node.
+        const std::size_t header = text.find(kHeaderEnd);
+        const std::size_t begin = header == std::string::npos ? 0 : text.find('\n', header) + 1;
+        return text.insert(begin, script::watchdogScript(heartbeatOf(link), version).toStdString());
+    }
+    const std::string whole = isWhole(text) ? text : "def rtde_control():\n" + text + "end\n";
+    return script::supervised(QString::fromStdString(whole), heartbeatOf(link), version).text.toStdString();
 }
 
 bool CustomControl::upload(RegisterLink& link, const std::string& pathCode) {
@@ -209,7 +241,7 @@ bool CustomControl::upload(RegisterLink& link, const std::string& pathCode) {
     if (scriptFile_.empty()) {
         return false;  // somebody else's, which only they can start
     }
-    const std::string text = program(link.version(), pathCode, server_ != nullptr);
+    const std::string text = program(link, pathCode, server_ != nullptr);
     if (server_ != nullptr) {
         server_->setProgram(text);
         pendant_.play();  // the program with the URCap's node asks again when it starts
@@ -288,11 +320,20 @@ void CustomControl::stopProgram() {
     }
 }
 
-bool CustomControl::runCustom(const std::string& text) {
+bool CustomControl::runCustom(const std::string& program, control::Supervision supervision) {
     const TurnLock turn = takeTurn();
     const auto current = link();
     if (!current || !current->isAlive() || !endProgram(*current)) {
         return false;
+    }
+    std::string text = program;
+    if (supervision == control::Supervision::Heartbeat) {
+        if (!current->beginHeartbeat()) {
+            say("another client owns the register that the heartbeat needs");
+            return false;
+        }
+        text = script::supervised(QString::fromStdString(program), heartbeatOf(*current), current->version())
+                   .text.toStdString();
     }
     // It may be over before this thread looks, which is why the packages are counted; or before any package
     // tells that it plays: then what programs written for ur_rtde end with tells.
@@ -322,6 +363,10 @@ bool CustomControl::runCustom(const std::string& text) {
         // Nobody waits for it any more: it shall not go on by itself.
         end();
         throw;
+    }
+    if (ran && current->state().result == kHeartbeatExpired) {
+        say("no heartbeat reached the robot for 100 ms, so the custom script was ended");
+        ran = false;
     }
     if (!ran && stopsWaiting_ > 0) {
         end();

@@ -2,7 +2,8 @@
 #pragma once
 
 // Carries out the commands of RTDEControlInterface through a program of the user's, by ur_rtde's registers.
-// What ends a motion there is that program's own affair. Private to this room.
+// A program that is sent from here contains the heartbeat watchdog; what else ends a motion there, and
+// everything in a program that was started elsewhere, is up to that program.
 
 #include "robot/ur_rtde/custom/register_link.h"
 #include "robot/ur_rtde/detail/control_session.h"
@@ -19,7 +20,7 @@ public:
     CustomControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server, std::string file);
     ~CustomControl() override;
 
-    void disconnect() override;
+    void disconnect(control::Supervision supervision) override;
     bool isConnected() const override;
     SoftwareVersion version() const override;
     control::JointLimits jointLimits() const override;
@@ -35,7 +36,7 @@ public:
     bool protectiveStop() override;
     bool reupload() override;
     void stopProgram() override;
-    bool runCustom(const std::string& program) override;
+    bool runCustom(const std::string& program, control::Supervision supervision) override;
 
 private:
     using TurnLock = std::unique_lock<Turn>;
@@ -53,7 +54,7 @@ private:
                       const std::function<bool(const RegisterState&)>& giveUp = {});
     void connect();
     void startProgram(RegisterLink& link);
-    std::string program(const SoftwareVersion& version, const std::string& pathCode, bool bare) const;
+    std::string program(RegisterLink& link, const std::string& pathCode, bool bare) const;
     void say(const std::string& text) const;
 
     const SessionOptions& options_;

@@ -18,6 +18,9 @@ constexpr milliseconds kSilenceLimit(2500);  // without data for so long the lin
 constexpr int kClearRecipe = 4;
 constexpr int kKickRecipe = 11;
 
+// Behind the registers of all recipes, and those that RTDEIOInterface sets.
+constexpr int kHeartbeatRegister = 23;
+
 /// int registers 0 ..., then double registers 0 ..., then one more field.
 struct RecipeShape {
     int ints;
@@ -53,6 +56,8 @@ std::vector<rtde::InputRequest> inputRequests(int offset) {
         }
         requests.push_back(std::move(request));
     }
+    const std::string heartbeat = rtde::intRegisterName(Direction::Input, offset + kHeartbeatRegister);
+    requests.push_back({{heartbeat}, false});
     return requests;
 }
 
@@ -165,6 +170,7 @@ void RegisterLink::run() {
                    std::chrono::steady_clock::now() - lastData > kSilenceLimit) {
             break;
         }
+        sendHeartbeat();
     }
     alive_ = false;
     {
@@ -223,6 +229,27 @@ bool RegisterLink::wait(const std::function<bool(const RegisterState&)>& done,
         lock.lock();
     }
     return true;
+}
+
+int RegisterLink::heartbeatRegister() const {
+    return options_.offset + kHeartbeatRegister;
+}
+
+bool RegisterLink::beginHeartbeat() {
+    {
+        const std::lock_guard lock(sending_);
+        beats_ = alive_ && connection_->inputs().back().isValid();
+    }
+    sendHeartbeat();
+    return beats_;
+}
+
+void RegisterLink::sendHeartbeat() {
+    const std::lock_guard lock(sending_);
+    if (beats_ && alive_) {
+        beat_ = beat_ % 0x3fffffff + 1;
+        connection_->sendInputs(connection_->inputs().size() - 1, std::array{static_cast<double>(beat_)});
+    }
 }
 
 bool RegisterLink::send(int recipe, const std::vector<double>& values) {

@@ -87,6 +87,12 @@ public:
     /// Whether such a command is under way. Another one takes its place.
     bool isCommandAlone() const { return alone_ != 0; }
     void forgetCommandAlone() { alone_ = 0; }
+    /// From now on a heartbeat goes to the robot at least every 20 ms, as long as the link is alive.
+    /// Returns  false when another client owns the register
+    bool beginHeartbeat();
+    void endHeartbeat() { beats_ = false; }
+    int heartbeatRegister() const;
+    int resultRegister() const { return options_.offset + 1; }
     /// Sends the command register as it is, for a watchdog: what is under way goes on.
     bool kick();
 
@@ -95,6 +101,7 @@ private:
     Result<void> findFields();
     void run();
     void publish(const std::vector<double>& values);
+    void sendHeartbeat();
     bool sendLocked(int recipe, const std::vector<double>& values);
 
     RegisterLinkOptions options_;
@@ -106,6 +113,8 @@ private:
 
     std::atomic<bool> alive_{true};
     std::atomic<bool> quit_{false};
+    std::atomic<bool> beats_{false};
+    std::int32_t beat_ = 0;      ///< under `sending_`
     std::atomic<int> alone_{0};  ///< the command nobody waits for; 0: none
     std::mutex sending_;
     std::atomic<int> command_{0};  ///< in the command register

@@ -95,8 +95,8 @@ class ControlBackend {
 public:
     virtual ~ControlBackend() = default;
 
-    /// Moves and paths come to their end, what has no end of its own is ended; the program lives on.
-    virtual void disconnect() = 0;
+    /// Stops what moves; the program keeps running. Unattended: moves and paths continue to their end.
+    virtual void disconnect(control::Supervision supervision) = 0;
     virtual bool isConnected() const = 0;
     virtual SoftwareVersion version() const = 0;
     virtual control::JointLimits jointLimits() const = 0;
@@ -120,7 +120,7 @@ public:
     virtual bool reupload() = 0;
     virtual void stopProgram() = 0;
     /// Runs a program of the user's in between.
-    virtual bool runCustom(const std::string& program) = 0;
+    virtual bool runCustom(const std::string& program, control::Supervision supervision) = 0;
 };
 
 }  // namespace tiller::urrtde

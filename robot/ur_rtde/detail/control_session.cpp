@@ -130,9 +130,9 @@ void ControlSession::put(std::shared_ptr<ControlBackend> backend) {
     error_.clear();
 }
 
-void ControlSession::disconnect() {
+void ControlSession::disconnect(control::Supervision supervision) {
     if (const auto current = backend()) {
-        current->disconnect();
+        current->disconnect(supervision);
     }
     pendant_.disconnect();
 }
@@ -216,7 +216,7 @@ bool ControlSession::reupload() {
         return current->reupload();
     }
     current->stopProgram();
-    current->disconnect();
+    current->disconnect(control::Supervision::Heartbeat);
     put(openNative(false));
     return true;
 }
@@ -228,7 +228,7 @@ void ControlSession::useScriptFile(const std::string& file) {
     if (connected) {
         const auto current = backend();
         current->stopProgram();
-        current->disconnect();
+        current->disconnect(control::Supervision::Heartbeat);
         put(open());
     }
 }

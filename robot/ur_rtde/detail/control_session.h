@@ -61,7 +61,7 @@ public:
     explicit ControlSession(const SessionOptions& options);
     ~ControlSession();
 
-    void disconnect();
+    void disconnect(control::Supervision supervision = control::Supervision::Heartbeat);
     void reconnect();
     /// Who carries commands out; never null.
     std::shared_ptr<ControlBackend> backend() const;

@@ -165,7 +165,7 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
     }()) {}
 
 NativeControl::~NativeControl() {
-    disconnect();
+    disconnect(control::Supervision::Heartbeat);
 }
 
 void NativeControl::connect() {
@@ -185,9 +185,9 @@ bool NativeControl::join() {
     return joined.ok();
 }
 
-void NativeControl::disconnect() {
+void NativeControl::disconnect(control::Supervision supervision) {
     disconnecting_ = true;
-    controller_.leave();
+    controller_.leave(supervision);
     disconnecting_ = false;
 }
 
@@ -709,7 +709,7 @@ void NativeControl::stopProgram() {
     }
 }
 
-bool NativeControl::runCustom(const std::string& program) {
+bool NativeControl::runCustom(const std::string& program, control::Supervision supervision) {
     const TurnLock turn = takeTurn();
     if (!turn.owns_lock()) {
         return false;
@@ -717,7 +717,7 @@ bool NativeControl::runCustom(const std::string& program) {
     if (!isReady() && !reupload()) {
         return false;
     }
-    return outcome(programs_.runScript(QString::fromStdString(program), ever())).has_value();
+    return outcome(programs_.runScript(QString::fromStdString(program), ever(), supervision)).has_value();
 }
 
 }  // namespace tiller::urrtde

@@ -32,7 +32,7 @@ public:
     /// Returns  false when no program of ours runs. Throws as connect()
     bool join();
 
-    void disconnect() override;
+    void disconnect(control::Supervision supervision) override;
     bool isConnected() const override { return controller_.isConnected(); }
     SoftwareVersion version() const override { return controller_.version(); }
     control::JointLimits jointLimits() const override { return controller_.jointLimits(); }
@@ -48,7 +48,7 @@ public:
     bool protectiveStop() override;
     bool reupload() override;
     void stopProgram() override;
-    bool runCustom(const std::string& program) override;
+    bool runCustom(const std::string& program, control::Supervision supervision) override;
 
 private:
     using TurnLock = std::unique_lock<Turn>;

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A program that takes control and moves the arm until somebody kills it:
+// A program that takes control and moves the arm until it is killed, or a line of its standard input says how to
+// end, see endProcess(); "object" destroys the controller and keeps the process, "leave" leaves it unattended:
 //     moving_helper <host> <primary port> <rtde port> <way of moving>
 #include <QCoreApplication>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iostream>
 #include <map>
+#include <memory>
+#include <string>
 #include <thread>
 
 #include "robot/control/compliance.h"
@@ -13,6 +18,7 @@
 #include "robot/control/motions.h"
 #include "robot/control/packet_loop.h"
 #include "robot/control/programs.h"
+#include "tests/support/process_end.h"
 #include "tests/support/waiting.h"
 
 using namespace tiller;
@@ -24,6 +30,9 @@ namespace {
 /// Called over and over: begins its motion when there is none, and holds the one there is. On a busy machine
 /// the holder may come late; then it begins anew.
 using Way = std::function<void()>;
+
+std::atomic<bool> leaves{false};
+std::atomic<bool> objectEnds{false};
 
 constexpr double kSpeed = 0.1;         ///< of the tool, the jog contract's [m/s]
 constexpr double kAcceleration = 0.5;  ///< [m/s2]
@@ -99,6 +108,68 @@ bool pushUpwards(Controller& controller) {
     return well(Compliance(controller).setForceMode(mode, patience()));
 }
 
+/// Begun once, and needs no one to hold it.
+Way once(const std::function<void()>& begin) {
+    return [begin, begun = false]() mutable {
+        if (!begun) {
+            begun = true;
+            begin();
+        }
+    };
+}
+
+constexpr auto kRising =
+    "def rising():\n"
+    "  while True:\n"
+    "    movel(pose_add(get_target_tcp_pose(), p[0,0,0.2,0,0,0]), a=0.5, v=0.1)\n"
+    "    movel(pose_add(get_target_tcp_pose(), p[0,0,-0.2,0,0,0]), a=0.5, v=0.1)\n"
+    "  end\n"
+    "end\n";
+
+void addFreeWays(Controller& c, std::map<QString, Way>& ways) {
+    const auto free = [&c, &ways](const char* name, const std::function<Result<Motion>(Motions&)>& begin) {
+        ways[name] = once([&c, begin] {
+            Motions motions(c);
+            well(begin(motions));
+        });
+    };
+    free("free moveJ", [&c](Motions& m) { return m.moveJ(turned(c.status(), 1.5), {kTurn, 1.4}); });
+    free("free moveJToPose", [&c](Motions& m) {
+        return m.moveJToPose(raised(c.status(), 0.3), {kTurn, 1.4});
+    });
+    free("free moveL", [&c](Motions& m) {
+        return m.moveL(raised(c.status(), 0.3), {kSpeed, kAcceleration});
+    });
+    free("free moveLToJoints", [&c](Motions& m) {
+        return m.moveLToJoints(turned(c.status(), 0.6), {kSpeed, kAcceleration});
+    });
+    free("free path", [&c](Motions& m) {
+        const auto to = [&c](double by) {
+            return PathEntry{PathEntry::Kind::MoveL, raised(c.status(), by), {}, kSpeed, kAcceleration, 0};
+        };
+        return m.movePath({to(0.2), to(0), to(0.2), to(0)}, patience());
+    });
+    ways["free jog"] = once([&c] { well(Motions(c).startJog(up(), Holding::Free)); });
+    ways["free speedL"] = once([&c] {
+        static ToolSpeed stream;
+        stream = begun(Motions(c).startSpeedL({}, Holding::Free));
+        well(stream.send(up().twist));
+    });
+    ways["free freedrive"] = once([&c] {
+        static Motion freedrive;
+        freedrive = begun(Compliance(c).startFreedrive({}, Holding::Free));
+    });
+    const auto script = [&c](Supervision supervision) {
+        return once([&c, supervision] {
+            std::thread([&c, supervision] {
+                (void)Programs(c).runScript(QString::fromLatin1(kRising), Deadline::never(), supervision);
+            }).detach();
+        });
+    };
+    ways["script"] = script(Supervision::Heartbeat);
+    ways["unattended script"] = script(Supervision::Unattended);
+}
+
 std::map<QString, Way> everyWay(Controller& c) {
     std::map<QString, Way> ways;
     ways["jog"] = jog(c, up());
@@ -135,6 +206,9 @@ std::map<QString, Way> everyWay(Controller& c) {
         const JointPositions from = turned(c.status(), 0);
         well(PacketLoop(c).servoJ(
             [&from](const CycleState& now) -> std::optional<JointPositions> {
+                if (objectEnds) {
+                    return std::nullopt;
+                }
                 JointPositions q = from;
                 q[0] += swing(now.time, kTurn);
                 return q;
@@ -145,6 +219,9 @@ std::map<QString, Way> everyWay(Controller& c) {
         const Pose from = raised(c.status(), 0);
         well(PacketLoop(c).servoL(
             [&from](const CycleState& now) -> std::optional<Pose> {
+                if (objectEnds) {
+                    return std::nullopt;
+                }
                 Pose pose = from;
                 pose.position.z() += swing(now.time, kSpeed);
                 return pose;
@@ -161,18 +238,25 @@ std::map<QString, Way> everyWay(Controller& c) {
     ways["speedJ"] = [&c] {
         well(PacketLoop(c).speedJ(
             [](const CycleState&) -> std::optional<JointVelocities> {
+                if (objectEnds) {
+                    return std::nullopt;
+                }
                 return JointVelocities(kTurn, 0, 0, 0, 0, 0);
             },
             {}, Deadline::never()));
     };
     ways["speedL"] = [&c] {
-        well(PacketLoop(c).speedL([](const CycleState&) -> std::optional<Twist> { return up().twist; }, {},
-                                  Deadline::never()));
+        well(PacketLoop(c).speedL(
+            [](const CycleState&) { return objectEnds ? std::nullopt : std::optional(up().twist); }, {},
+            Deadline::never()));
     };
 
     ways["torque"] = [&c] {
         well(PacketLoop(c).torque(
             [](const CycleState& now) -> std::optional<JointTorques> {
+                if (objectEnds) {
+                    return std::nullopt;
+                }
                 constexpr double kGain = 60;             // [Nm s/rad]
                 constexpr double kAimed = 1.15 * kTurn;  // friction takes the rest
                 return JointTorques(kGain * (kAimed - now.qd[0]), 0, 0, 0, 0, 0);
@@ -211,6 +295,7 @@ std::map<QString, Way> everyWay(Controller& c) {
                                             "[0.1,0.1,0.1,0.5,0.5,0.5])\n"
                                             "sleep(1000)");
     ways["section in freedrive"] = section(c, "freedrive_mode()\nsleep(1000)");
+    addFreeWays(c, ways);
     return ways;
 }
 
@@ -223,13 +308,28 @@ int main(int argc, char** argv) {
     options.primaryPort = app.arguments().at(2).toInt();
     options.rtdePort = app.arguments().at(3).toInt();
     options.priority = 0;
-    Controller controller(options);
-    if (!well(controller.takeControl(patience()))) {
+    auto controller = std::make_unique<Controller>(options);
+    if (!well(controller->takeControl(patience()))) {
         return 1;
     }
-    const Way move = everyWay(controller).at(app.arguments().at(4));
-    while (true) {
+    std::thread([] {
+        for (std::string line; std::getline(std::cin, line);) {
+            leaves = line == "leave";
+            objectEnds = leaves || line == "object";
+            endProcess(line);
+        }
+    }).detach();
+    const Way move = everyWay(*controller).at(app.arguments().at(4));
+    while (!objectEnds) {
         move();
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    if (leaves) {
+        controller->leave(Supervision::Unattended);
+    }
+    controller.reset();
+    std::cout << "object done" << std::endl;
+    while (true) {
+        std::this_thread::sleep_for(std::chrono::seconds(1));
     }
 }

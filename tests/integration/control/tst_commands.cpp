@@ -4,6 +4,7 @@
 
 #include "robot/control/arm_queries.h"
 #include "robot/control/compliance.h"
+#include "robot/control/detail/registers.h"
 #include "robot/control/motions.h"
 #include "robot/control/programs.h"
 #include "robot/control/tool_setup.h"
@@ -208,6 +209,35 @@ private Q_SLOTS:
         QCOMPARE(error.code, ErrorCode::ScriptError);
         QVERIFY2(error.controllerMessage.contains(QStringLiteral("line 2")), qPrintable(error.toString()));
         QVERIFY(cell.controller->status().inControl);
+    }
+
+    // The watchdog thread writes this register before it ends the script.
+    void aScriptThatItsWatchdogEndedIsNotDone() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Programs programs(*cell.controller);
+        const QString script =
+            QStringLiteral(
+                "def cut():\n  sleep(0.1)\n  write_output_integer_register(26, %1)\n  sync()\nend\n")
+                .arg(static_cast<int>(ScriptState::HeartbeatExpired));
+        const auto ran = cell.during([&] { return programs.runScript(script, patience()); });
+        QCOMPARE(ran.error().code, ErrorCode::LinkLost);
+        QVERIFY2(ran.error().controllerMessage.contains(QStringLiteral("heartbeat")),
+                 qPrintable(ran.error().toString()));
+        QVERIFY(cell.controller->status().inControl);
+        QVERIFY(
+            cell.during([&] { return programs.runScript(QStringLiteral("sleep(0.1)\n"), patience()); }).ok());
+    }
+
+    void aScriptMustNotUseTheWatchdogsNames() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Programs programs(*cell.controller);
+        const QString script = QStringLiteral("def f():\n  tiller_heartbeat_thread = 1\nend\n");
+        QCOMPARE(programs.runScript(script, patience()).error().code, ErrorCode::InvalidArgument);
+        const auto ran =
+            cell.during([&] { return programs.runScript(script, patience(), Supervision::Unattended); });
+        QVERIFY2(ran.ok(), why(ran));
     }
 
     void theControlProgramEndsAndComesBack() {

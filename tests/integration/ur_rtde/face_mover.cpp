@@ -3,16 +3,21 @@
 //     face_mover <host> <way of moving>
 // It does not look at what the calls return, as many programs do not. When it is "ready" it does what the
 // lines of its standard input say, and answers each with "<line> done": "begin", "again" (from where it began
-// first), "release" (what ends this way of moving), "disconnect".
+// first), "release" (what ends this way of moving), "disconnect", "leave" (disconnect unattended), or how to end:
+// see endProcess().
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <string>
 #include <thread>
+
+#include "tests/support/process_end.h"
 
 using ur_rtde::Path;
 using Control = ur_rtde::RTDEControlInterface;
@@ -52,10 +57,53 @@ void stopL(Control& control) {
     control.stopL(3.0);
 }
 
+constexpr auto kRisingBody =
+    "while True:\n"
+    "  movel(pose_add(get_target_tcp_pose(), p[0,0,-0.2,0,0,0]), a=0.5, v=0.1)\n"
+    "  movel(pose_add(get_target_tcp_pose(), p[0,0,0.2,0,0,0]), a=0.5, v=0.1)\n"
+    "end\n";
+
+std::string risingProgram() {
+    return "def rising():\n" + std::string(kRisingBody) + "end\n";
+}
+
+std::string risingFile() {
+    char name[] = "/tmp/face_mover_XXXXXX";
+    const int descriptor = ::mkstemp(name);
+    std::ofstream(name) << risingProgram();
+    ::close(descriptor);
+    return name;
+}
+
+/// A call that returns when the script is over.
+template <class Call>
+std::function<void(Control&)> waiting(Call call) {
+    return [call](Control& c) { std::thread([&c, call] { call(c); }).detach(); };
+}
+
+void addScripts(std::map<std::string, Way>& table) {
+    const auto add = [&table](const char* name, std::function<void(Control&)> begin) {
+        table[name] = {std::move(begin), idle, stopJ};
+    };
+    for (const bool unattended : {false, true}) {
+        const auto named = [&](const char* name) {
+            return std::string(unattended ? "unattended " : "") + name;
+        };
+        add(named("script").c_str(),
+            waiting([unattended](Control& c) { c.sendCustomScript(risingProgram(), unattended); }));
+        add(named("function").c_str(), waiting([unattended](Control& c) {
+                c.sendCustomScriptFunction("rising", kRisingBody, unattended);
+            }));
+        add(named("file").c_str(),
+            waiting([unattended](Control& c) { c.sendCustomScriptFile(risingFile(), unattended); }));
+    }
+    add("custom program", [](Control& c) { c.setCustomScriptFile(risingFile()); });
+}
+
 const std::map<std::string, Way>& ways() {
     const auto speedStop = [](Control& c) { c.speedStop(3.0); };
     const auto servoStop = [](Control& c) { c.servoStop(3.0); };
-    static const std::map<std::string, Way> table = {
+    static std::map<std::string, Way> table = {
         {"moveJ", {[](Control& c) { c.moveJ(turned(1.5), kTurn, 1.4, true); }, idle, stopJ}},
         {"moveJ_IK", {[](Control& c) { c.moveJ_IK(lowered(c, 0.3), kTurn, 1.4, true); }, idle, stopJ}},
         {"moveL", {[](Control& c) { c.moveL(lowered(c, 0.3), 0.1, 0.5, true); }, idle, stopL}},
@@ -109,6 +157,7 @@ const std::map<std::string, Way>& ways() {
          {[](Control& c) { c.freedriveMode(); }, idle, [](Control& c) { c.endFreedriveMode(); }}},
         {"teach mode", {[](Control& c) { c.teachMode(); }, idle, [](Control& c) { c.endTeachMode(); }}},
     };
+    addScripts(table);
     return table;
 }
 
@@ -158,6 +207,10 @@ int main(int argc, char** argv) {
             begin();
         } else if (line == "disconnect") {
             control.disconnect();
+        } else if (line == "leave") {
+            control.disconnect(true);
+        } else {
+            tiller::test::endProcess(line);
         }
         std::cout << line << " done" << std::endl;
     }

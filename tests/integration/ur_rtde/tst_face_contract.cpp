@@ -28,7 +28,7 @@ struct Way {
     const char* name;
     double fast;          ///< the speed of the TCP at which it is ended [m/s]
     bool hand;            ///< somebody pushes
-    bool finishes;        ///< a deliberate disconnect leaves it alone
+    bool finishes;        ///< a disconnect that asks for it leaves it alone
     bool yields = false;  ///< to forces
 };
 
@@ -54,8 +54,8 @@ constexpr Way kWays[] = {
 };
 
 constexpr const char* kEnds[] = {
-    "release",     "disconnect",     "kill -9",         "kill -9 after a silence", "SIGSTOP", "cut cable",
-    "silent link", "debugger pause", "protective stop", "safeguard stop",          "pause"};
+    "release",   "disconnect",  "leave",          "kill -9",         "kill -9 after a silence", "SIGSTOP",
+    "cut cable", "silent link", "debugger pause", "protective stop", "safeguard stop",          "pause"};
 
 // Servo targets of the mover follow its own clock.
 bool isInRealTime(const QByteArray& end, const QByteArray& way) {
@@ -178,7 +178,7 @@ private Q_SLOTS:
 
         const double endedAt = cell.robot.truth().timestamp;
         double obeyedAt = endedAt + 0.5;  // at the latest
-        if (end == "release" || end == "disconnect") {
+        if (end == "release" || end == "disconnect" || end == "leave") {
             mover.tell(end.constData());
             QVERIFY(during([&] { return mover.hasSaid(end + " done"); }));
             obeyedAt = cell.robot.truth().timestamp;
@@ -197,7 +197,7 @@ private Q_SLOTS:
         } else if (end == "pause") {
             pendant.pause();
         }
-        if (end == "disconnect" && moving.finishes) {
+        if (end == "leave" && moving.finishes) {
             QVERIFY(watcher.lookUntil(endedAt + 0.5));
             QVERIFY2(!watcher.stands, "a move is left to come to its end");
             cell.robot.pressHand({});
@@ -221,8 +221,8 @@ private Q_SLOTS:
         }
         QVERIFY(watcher.lookUntil(obeyedAt + 0.3));
         // On a busy machine a signal may take its time: what counts then is the last the robot heard.
-        const bool isSilent =
-            end.startsWith("kill -9") || end == "disconnect" || end == "SIGSTOP" || end == "debugger pause";
+        const bool isSilent = end.startsWith("kill -9") || end == "disconnect" || end == "leave" ||
+                              end == "SIGSTOP" || end == "debugger pause";
         const double from = isSilent ? std::clamp(watcher.heardAt, endedAt, obeyedAt) : endedAt;
         const double ms = (watcher.lastMoved - from) * 1000;
         qInfo("%s: %.0f ms", QTest::currentDataTag(), ms);

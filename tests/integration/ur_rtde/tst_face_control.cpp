@@ -149,6 +149,12 @@ $6.0   P = 6
         QCOMPARE(control_->getStepTime(), 5.0);
         control_->stopJ(2.0, true);  // which it does not know
         QCOMPARE(control_->getStepTime(), 5.0);
+
+        // What the watchdog thread writes before it ends a script; the next script begins without it.
+        QVERIFY(!control_->sendCustomScript(
+            "def cut():\n  write_output_integer_register(1, 100004)\n  sync()\nend\n"));
+        QVERIFY2(control_->lastError().find("heartbeat") != std::string::npos, control_->lastError().c_str());
+        QVERIFY(control_->sendCustomScript("def whole():\n  sync()\n  sync()\nend\n"));
     }
 
     // ---- moves ------------------------------------------------------------------------------------------

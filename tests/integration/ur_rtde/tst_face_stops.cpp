@@ -165,6 +165,7 @@ private Q_SLOTS:
         QVERIFY(!control_->sendCustomScript("def never():\n  sync()\n  b = = 7\nend\n"));
         const std::string never = control_->lastError();
         QVERIFY2(never.find("line 3") != std::string::npos, never.c_str());
+        QVERIFY2(never.find("on_line:3:") != std::string::npos, never.c_str());
         QVERIFY(control_->isProgramRunning());
         QVERIFY(control_->moveJ(kStart));
     }

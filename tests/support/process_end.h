@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The ways in which a program that moves the arm can end without a signal from outside. Standard library only:
+// the programs for ur_rtde use it too.
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace tiller::test {
+
+/// Does not return for the ways it knows; "fork" leaves a child behind that holds all connections.
+inline void endProcess(const std::string& how) {
+    if (how == "exception") {
+        throw std::runtime_error("the end that the test asked for");
+    }
+    if (how == "exit") {
+        std::exit(0);
+    }
+    if (how == "abort") {
+        std::abort();
+    }
+    if (how == "_exit") {
+        ::_exit(0);
+    }
+    if (how == "closed pipe") {
+        int ends[2];
+        if (::pipe(ends) == 0 && ::close(ends[0]) == 0) {
+            (void)!::write(ends[1], "x", 1);
+        }
+    }
+    if (how == "fork") {
+        constexpr int kSeconds = 5;
+        if (::fork() == 0) {
+            ::sleep(kSeconds);
+            ::_exit(0);
+        }
+        std::cout << "forked" << std::endl;
+    }
+}
+
+}  // namespace tiller::test
