@@ -204,8 +204,14 @@ struct Outputs::Link {
                 return Error{ErrorCode::Cancelled, what, {}};
             }
         }
-        return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, what,
-                     QStringLiteral("the robot does not report it")};
+        if (deadline.isCancelled()) {
+            return Error{ErrorCode::Cancelled, what, {}};
+        }
+        // The controller may have forgotten the connection without a sign: the next call makes a new one.
+        lock.unlock();
+        const std::lock_guard guard(mutex);
+        drop();
+        return Error{ErrorCode::Timeout, what, QStringLiteral("the robot does not report it")};
     }
 };
 
