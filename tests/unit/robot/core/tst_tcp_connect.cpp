@@ -29,9 +29,9 @@ private Q_SLOTS:
         }
     }
 
-#ifdef __linux__
     // A peer without power never ends a connection: the system has to find out.
     void theSystemWatchesThePeer() {
+#ifdef __linux__
         QTcpServer server;
         QVERIFY(server.listen(QHostAddress::LocalHost));
         const auto socket = connectTcp("127.0.0.1", server.serverPort(), Deadline::after(10s));
@@ -48,8 +48,10 @@ private Q_SLOTS:
         QCOMPARE(option(IPPROTO_TCP, TCP_USER_TIMEOUT),
                  static_cast<int>(native_socket::kPeerTimeout.count()));
         native_socket::close(*socket);
-    }
+#else
+        QSKIP("how soon is up to this system");
 #endif
+    }
 
     void saysWhyItCouldNot_data() {
         QTest::addColumn<QString>("host");

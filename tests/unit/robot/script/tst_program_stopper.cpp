@@ -208,8 +208,9 @@ private Q_SLOTS:
     }
 
     void whatTheControllerRefusedOthersIsNotForUs() {
-        RawPeer peer([](RawPeer::Link& link) {
-            link.send(versionMessage() + refusal() + refusal() + refusal() + stateWith(true));
+        RawPeer peer([first = true](RawPeer::Link& link) mutable {
+            const QByteArray refusals = std::exchange(first, false) ? refusal().repeated(3) : QByteArray();
+            link.send(versionMessage() + refusals + stateWith(true));
             link.readLine();
             while (!link.isOver()) {
                 link.send(stateWith(false));
