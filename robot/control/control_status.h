@@ -26,6 +26,7 @@ enum class ControlLoss : std::uint8_t {
     EchoStalled,    ///< the program is said to run but answers no more
     LinkLost,       ///< the connection broke, or data stopped coming
     OwnScript,      ///< a script of the user's runs in place of the control program
+    DataStale,  ///< the newest data are older than ControllerOptions::dataTimeout; ends when data come again
 };
 
 /// What holds the asked-for speed down.
@@ -60,8 +61,9 @@ struct MotionState {
 
 /// Threads  a plain copy
 struct ControllerStatus {
-    bool inControl = false;
+    bool inControl = false;  ///< never by data older than ControllerOptions::dataTimeout
     ControlLoss loss = ControlLoss::NotTaken;
+    bool fresh = false;  ///< the newest data are no older than that; otherwise all below describes the past
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
 

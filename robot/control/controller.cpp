@@ -170,11 +170,11 @@ Error Controller::Private::obstacle(const QString& context) const {
             ErrorCode::UnsafeState, context,
             QStringLiteral("%1, %2").arg(robotModeName(status.robotMode), safetyModeName(status.safetyMode))};
     }
-    if (now() - status.dataTimeNs > patienceNs()) {
+    if (now() - status.dataTimeNs > dataTimeoutNs()) {
         return {ErrorCode::LinkLost, context,
-                QStringLiteral("no data for more than %1 ms").arg(options.patience.count())};
+                QStringLiteral("no data for more than %1 ms").arg(options.dataTimeout.count())};
     }
-    if (status.roundTripMs > static_cast<double>(options.patience.count())) {
+    if (status.roundTripMs > static_cast<double>(options.dataTimeout.count())) {
         return {
             ErrorCode::LinkLost, context,
             QStringLiteral("commands take %1 ms to the robot and back").arg(status.roundTripMs, 0, 'f', 0)};
@@ -252,10 +252,11 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
     return epoch ? beginSection(*epoch, holding, silence, context) : Result<MotionId>(epoch.error());
 }
 
-void Controller::stop(StopCause cause) {
-    d_->mailbox.stop(cause, d_->now());
+std::uint64_t Controller::stop(StopCause cause) {
+    const std::uint64_t epoch = d_->mailbox.stop(cause, d_->now());
     d_->loop.permitForce(false);  // afterwards: see setForceMode()
     d_->link.wake();
+    return epoch;
 }
 
 std::uint64_t Controller::stops() const {
@@ -273,7 +274,13 @@ MotionState Controller::motionState(MotionId motion) const {
 }
 
 ControllerStatus Controller::status() const {
-    return d_->loop.status();
+    ControllerStatus status = d_->loop.status();
+    status.fresh = d_->now() - status.dataTimeNs <= d_->dataTimeoutNs();
+    if (status.inControl && !status.fresh) {
+        status.inControl = false;
+        status.loss = ControlLoss::DataStale;
+    }
+    return status;
 }
 
 JointLimits Controller::jointLimits() const {

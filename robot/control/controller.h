@@ -54,14 +54,17 @@ struct ControllerOptions {
     MotionLimits limits = {};
     /// Used for the limiter until, or unless, the controller has told its own dimensions.
     RobotModelId model = RobotModelId::UR5e;
-    /// Data older than this, or a command unanswered for longer, end what is active; a move that was given a
-    /// longer silence (MoveParameters::silence) after that. The robot ends it after 100 ms without a
-    /// heartbeat, or after that silence, in any case and by its own time; a program without a person at a key
-    /// may leave it to the robot, so that a hiccup of this computer that the robot did not notice ends
-    /// nothing.
-    std::chrono::milliseconds patience{100};
-    /// Without data for so long the connection counts as lost; 0: only when it ends.
-    std::chrono::milliseconds silence{0};
+    /// Data older than this, or a command unanswered for longer, end the active motion; a move with a longer
+    /// silence of its own (MoveParameters::silence) ends after that. While the data are older than this,
+    /// status() reports no control. The robot ends the motion after 100 ms without a heartbeat, or after that
+    /// silence, in any case and by its own time; a program without a person at a key may leave it to the
+    /// robot, so that a hiccup of this computer that the robot did not notice ends nothing.
+    std::chrono::milliseconds dataTimeout{100};
+    /// Without data for so long the connection counts as dead: it is closed and control is lost
+    /// (ControlLoss::LinkLost). Neither the end of the TCP connection nor an error is waited for, because
+    /// neither comes after a power cut or from a controller that has forgotten the connection. Never sooner
+    /// than `dataTimeout`, or than the silence of the move under way; 0: only when the connection ends.
+    std::chrono::milliseconds connectionTimeout{450};
     /// True: a control program that was paused may be played again (joinProgram()), without what it was told
     /// before. False, and where force mode, freedrive or teach mode might go on in the pause: it is stopped.
     bool keepPaused = false;
@@ -117,7 +120,9 @@ public:
 
     /// Ends whatever is active, force mode too. When it returns, no command given before can move the arm any
     /// more.
-    void stop(StopCause cause = StopCause::ApiCall);
+    /// Returns  the epoch of this stop: once ControllerStatus::restingEpoch has reached it, the control program
+    ///          has confirmed that it moves nothing
+    std::uint64_t stop(StopCause cause = StopCause::ApiCall);
     /// How many stops there were, by whomever; the end of one motion, or its giving way to another, is none. Who
     /// reads it before he prepares a motion can have it begin only if none came meanwhile: see Motions.
     std::uint64_t stops() const;

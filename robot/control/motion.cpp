@@ -78,7 +78,8 @@ MotionState Motion::state() const {
     if (kind_ != MotionKind::Stop) {
         return controller_->motionState(id_);
     }
-    const ControllerStatus status = controller_->status();
+    // Late data alone are no end: the stop may yet be confirmed.
+    const ControllerStatus status = ControllerAccess::of(*controller_).loop.status();
     if (!status.inControl) {
         return {MotionPhase::Ended, StopCause::ControlLost};
     }

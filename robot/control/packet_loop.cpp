@@ -39,7 +39,7 @@ public:
         return goesOn;
     }
 
-    std::int64_t beganNs() const override { return previousNs_; }
+    std::int64_t endedNs() const override { return endedNs_; }
 
     // A path that has become longer for good, or a robot that stalls, is not to be outrun: the packets lead.
     // Nor is anything made up for that this thread overslept.
@@ -58,6 +58,15 @@ public:
     std::chrono::nanoseconds quietIn() const {
         return std::chrono::nanoseconds(std::max(quietNs_.load() - clock_.nowNs(), kNsPerMs));
     }
+
+    /// A call so long that, with the way to the robot and back, the robot may have stopped for want of a
+    /// heartbeat; the newest one.
+    struct LongCall {
+        std::int64_t tookNs = 0;
+        std::int64_t endedNs = 0;
+    };
+    const LongCall& longCall() const { return longCall_; }
+    double period() const { return period_; }
 
     CycleReport report;
     Error error;
@@ -78,13 +87,14 @@ private:
     }
 
     bool run(const Feedback& data, const Occasion& occasion, MotionCommand& target) {
-        const auto [period, fresh, evenNs] = occasion;
-        const double time = fresh ? data.timestamp : servedAt_ + period;
-        const std::int64_t beginNs = begin(fresh, evenNs, period);
-        note(data, time, beginNs, fresh, period);
+        const auto [period, isNew, evenNs, ageNs] = occasion;
+        const double time = isNew ? data.timestamp : servedAt_ + period;
+        const std::int64_t beginNs = begin(isNew, evenNs, period);
+        note(data, time, beginNs, isNew, period);
         CycleState state;
         state.cycle = report.cycles - 1;
-        state.fresh = fresh;
+        state.age = static_cast<double>(ageNs + beginNs - data.hostNs) * 1e-9;
+        state.fresh = isNew && state.age <= 2 * period;
         state.missed = report.missed;
         state.time = time - beganAt_;
         state.period = period;
@@ -97,14 +107,14 @@ private:
         state.speedFraction = data.speedFraction;
         state.speedScaling = data.speedScaling;
 
-        const auto before = std::chrono::steady_clock::now();
         const std::optional<Target> wanted = ask(state);
-        const auto took = std::chrono::steady_clock::now() - before;
-        callNs_ = std::chrono::nanoseconds(took).count();
+        endedNs_ = clock_.nowNs();
+        callNs_ = endedNs_ - beginNs;
         report.calls.add(callNs_);
-        if (std::chrono::duration<double>(took).count() > period) {
-            ++report.overruns;
+        if (callNs_ > std::chrono::nanoseconds(kHoldTime).count() / 2) {
+            longCall_ = {callNs_, endedNs_};
         }
+        report.overruns += static_cast<double>(callNs_) > period * 1e9 ? 1 : 0;
         if (!wanted || error.code != ErrorCode::None) {
             return false;
         }
@@ -201,6 +211,8 @@ private:
     double period_ = 0;
     int staleInARow_ = 0;
     std::int64_t previousNs_ = 0;
+    std::int64_t endedNs_ = 0;
+    LongCall longCall_;
     std::int64_t callNs_ = 0;  ///< how long the last call took
     std::atomic<std::int64_t> quietNs_{0};
 };
@@ -211,6 +223,19 @@ private:
 std::int64_t awakeNs(const Controller::Private& d) {
     constexpr std::int64_t kFromArrivalNs = kNsPerMs;  // ArrivalPace holds none back for longer
     return d.options.priority > 0 && d.loop.status().priorityGranted ? kFromArrivalNs : kWakeUpNs;
+}
+
+/// What ended a loop whose callback was so slow that the robot, or this computer, heard too late of the other.
+Error slowCallback(std::int64_t tookNs, const CycleReport& report, double period) {
+    return {
+        ErrorCode::Stopped, QStringLiteral("run a packet loop"),
+        QStringLiteral("a call of the callback took %1 ms, with a control period of %2 ms; the robot stops "
+                       "after %3 ms without a heartbeat. %4 of %5 calls took longer than a period")
+            .arg(static_cast<double>(tookNs) * 1e-6, 0, 'f', 1)
+            .arg(1e3 * period, 0, 'f', 0)
+            .arg(kHoldTime.count())
+            .arg(report.overruns)
+            .arg(report.cycles)};
 }
 
 template <class Stream, class Target, class Parameters>
@@ -238,6 +263,11 @@ Result<void> run(Controller& controller, const Result<Stream>& stream, const Cyc
     }
     if (cycle.error.code != ErrorCode::None) {
         return cycle.error;
+    }
+    const auto& last = cycle.longCall();
+    const bool isJustOver = last.tookNs > 0 && d.now() - last.endedNs < kNsPerSecond / 2;
+    if (!ended && ended.error().code == ErrorCode::LinkLost && isJustOver) {
+        return slowCallback(last.tookNs, cycle.report, cycle.period());
     }
     return ended;
 }

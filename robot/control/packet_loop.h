@@ -18,12 +18,16 @@ namespace tiller::control {
 /// What the robot reported in the packet a cycle answers.
 struct CycleState {
     std::uint64_t cycle = 0;  ///< 0, 1, 2 ... without the missed ones
-    /// False: its packet did not come in time. What the robot reports, and `hostNs`, are of the one before.
+    /// False: no new packet came in time, so what the robot reports, and `hostNs`, are of the one before; or
+    /// `age` was above two periods.
     bool fresh = true;
+    /// Of what the robot reports when this cycle began, by the robot's time stamps, counted from the fastest
+    /// arrival seen [s].
+    double age = 0;
     std::uint64_t missed = 0;  ///< control periods without a cycle since the beginning
     double time = 0;           ///< since the first cycle, by the robot's clock [s]
     double period = 0.002;     ///< [s]
-    std::int64_t hostNs = 0;   ///< when the packet came, on the controller's clock
+    std::int64_t hostNs = 0;   ///< when the packet was read, on the controller's clock
     std::int64_t beginNs = 0;  ///< when this cycle began, on the same
     JointPositions q;
     JointVelocities qd;
@@ -62,15 +66,18 @@ enum class Pacing {
 
 /// Returns the target of this cycle, or nothing to end the loop (the arm brakes).
 /// Threads  called in the control thread, at its priority: it must return within the period, and not wait,
-///          lock or allocate. While it runs no heartbeat leaves: one that hangs stops the arm within 100 ms.
-///          At a real-time priority nothing else runs on its CPU meanwhile: leave it a tenth of the period.
+///          lock or allocate. When it takes longer, the next cycle gets the newest packet, and the periods in
+///          between are counted as missed. While it runs no heartbeat leaves: one that takes 100 ms stops the
+///          arm, and the error gives the time that it took. At a real-time priority nothing else runs on its
+///          CPU meanwhile: leave it a tenth of the period.
 template <class Target>
 using CycleCallback = std::function<std::optional<Target>(const CycleState&)>;
 
 /// Each runs until the callback ends it, the stream is stopped from elsewhere, or the deadline. Then the arm brakes,
 /// which may last some 0.1 s longer: a stopJ() can be waited for.
-/// Errors   none when the callback ended it; Timeout at the deadline; else as Motions::startServo..., and as
-///          Motion::wait. The report is filled in any case.
+/// Errors   none when the callback ended it; Timeout at the deadline; Stopped when a call took so long that the
+///          robot stopped for want of a heartbeat, with the times measured; else as Motions::startServo..., and
+///          as Motion::wait. The report is filled in any case.
 /// Threads  any but the control thread; one loop at a time. Blocks: until the loop has ended
 class PacketLoop {
 public:

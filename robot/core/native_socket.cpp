@@ -41,6 +41,11 @@ void prepare(Descriptor socket) {
     setsockopt(handle(socket), IPPROTO_TCP, TCP_NODELAY, reinterpret_cast<const char*>(&on), sizeof on);
 }
 
+void watchPeer(Descriptor socket) {
+    const BOOL on = TRUE;
+    setsockopt(handle(socket), SOL_SOCKET, SO_KEEPALIVE, reinterpret_cast<const char*>(&on), sizeof on);
+}
+
 Transfer receive(Descriptor socket, std::span<std::uint8_t> into) {
     const int got =
         ::recv(handle(socket), reinterpret_cast<char*>(into.data()), static_cast<int>(into.size()), 0);
@@ -106,6 +111,22 @@ void prepare(Descriptor socket) {
     ::setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 #ifdef SO_NOSIGPIPE
     ::setsockopt(fd, SOL_SOCKET, SO_NOSIGPIPE, &on, sizeof on);
+#endif
+}
+
+void watchPeer(Descriptor socket) {
+    const int fd = static_cast<int>(socket);
+    const int on = 1;
+    ::setsockopt(fd, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
+#ifdef __linux__
+    // Idle connections are probed once a second; sent data have as long to be acknowledged.
+    constexpr int kEverySeconds = 1;
+    const int probes = static_cast<int>(kPeerTimeout / std::chrono::seconds(kEverySeconds)) - 1;
+    const auto timeoutMs = static_cast<unsigned>(kPeerTimeout.count());
+    ::setsockopt(fd, IPPROTO_TCP, TCP_KEEPIDLE, &kEverySeconds, sizeof kEverySeconds);
+    ::setsockopt(fd, IPPROTO_TCP, TCP_KEEPINTVL, &kEverySeconds, sizeof kEverySeconds);
+    ::setsockopt(fd, IPPROTO_TCP, TCP_KEEPCNT, &probes, sizeof probes);
+    ::setsockopt(fd, IPPROTO_TCP, TCP_USER_TIMEOUT, &timeoutMs, sizeof timeoutMs);
 #endif
 }
 

@@ -28,6 +28,14 @@ struct Transfer {
 /// Makes the socket non-blocking, switches Nagle's algorithm off, keeps SIGPIPE away.
 void prepare(Descriptor socket);
 
+/// After so long without a sign of life from the peer's system a connection ends, idle or not. Long enough for the
+/// hiccups of a network that TCP bridges; code that has to know sooner watches what the peer sends.
+inline constexpr std::chrono::milliseconds kPeerTimeout(5000);
+
+/// Has the system probe the peer: one without power never ends the connection. On Linux within kPeerTimeout,
+/// elsewhere as the system is set up.
+void watchPeer(Descriptor socket);
+
 /// Threads  one reader and one writer at a time. Blocks: never. Real-time: one system call each
 Transfer receive(Descriptor socket, std::span<std::uint8_t> into);
 Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);  ///< As receive().

@@ -122,6 +122,7 @@ Result<Descriptor> connectTo(const addrinfo& address, const Deadline& deadline, 
         }
     }
     native_socket::prepare(descriptor);
+    native_socket::watchPeer(descriptor);
     return descriptor;
 }
 

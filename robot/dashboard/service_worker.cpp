@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/dashboard/service_worker.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -25,6 +26,7 @@ struct ServiceWorker::Private {
     ServiceAddress address;
     std::thread thread;
     CancelToken cancel;
+    std::atomic<bool> anew{false};  ///< the next call wants a new connection
 
     std::mutex mutex;
     std::condition_variable wake;
@@ -32,7 +34,7 @@ struct ServiceWorker::Private {
 
     void run();
     std::function<void()> perform(Entry& entry, std::unique_ptr<RobotService>& service,
-                                  const Deadline& deadline) const;
+                                  const Deadline& deadline);
 };
 
 void ServiceWorker::Private::run() {
@@ -57,8 +59,8 @@ void ServiceWorker::Private::run() {
 }
 
 std::function<void()> ServiceWorker::Private::perform(Entry& entry, std::unique_ptr<RobotService>& service,
-                                                      const Deadline& deadline) const {
-    if (!service || !service->isConnected()) {
+                                                      const Deadline& deadline) {
+    if (anew.exchange(false) || !service || !service->isConnected()) {
         service.reset();
         auto opened = openService(address, deadline);
         if (!opened) {
@@ -95,6 +97,10 @@ void ServiceWorker::stop() {
     }
     d_->wake.notify_all();
     d_->thread.join();
+}
+
+void ServiceWorker::reconnect() {
+    d_->anew = true;
 }
 
 void ServiceWorker::enqueue(Job job, QObject* context, std::chrono::milliseconds atMost) {

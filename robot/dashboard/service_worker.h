@@ -29,6 +29,10 @@ public:
     void start();
     void stop();  ///< Ends the thread; what waits is dropped.
 
+    /// The next call is made on a new connection: the controller may have forgotten the one there is without a
+    /// sign. Threads  any. Blocks: never
+    void reconnect();
+
     /// Runs `call` on the worker, then `done` with its result in the thread of `context` (not at all once
     /// context is gone, or the worker stopped).
     /// call     (RobotService&, const Deadline&) -> Result<T>

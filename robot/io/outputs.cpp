@@ -191,21 +191,33 @@ struct Outputs::Link {
         return error;
     }
 
+    /// Just before something is sent: only what comes later confirms it, or ends the wait for it.
+    struct Moment {
+        std::uint64_t sequence = 0;
+        std::uint64_t disconnects = 0;
+    };
+    Moment moment() const { return {feedback.newest().sequence, disconnects}; }
+
     template <class Done>
-    Result<void> confirm(const QString& what, std::uint64_t after, const Deadline& deadline, Done done) {
-        const std::uint64_t started = disconnects;
+    Result<void> confirm(const QString& what, const Moment& before, const Deadline& deadline, Done done) {
         std::unique_lock lock(waitMutex);
         while (!deadline.hasExpired()) {
             const Report report = feedback.newest();
-            if (report.sequence > after && done(report)) {
+            if (report.sequence > before.sequence && done(report)) {
                 return {};
             }
-            if (waitEnds.wait_for(lock, milliseconds(2), [&] { return disconnects != started; })) {
+            if (waitEnds.wait_for(lock, milliseconds(2), [&] { return disconnects != before.disconnects; })) {
                 return Error{ErrorCode::Cancelled, what, {}};
             }
         }
-        return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, what,
-                     QStringLiteral("the robot does not report it")};
+        if (deadline.isCancelled()) {
+            return Error{ErrorCode::Cancelled, what, {}};
+        }
+        // The controller may have forgotten the connection without a sign: the next call makes a new one.
+        lock.unlock();
+        const std::lock_guard guard(mutex);
+        drop();
+        return Error{ErrorCode::Timeout, what, QStringLiteral("the robot does not report it")};
     }
 };
 
@@ -241,7 +253,7 @@ Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values
     if (mask == 0 || (mask & ~kAllOutputs) != 0) {
         return invalid(QStringLiteral("digital outputs are 0 to %1").arg(kDigitalOutputs - 1));
     }
-    std::uint64_t before = 0;
+    Link::Moment before;
     {
         const std::lock_guard lock(d_->mutex);
         if (!d_->isAlive()) {
@@ -260,7 +272,7 @@ Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values
                 groups.push_back(group);
             }
         }
-        before = d_->feedback.newest().sequence;
+        before = d_->moment();
         for (const Group group : groups) {
             const std::uint32_t width = (1U << kFacts[group].bits) - 1;
             const std::uint32_t groupMask = (mask >> kFacts[group].firstBit) & width;
@@ -295,7 +307,7 @@ Result<void> Outputs::setSpeedSlider(double fraction, const Deadline& deadline) 
                 .arg(fraction)
                 .arg(kLowestSpeedFraction));
     }
-    std::uint64_t before = 0;
+    Link::Moment before;
     {
         const std::lock_guard lock(d_->mutex);
         if (!d_->isAlive()) {
@@ -303,7 +315,7 @@ Result<void> Outputs::setSpeedSlider(double fraction, const Deadline& deadline) 
                 return opened;
             }
         }
-        before = d_->feedback.newest().sequence;
+        before = d_->moment();
         if (auto sent = d_->send(kSlider, std::array{1.0, fraction}); !sent) {
             return sent;
         }
@@ -323,7 +335,7 @@ Result<void> Outputs::setAnalogOutput(int output, AnalogDomain domain, double le
     }
     const auto which = static_cast<std::size_t>(output);
     const unsigned bit = 1U << which;
-    std::uint64_t before = 0;
+    Link::Moment before;
     {
         const std::lock_guard lock(d_->mutex);
         if (!d_->isAlive()) {
@@ -331,7 +343,7 @@ Result<void> Outputs::setAnalogOutput(int output, AnalogDomain domain, double le
                 return opened;
             }
         }
-        before = d_->feedback.newest().sequence;
+        before = d_->moment();
         const std::array<double, 4> package{static_cast<double>(bit),
                                             domain == AnalogDomain::Voltage ? static_cast<double>(bit) : 0.0,
                                             level, level};

@@ -158,11 +158,13 @@ JogTarget jogTarget(const std::string& frame, const Six& velocity, const Six& cu
     return target;
 }
 
-py::dict cycleDict(const CycleState& cycle) {
+/// waited  for the interpreter, which made the data older [s]
+py::dict cycleDict(const CycleState& cycle, double waited) {
     py::dict told;
     const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
     told["cycle"] = cycle.cycle;
-    told["fresh"] = cycle.fresh;
+    told["fresh"] = cycle.fresh && cycle.age + waited <= 2 * cycle.period;
+    told["age"] = cycle.age + waited;
     told["missed"] = cycle.missed;
     told["time"] = cycle.time;
     told["period"] = cycle.period;
@@ -182,10 +184,14 @@ py::dict packetLoop(const SharedController& controller, const std::string& kind,
                     bool atOnce, const Seconds& seconds) {
     std::exception_ptr thrown;
     CycleReport report;
+    std::chrono::duration<double> longestWait{0};
     const auto ask = [&](const CycleState& cycle) -> std::optional<Six> {
+        const auto before = std::chrono::steady_clock::now();
         const py::gil_scoped_acquire locked;
+        const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - before;
+        longestWait = std::max(longestWait, waited);
         try {
-            const py::object answer = callback(cycleDict(cycle));
+            const py::object answer = callback(cycleDict(cycle, waited.count()));
             return answer.is_none() ? std::nullopt : std::optional(answer.cast<Six>());
         } catch (...) {
             thrown = std::current_exception();
@@ -223,6 +229,14 @@ py::dict packetLoop(const SharedController& controller, const std::string& kind,
     if (PyErr_Occurred() != nullptr) {
         throw py::error_already_set();
     }
+    constexpr std::chrono::duration<double, std::milli> kNoticeable(1);
+    if (!result && result.error().code == ErrorCode::Stopped && longestWait > kNoticeable) {
+        Error error = result.error();
+        error.controllerMessage +=
+            QStringLiteral("; a call waited up to %1 ms for other Python threads")
+                .arg(std::chrono::duration<double, std::milli>(longestWait).count(), 0, 'f', 1);
+        result = error;
+    }
     taken(result);
     py::dict told;
     told["cycles"] = report.cycles;
@@ -232,6 +246,7 @@ py::dict packetLoop(const SharedController& controller, const std::string& kind,
     told["overruns"] = report.overruns;
     told["fast_wake_ups"] = report.fastWakeUps;
     told["longest_call"] = static_cast<double>(report.calls.maxNs()) * 1e-9;
+    told["longest_wait"] = longestWait.count();
     return told;
 }
 

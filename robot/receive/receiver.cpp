@@ -14,8 +14,8 @@
 #include "robot/realtime/realtime_report.h"
 #include "robot/realtime/ring.h"
 #include "robot/realtime/seqlock.h"
+#include "robot/realtime/stream_watch.h"
 #include "robot/realtime/wake_up.h"
-#include "robot/receive/detail/stream_watch.h"
 #include "robot/rtde/connection.h"
 #include "robot/rtde/fields.h"
 #include "robot/rtde/values.h"
@@ -184,7 +184,7 @@ struct Receiver::Worker {
     std::size_t timestampPlace = 0;
     std::uint64_t sequence = 0;
     std::uint64_t connections = 0;
-    StreamWatch watch;
+    realtime::StreamWatch watch;
     realtime::Histogram intervals;
     std::int64_t previousHostNs = 0;
     bool hasPrevious = false;  ///< in this connection
@@ -324,8 +324,9 @@ struct Receiver::Worker {
     }
 
     /// Decodes the package into the record that goes to the readers.
-    StreamWatch::Verdict record(const rtde::ValueLayout& package, rtde::ByteView wire, std::int64_t hostNs) {
-        StreamWatch::Verdict verdict;
+    realtime::StreamWatch::Verdict record(const rtde::ValueLayout& package, rtde::ByteView wire,
+                                          std::int64_t hostNs) {
+        realtime::StreamWatch::Verdict verdict;
         stream->ring.pushWith([&](realtime::BroadcastRing::Slot slot) {
             rtde::decodeEach(package, wire, [&](std::size_t i, double value) {
                 if (places[i] != kNowhere) {
@@ -350,7 +351,7 @@ struct Receiver::Worker {
             reset();
         }
         // What is called fresh is there, and whoever sees a package counted finds all of it.
-        const StreamWatch::Verdict verdict = record(package, wire, hostNs);
+        const realtime::StreamWatch::Verdict verdict = record(package, wire, hostNs);
         if (hasPrevious) {
             lost.fetch_add(verdict.lost, std::memory_order_relaxed);
             late.fetch_add(verdict.late ? 1 : 0, std::memory_order_relaxed);

@@ -22,6 +22,14 @@ constexpr std::int64_t kAskForNs = 2 * kNsPerSecond;
 /// A controller that was told tells within two of its states, 100 ms apart, that it stopped.
 constexpr std::int64_t kAskAgainNs = 300 * kNsPerMs;
 constexpr milliseconds kConnectTime(1000);
+/// For the connection that a stop goes out on besides the one there is, which is not read meanwhile.
+constexpr milliseconds kSecondConnectTime(300);
+
+void closeIfOpen(Descriptor socket) {
+    if (socket >= 0) {
+        native_socket::close(socket);
+    }
+}
 
 }  // namespace
 
@@ -37,9 +45,10 @@ struct ProgramStopper::Private {
     bool anew = false;       ///< this connection is to be given up
     Error connectionError;
     bool asked = false;
-    bool sent = false;  ///< on this connection
-    int states = 0;     ///< of the controller, since it was sent
-    int refusals = 0;   ///< since it was asked for
+    bool sent = false;    ///< on this connection
+    bool second = false;  ///< another connection is to be made for what was asked
+    int states = 0;       ///< of the controller, since it was sent
+    int refusals = 0;     ///< since it was asked for
     std::int64_t askedNs = 0;
     std::int64_t sentNs = 0;
     Error outcome;  ///< of the last request; code None: it was carried out, or there was none
@@ -51,6 +60,8 @@ struct ProgramStopper::Private {
 
     void run();
     Error listen(Descriptor descriptor);
+    void use(Descriptor descriptor);
+    bool wantsSecond();
     void send();
     void settle(Error how);
     void look();
@@ -130,7 +141,6 @@ void ProgramStopper::Private::run() {
         if (opened) {
             attempt = 0;
             ended = listen(*opened);
-            native_socket::close(*opened);
         } else {
             ended = opened.error();
         }
@@ -154,38 +164,64 @@ void ProgramStopper::Private::run() {
     }
 }
 
-// Returns why the connection ended.
-Error ProgramStopper::Private::listen(Descriptor descriptor) {
-    {
-        const std::lock_guard lock(mutex);
-        socket = descriptor;
-        anew = false;
-        sent = false;
-        connectionError = {};
-        if (asked) {
-            send();
-        }
-        changed.notify_all();
+void ProgramStopper::Private::use(Descriptor descriptor) {
+    const std::lock_guard lock(mutex);
+    socket = descriptor;
+    anew = false;
+    sent = false;
+    second = false;
+    connectionError = {};
+    if (asked) {
+        send();
     }
-    PrimaryReader reader;
+    changed.notify_all();
+}
+
+bool ProgramStopper::Private::wantsSecond() {
+    const std::lock_guard lock(mutex);
+    return std::exchange(second, false) && asked;
+}
+
+// Closes the connection. Returns why it ended.
+Error ProgramStopper::Private::listen(Descriptor descriptor) {
+    use(descriptor);
+    auto reader = std::make_unique<PrimaryReader>();
     std::uint64_t packages = 0;
     constexpr milliseconds kPoll(10);
     Error ended{ErrorCode::ConnectionClosed, context(), {}};
     bool goesOn = true;
+    // The connection before the newest one. With something unread the system would cut it when it is closed,
+    // and a stop that was sent on it just now could go with it.
+    Descriptor before = -1;
     while (goesOn && !thread.cancel.isCancelled()) {
-        const Status status = reader.read(descriptor, kPoll, *options.clock);
+        if (wantsSecond()) {
+            if (const auto opened = connectTcp(options.host, options.port,
+                                               Deadline::after(kSecondConnectTime, thread.cancel));
+                opened) {
+                closeIfOpen(before);
+                before = std::exchange(descriptor, *opened);
+                reader = std::make_unique<PrimaryReader>();
+                packages = 0;
+                use(descriptor);
+            }
+        }
+        const Status status = reader->read(descriptor, kPoll, *options.clock);
         goesOn = status == Status::Ok || status == Status::WouldBlock;
-        if (!reader.understands()) {
+        if (!reader->understands()) {
             ended = PrimaryReader::notUnderstood(context());
             goesOn = false;
         }
         const std::lock_guard lock(mutex);
-        hear(reader.parser(), packages);
+        hear(reader->parser(), packages);
         look();
         goesOn = goesOn && !anew;
     }
-    const std::lock_guard lock(mutex);
-    socket = -1;
+    {
+        const std::lock_guard lock(mutex);
+        socket = -1;
+    }
+    closeIfOpen(before);
+    native_socket::close(descriptor);
     return ended;
 }
 
@@ -230,6 +266,7 @@ void ProgramStopper::requestStop() {
         d_->askedNs = d_->now();
         d_->outcome = {};
         d_->send();
+        d_->second = d_->socket >= 0;
         if (!d_->running) {
             d_->settle({ErrorCode::NotConnected, d_->context(), {}});
         }

@@ -2,8 +2,9 @@
 #pragma once
 
 // Stops whatever program runs on the controller, whoever started it, at once: "stop program" on a connection
-// to the primary interface that is made beforehand and kept, so that nothing but the word itself has to go
-// out. What moves through control::Controller is stopped by Controller::stop(); this is for programs of
+// to the primary interface that is made beforehand and kept, so that nothing but the command itself has to go
+// out; and on a new connection as well, because the controller may have forgotten the other one without a
+// sign. What moves through control::Controller is stopped by Controller::stop(); this is for programs of
 // others, from the teach pendant, another PC, or a program that was left running.
 //
 // A robot in Local control refuses it, as it refuses everything on this interface; the pendant stops it then.
@@ -44,9 +45,9 @@ public:
     void start();
     void end();  ///< Ends the thread.
 
-    /// Asks for the stop. Where there is a connection the word is on its way when this returns; else it goes
-    /// out with the next one. Until the controller tells that no program runs it is sent again, each time on
-    /// a new connection, for two seconds.
+    /// Asks for the stop. Where there is a connection the command is on its way when this returns. It is sent
+    /// on a new connection too, some 10 ms later, and again on a new one every 0.3 s, until the controller
+    /// reports that no program runs, for two seconds.
     void requestStop();
     /// Asks no more: whoever starts a program now wants it to run.
     void withdraw();

@@ -479,6 +479,65 @@ with tiller.Robot(sys.argv[1], timeout=60) as robot:
 """
 
 
+class TestSlowLoops(unittest.TestCase):
+    """In real time: calls that take longer than a period."""
+
+    def run_loop(self, work):
+        """A packet loop of a second whose callback does some work: the cycles, and what ended the loop."""
+        cycles = []
+
+        def callback(cycle):
+            cycles.append(dict(cycle))
+            work()
+            return None if cycle["time"] > 1.0 else [0] * 6
+
+        with tiller.Simulator() as simulator, simulator.robot(timeout=PATIENCE) as robot:
+            robot.take_control(PATIENCE)
+            try:
+                report = robot.packet_loop("speed_j", callback, timeout=PATIENCE)
+            except errors.Stopped as stopped:  # a busy machine made a call even longer
+                self.assertRegex(str(stopped), "a call of the callback took [0-9.]+ ms")
+                report = None
+        return cycles, report
+
+    def check(self, cycles, report):
+        for cycle in cycles:
+            self.assertTrue(not cycle["fresh"] or cycle["age"] <= 2 * cycle["period"], cycle)
+        # Calls do not fall behind the robot: no call is older at the end than at the beginning.
+        ages = sorted(cycle["age"] for cycle in cycles)
+        self.assertLess(ages[len(ages) // 2], 0.02)
+        if report is not None:
+            self.assertGreater(report.missed, 0)
+            self.assertGreater(report.overruns, 0)
+
+    def test_a_slow_callback_gets_the_newest_packet(self):
+        self.check(*self.run_loop(lambda: time.sleep(0.01)))
+
+    def test_a_busy_thread_delays_calls_but_not_the_data(self):
+        over = threading.Event()
+
+        def work():
+            while not over.is_set():
+                sum(range(100))
+
+        busy = threading.Thread(target=work)
+        busy.start()
+        try:
+            cycles, report = self.run_loop(lambda: None)
+        finally:
+            over.set()
+            busy.join()
+        self.check(cycles, report)
+        if report is not None:
+            self.assertGreater(report.longest_wait, 0.002)
+
+    def test_a_callback_that_hangs_is_named(self):
+        with tiller.Simulator() as simulator, simulator.robot(timeout=PATIENCE) as robot:
+            robot.take_control(PATIENCE)
+            with self.assertRaisesRegex(errors.Stopped, "a call of the callback took [0-9]{3,}"):
+                robot.packet_loop("speed_j", lambda cycle: time.sleep(0.3) or [0] * 6, timeout=PATIENCE)
+
+
 class TestEnds(unittest.TestCase):
     """In real time: another process is ended while it moves the arm."""
 

@@ -11,6 +11,7 @@
 #include <functional>
 #include <future>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "robot/core/native_socket.h"
@@ -25,7 +26,11 @@ public:
         Link(native_socket::Descriptor socket, const std::atomic<bool>& over) : socket_(socket), over_(over) {
             native_socket::prepare(socket);
         }
-        ~Link() { native_socket::close(socket_); }
+        ~Link() {
+            if (socket_ >= 0) {
+                native_socket::close(socket_);
+            }
+        }
         Link(const Link&) = delete;
         Link& operator=(const Link&) = delete;
 
@@ -63,6 +68,11 @@ public:
                 read();
             }
             return received_;
+        }
+        /// The connection stays open, and nobody reads it: half open. The caller closes the descriptor.
+        native_socket::Descriptor forget() {
+            closed_ = true;
+            return std::exchange(socket_, -1);
         }
         /// Says nothing until then.
         void beMute() { readAll(); }

@@ -10,6 +10,7 @@ using control::StopCause;
 using dashboard::RobotService;
 
 constexpr std::int64_t kGiveUpNs = 3 * kNsPerSecond;
+constexpr std::chrono::milliseconds kServiceTime{1500};
 
 control::StopMeter::Sample measured(const receive::Sample& sample) {
     const receive::RobotState robot(sample);
@@ -31,30 +32,37 @@ ForeignStop::ForeignStop(QObject& context, const QString& host, int portOffset, 
     : context_(context)
     , clock_(clock)
     , stopper_(stopperOptions(host, portOffset, clock))
-    , service_(dashboard::serviceAt(host, portOffset)) {
+    , service_(dashboard::serviceAt(host, portOffset))
+    , freshService_(dashboard::serviceAt(host, portOffset)) {
     stopper_.start();
     service_.start();
+    freshService_.start();
 }
 
 ForeignStop::~ForeignStop() {
     *wanted_ = false;
 }
 
+bool ForeignStop::isByStopKey(StopCause cause) {
+    return cause == StopCause::StopButton || cause == StopCause::Escape || cause == StopCause::Space;
+}
+
 bool ForeignStop::isMeant(StopCause cause, const SessionState& state) {
-    const bool button = cause == StopCause::StopButton;
-    if (!button && cause != StopCause::Escape && cause != StopCause::Space) {
+    if (!isByStopKey(cause)) {
         return false;
     }
+    const bool button = cause == StopCause::StopButton;
     if (state.control == ControlState::Taking) {
         return true;  // one that is being replaced by ours, or ours on its way
     }
     if (state.control == ControlState::InControl) {
         return false;
     }
-    if (state.link != LinkState::Live) {
-        return state.sequence == 0 || state.runtimeState != RuntimeState::Stopped;
+    if (!state.isFresh()) {
+        return button || state.sequence == 0 || state.runtimeState != RuntimeState::Stopped;
     }
-    return state.foreignProgramRuns() || (button && state.runtimeState == RuntimeState::Paused);
+    return state.foreignProgramRuns() || state.moving ||
+           (button && state.runtimeState == RuntimeState::Paused);
 }
 
 void ForeignStop::warmUp() {
@@ -78,21 +86,25 @@ void ForeignStop::request(StopCause cause, const receive::Receiver& receiver) {
 }
 
 void ForeignStop::askService() {
+    const auto stop = [wanted = wanted_](RobotService& service, const Deadline& deadline) -> Result<void> {
+        // It may have waited for a connection meanwhile: nothing is stopped that was begun since.
+        return *wanted ? service.perform(dashboard::RobotCommand::StopProgram, deadline) : Result<void>();
+    };
+    service_.post(
+        stop, &context_, [](const Result<void>&) {}, kServiceTime);
     if (answer_->busy) {
         return;
     }
     answer_->busy = true;
     answer_->error = {};
-    service_.post(
-        [wanted = wanted_](RobotService& service, const Deadline& deadline) -> Result<void> {
-            // It may have waited for a connection meanwhile: nothing is stopped that was begun since.
-            return *wanted ? service.perform(dashboard::RobotCommand::StopProgram, deadline) : Result<void>();
-        },
-        &context_,
+    freshService_.reconnect();
+    freshService_.post(
+        stop, &context_,
         [answer = answer_](const Result<void>& result) {
             answer->busy = false;
             answer->error = result.error();
-        });
+        },
+        kServiceTime);
 }
 
 void ForeignStop::withdraw() {
@@ -110,7 +122,7 @@ void ForeignStop::measure(const SampleBatch& batch) {
 }
 
 bool ForeignStop::isStopped(const SessionState& state) const {
-    if (state.link == LinkState::Live) {
+    if (state.isFresh()) {
         return state.sequence > request_->sequence && state.runtimeState == RuntimeState::Stopped;
     }
     return !stopper_.isUnderWay() && stopper_.error().code == ErrorCode::None;
@@ -119,8 +131,8 @@ bool ForeignStop::isStopped(const SessionState& state) const {
 std::optional<Error> ForeignStop::failure() const {
     const bool answered = !stopper_.isUnderWay() && !answer_->busy;
     const Error primary = stopper_.error();
-    const bool bothRefuse = answered && primary.code != ErrorCode::None &&
-                            answer_->error.code != ErrorCode::None && request_->askedAgain;
+    const bool bothRefuse =
+        answered && primary.code != ErrorCode::None && answer_->error.code != ErrorCode::None;
     if (!bothRefuse && clock_.nowNs() - request_->ns < kGiveUpNs) {
         return std::nullopt;
     }
@@ -133,19 +145,10 @@ ForeignStop::Outcome ForeignStop::follow(const SessionState& state, const Sample
     if (!request_) {
         return Outcome::None;
     }
-    if (state.control == ControlState::InControl) {
-        withdraw();
-        return Outcome::None;
-    }
     // While control is being taken our own program may still come.
     if (state.control != ControlState::Taking && isStopped(state)) {
         withdraw();
         return Outcome::Stopped;
-    }
-    // A connection that was made in Local is refused for ever: once more on a new one.
-    if (!answer_->busy && answer_->error.code != ErrorCode::None && !request_->askedAgain) {
-        request_->askedAgain = true;
-        askService();
     }
     if (const auto failed = failure()) {
         error_ = *failed;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Stops a program that is not ours: from the pendant, another PC, or left running. Both ways to the robot are
-// tried at once, each on a connection of its own that is made beforehand: the word on the primary interface,
-// and the stop of the dashboard or the Robot API. What came of it is judged by the robot's own data. Private
-// to widgets/session.
+// Stops whatever program runs on the robot: one of others (from the pendant, another PC, or left running), and our
+// own where the control connection cannot be relied on. All routes are used at once: "stop program" on the primary
+// interface, and the stop of the dashboard or the Robot API; each on a connection that is made beforehand and on a
+// new one, because the robot may have forgotten the other without a sign. The result is judged by the robot's own
+// data. Private to widgets/session.
 
 #include <atomic>
 #include <memory>
@@ -28,9 +29,12 @@ public:
     ForeignStop(const ForeignStop&) = delete;
     ForeignStop& operator=(const ForeignStop&) = delete;
 
-    /// Whether a stop for this cause means such a program as well: one that plays or is just being paused or
-    /// resumed, for every key that stops from anywhere; one that is paused, for STOP alone, because it moves
-    /// nothing; and whatever there may be, where the robot does not tell.
+    /// Whether the cause is a key that stops everything: STOP (a device's stop key too), Esc, Space.
+    static bool isByStopKey(control::StopCause cause);
+    /// Whether a stop for this cause goes out on all routes at once: to a program that plays or is just being
+    /// paused or resumed, and an arm that moves, for every stop key; to a paused program, for STOP alone, because
+    /// it moves nothing; and for STOP always when no fresh data show an arm at standstill. A stop in control, by
+    /// fresh control data, goes to our own program first: see control::StopConfirmation.
     static bool isMeant(control::StopCause cause, const SessionState& state);
 
     /// Opens the connections that are not there yet, so that a stop need not wait for them.
@@ -57,7 +61,6 @@ private:
     struct StopRequest {
         std::int64_t ns = 0;
         std::uint64_t sequence = 0;  ///< of the newest sample then
-        bool askedAgain = false;
     };
     /// Of the service; outlives this where an answer is still under way.
     struct ServiceAnswer {
@@ -73,7 +76,8 @@ private:
     QObject& context_;
     const Clock& clock_;
     script::ProgramStopper stopper_;
-    dashboard::ServiceWorker service_;
+    dashboard::ServiceWorker service_;       ///< on a connection that is made beforehand
+    dashboard::ServiceWorker freshService_;  ///< on a new connection each time
     std::shared_ptr<ServiceAnswer> answer_ = std::make_shared<ServiceAnswer>();
     std::shared_ptr<std::atomic<bool>> wanted_ = std::make_shared<std::atomic<bool>>(false);
     std::optional<StopRequest> request_;

@@ -20,8 +20,6 @@ constexpr milliseconds kReplyTime{3000};
 constexpr milliseconds kDoneTime{10'000};
 /// Half of the second within which a switch to Local is to be noticed.
 constexpr std::int64_t kAskEveryNs = kNsPerSecond / 2;
-/// After so long without an answer of ours it is known that another program has taken our program's place.
-constexpr std::int64_t kTakenOverNs = 700 * kNsPerMs;
 
 /// Sends one command and reports a refusal.
 /// after  hears whether it was carried out
@@ -98,13 +96,20 @@ void RobotServices::loadProgram(const QString& name) {
          [name](RobotService& s, const Deadline& d) { return s.loadProgram(name, d); });
 }
 
-void RobotServices::stopForeignProgram(control::StopCause cause) {
-    if (d_.state.control == ControlState::InControl) {
-        stopInControl_ = {cause, d_.clock->nowNs()};
-    }
-    if (!ForeignStop::isMeant(cause, d_.state)) {
+void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) {
+    if (!ForeignStop::isByStopKey(cause)) {
         return;
     }
+    const SessionState now = d_.stateNow();
+    if (ForeignStop::isMeant(cause, now)) {
+        stopOnEveryRoute(cause);
+    } else if (now.control == ControlState::InControl) {
+        unconfirmed_ = {cause, control::StopConfirmation(epoch, d_.stopEvidence())};
+    }
+}
+
+void RobotServices::stopOnEveryRoute(control::StopCause cause) {
+    unconfirmed_.reset();
     // In this order: what the taking still sends is stopped too.
     d_.taking.cancel();
     d_.link->foreignStop->request(cause, *d_.link->receiver);
@@ -115,11 +120,13 @@ bool RobotServices::stopsForeignProgramsAtOnce() const {
 }
 
 void RobotServices::followForeignStop(const SampleBatch& batch) {
-    if (stopInControl_ && d_.clock->nowNs() - stopInControl_->second > kTakenOverNs) {
-        stopInControl_.reset();
-    }
-    if (stopInControl_ && ForeignStop::isMeant(stopInControl_->first, d_.state)) {
-        d_.link->foreignStop->request(std::exchange(stopInControl_, std::nullopt)->first, *d_.link->receiver);
+    using Verdict = control::StopConfirmation::Verdict;
+    if (const auto verdict =
+            unconfirmed_ ? unconfirmed_->confirmation.look(d_.stopEvidence()) : Verdict::Waiting;
+        verdict == Verdict::EveryRoute) {
+        stopOnEveryRoute(unconfirmed_->cause);
+    } else if (verdict == Verdict::Confirmed) {
+        unconfirmed_.reset();
     }
     switch (d_.link->foreignStop->follow(d_.state, batch)) {
         case ForeignStop::Outcome::None:
@@ -205,7 +212,7 @@ void RobotServices::leaveForLocal() {
 
 void RobotServices::forget() {
     d_.report = {};
-    stopInControl_.reset();
+    unconfirmed_.reset();
     reportAsked_ = false;
     remoteSeen_ = false;
     primarySeen_ = false;

@@ -9,9 +9,9 @@
 #include <QString>
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 #include "robot/control/control_status.h"
+#include "robot/control/stop_confirmation.h"
 #include "widgets/session/robot_command.h"
 
 namespace tiller {
@@ -36,25 +36,32 @@ public:
     void loadProgram(const QString& name);
 
     // For the session.
-    /// A stop by STOP, Esc or Space is meant for a program of others too.
-    void stopForeignProgram(control::StopCause cause);
+    /// A stop by STOP, Esc or Space: to a program of others, and to our own on every route where nothing confirms
+    /// that the control program has obeyed.
+    /// epoch  of the stop: Controller::stop()
+    void stopPrograms(control::StopCause cause, std::uint64_t epoch);
     /// Such a stop would go out at once: its connection is there.
     bool stopsForeignProgramsAtOnce() const;
     void followForeignStop(const SampleBatch& batch);
     /// Looks, about twice a second, at what RTDE does not tell.
     void ask();
     /// A stop before this moment is not meant for what comes after it.
-    void forgetStop() { stopInControl_.reset(); }
+    void forgetStop() { unconfirmed_.reset(); }
     void forget();
 
 private:
     void followReport(const dashboard::ServiceReport& report);
     void leaveForLocal();
+    void stopOnEveryRoute(control::StopCause cause);
 
     RobotSession& session_;
     SessionBackend& d_;
-    /// A stop by hand while in control: another program may have thrown ours out a moment before.
-    std::optional<std::pair<control::StopCause, std::int64_t>> stopInControl_;
+    /// A stop while in control that nothing has confirmed yet.
+    struct Unconfirmed {
+        control::StopCause cause;
+        control::StopConfirmation confirmation;
+    };
+    std::optional<Unconfirmed> unconfirmed_;
     std::int64_t reportAskedNs_ = 0;
     bool reportAsked_ = false;
     bool remoteSeen_ = false;   ///< the robot was in Remote control when it was asked last

@@ -449,8 +449,8 @@ void RobotSession::stop(control::StopCause cause) {
     if (!d_->link) {
         return;
     }
-    d_->link->controller->stop(cause);
-    services_.stopForeignProgram(cause);
+    const std::uint64_t epoch = d_->link->controller->stop(cause);
+    services_.stopPrograms(cause, epoch);
 }
 
 // ---- the frame
@@ -499,6 +499,15 @@ void RobotSession::reportChanges() {
             Q_EMIT message(Severity::Error, state.linkReason);
         }
         d_->linkSeen = state.link;
+    }
+    if (d_->loss != d_->lossSeen) {
+        d_->lossSeen = d_->loss;
+        if (d_->loss == control::ControlLoss::LinkLost) {
+            Q_EMIT message(
+                Severity::Error,
+                tr("Control was given up: the control connection has been silent for half a second, or "
+                   "has ended. STOP, Space and Esc still stop the robot. Take control again."));
+        }
     }
     if (state.hasData() && state.safety() != d_->safetySeen) {
         d_->safetySeen = state.safety();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/session/session_backend.h"
 
+#include <limits>
 #include <utility>
 
+#include "robot/control/stop_meter.h"
 #include "robot/kinematics/parallel_axes.h"
 #include "robot/receive/robot_state.h"
 #include "widgets/session/texts.h"
@@ -12,6 +14,12 @@ namespace {
 
 constexpr std::int64_t kStaleNs = 300 * kNsPerMs;
 constexpr std::int64_t kLostNs = 1000 * kNsPerMs;
+
+/// By the robot's own data, with or without control: 0.1 deg/s is above the noise of an arm at standstill.
+bool moves(const JointVelocities& qd, const Twist& tcpSpeed) {
+    constexpr double kStandstill = 0.0017;
+    return qd.values.cwiseAbs().maxCoeff() > kStandstill || tcpSpeed.linear.norm() >= control::kStillTcpSpeed;
+}
 
 }  // namespace
 
@@ -55,9 +63,11 @@ void SessionBackend::read() {
         readRecording();
         return;
     }
-    const bool mayMove = state.link == LinkState::Live && (state.moving || state.motionActive);
+    if (state.isFresh()) {
+        movedBefore = state.moving || state.motionActive;
+    }
     readLink();
-    if (mayMove && state.link != LinkState::Live) {
+    if (state.link != LinkState::Live && std::exchange(movedBefore, false)) {
         state.lastStopSeen = false;
     }
     readSample();
@@ -151,22 +161,62 @@ void SessionBackend::readControl() {
     noteStop(link->foreignStop->last(), foreignStops);
     state.motionActive = status.motion != control::kNoMotion;
     state.jogActive = status.motion != control::kNoMotion && status.motion == link->jog.id();
-    state.freedriveActive = status.motion != control::kNoMotion && status.motion == link->freedrive;
-    // Standing still is judged by the robot's own data, with or without control: 0.1 deg/s is above its
-    // noise.
-    constexpr double kStandstill = 0.0017;
-    state.moving = state.hasData() &&
-                   (status.inControl ? status.moving : state.qd.values.cwiseAbs().maxCoeff() > kStandstill);
+    state.freedriveActive =
+        status.inControl && status.motion != control::kNoMotion && status.motion == link->freedrive;
+    state.moving = state.isFresh() && moves(state.qd, state.tcpSpeed);
     if (takingControl) {
         state.control = ControlState::Taking;
-    } else if (status.inControl || (link->path.sending > 0 && status.loss == control::ControlLoss::Taking)) {
-        // The control program is sent anew with a path in it: that is no loss.
+    } else if (status.inControl || isSendingPath(status)) {
         state.control = ControlState::InControl;
         refusal.clear();
     } else {
         state.control = refusal.isEmpty() ? ControlState::None : ControlState::Refused;
     }
-    lossSeen = status.loss;
+    using control::ControlLoss;
+    loss = status.loss;
+    state.controlInDoubt =
+        !takingControl &&
+        (loss == ControlLoss::DataStale || loss == ControlLoss::LinkLost || loss == ControlLoss::EchoStalled);
+}
+
+/// The control program is sent again with a path in it, which is no loss of control.
+bool SessionBackend::isSendingPath(const control::ControllerStatus& status) const {
+    return link->path.sending > 0 && status.loss == control::ControlLoss::Taking && status.fresh;
+}
+
+SessionState SessionBackend::stateNow() const {
+    SessionState now = state;
+    const control::StopEvidence evidence = stopEvidence();
+    now.quality.ageMs = static_cast<double>(link->receiver->ageNs()) / kNsPerMs;
+    if (const receive::Sample newest = link->receiver->latest(); !newest.isEmpty()) {
+        now.runtimeState = receive::RobotState(newest).runtimeState();
+    }
+    now.moving = evidence.fresh && evidence.moving;
+    if (now.control == ControlState::InControl && !evidence.inControl) {
+        now.control = ControlState::None;
+    }
+    return now;
+}
+
+control::StopEvidence SessionBackend::stopEvidence() const {
+    control::StopEvidence evidence;
+    evidence.nowNs = clock->nowNs();
+    if (const receive::Sample newest = link->receiver->latest(); !newest.isEmpty()) {
+        const receive::RobotState robot(newest);
+        evidence.fresh = link->receiver->isFresh(control::kHoldTime);
+        evidence.dataNs = newest.hostTimeNs;
+        evidence.moving = moves(robot.qd(), robot.tcpSpeed());
+        evidence.tcpSpeed = robot.tcpSpeed().linear.norm();
+        evidence.jointSpeed = robot.qd().values.cwiseAbs().maxCoeff();
+        evidence.stopped = robot.runtimeState() == RuntimeState::Stopped;
+    }
+    const control::ControllerStatus status = link->controller->status();
+    const bool sending = isSendingPath(status);
+    evidence.inControl = status.inControl || sending;
+    // What is being sent begins nothing after a stop.
+    evidence.restingEpoch = sending ? std::numeric_limits<std::uint64_t>::max() : status.restingEpoch;
+    evidence.executedEpoch = status.executing ? status.motion : 0;
+    return evidence;
 }
 
 void SessionBackend::noteStop(const control::StopMeasurement& stop, std::uint64_t& seen) {
@@ -221,7 +271,7 @@ QString SessionBackend::obstacle() const {
     if (!refusal.isEmpty()) {
         return refusal;
     }
-    return state.remoteNeeded ? texts::remoteObstacle() : texts::controlLossText(lossSeen);
+    return state.remoteNeeded ? texts::remoteObstacle() : texts::controlLossText(loss);
 }
 
 }  // namespace tiller

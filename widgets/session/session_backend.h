@@ -13,6 +13,7 @@
 #include "robot/control/controller.h"
 #include "robot/control/jog.h"
 #include "robot/control/motions.h"
+#include "robot/control/stop_confirmation.h"
 #include "robot/dashboard/service_worker.h"
 #include "robot/io/outputs.h"
 #include "robot/receive/receiver.h"
@@ -85,13 +86,16 @@ struct SessionBackend {
     QString refusal;  ///< why taking control failed last
     QString linkReason;
 
+    bool movedBefore = false;  ///< by the newest data that were fresh
+
     std::uint64_t stopsSeen = 0;
     std::uint64_t ownStops = 0;  ///< measured by the controller, of those shown
     std::uint64_t foreignStops = 0;
 
     SafetyMode safetySeen = SafetyMode::Normal;
     LinkState linkSeen = LinkState::Disconnected;
-    control::ControlLoss lossSeen = control::ControlLoss::NotTaken;
+    control::ControlLoss loss = control::ControlLoss::NotTaken;
+    control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< and reported
 
     QStringList furtherFields;                 ///< asked for besides what comes anyway
     std::vector<receive::Sample> furtherRoom;  ///< as `room`
@@ -110,11 +114,16 @@ struct SessionBackend {
     SampleBatch drain(std::vector<receive::Sample>& into);
     /// Fills `state` from the newest sample and the controller's status.
     void read();
+    /// What the state was in the last frame, with all that a stop depends on as it is at this moment.
+    SessionState stateNow() const;
+    /// What is known at this moment of a stop in control.
+    control::StopEvidence stopEvidence() const;
 
 private:
     void readLink();
     void readSample();
     void readControl();
+    bool isSendingPath(const control::ControllerStatus& status) const;
     void noteStop(const control::StopMeasurement& stop, std::uint64_t& seen);
     void readRecording();
     QString obstacle() const;

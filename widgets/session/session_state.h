@@ -87,9 +87,12 @@ struct SessionState {
     double speedCap = 0.250;  ///< of this program, at TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty when it can
+    /// Control was ours when its connection fell silent, and has neither been taken nor given back since: Space and
+    /// Esc still stop the robot from everywhere.
+    bool controlInDoubt = false;
 
     // motion
-    bool moving = false;           ///< what the robot confirmed, not what was asked
+    bool moving = false;           ///< by the receiver's data, no older than 100 ms
     bool motionActive = false;     ///< a motion of ours is commanded, whether or not the arm moves yet
     bool jogActive = false;        ///< and it is a jog
     bool freedriveActive = false;  ///< and it is freedrive: the hand moves the arm
@@ -139,6 +142,15 @@ struct SessionState {
     }
     bool hasData() const {
         return sequence != 0 && link != LinkState::Lost && link != LinkState::Disconnected;
+    }
+    /// The data are no older than 100 ms: what they say about modes, programs and motion holds now.
+    bool isFresh() const {
+        constexpr double kFreshMs = 100;
+        return hasData() && link == LinkState::Live && quality.ageMs <= kFreshMs;
+    }
+    /// Space and Esc stop, from everywhere; otherwise they belong to the focused control.
+    bool keysStop() const {
+        return control == ControlState::InControl || control == ControlState::Taking || controlInDoubt;
     }
 };
 

@@ -273,6 +273,8 @@ QString controlLossText(control::ControlLoss loss) {
             return TextsText::tr("The control program does not answer. Take control again.");
         case ControlLoss::LinkLost:
             return TextsText::tr("The link was lost. Take control again.");
+        case ControlLoss::DataStale:
+            return TextsText::tr("The control connection is silent.");
         case ControlLoss::OwnScript:
             return TextsText::tr("A script of your own is running. Control comes back when it ends.");
     }

@@ -181,8 +181,13 @@ void HeaderBar::applyState(const SessionState& state) {
                      StateChip::Emphasis::Normal, robotAdvice);
     simulation_->setVisible(connected && state.simulated);
     if (hasData) {
-        showOn(*mode_, robotModeLook(state.robotMode, state.moving, state.freedriveActive));
-        showOn(*safety_, safetyModeLook(state.safety()));
+        ModeLook mode = robotModeLook(state.robotMode, state.moving, state.freedriveActive);
+        ModeLook safety = safetyModeLook(state.safety());
+        if (state.link == LinkState::Stale) {
+            mode.emphasis = safety.emphasis = StateChip::Emphasis::Muted;
+        }
+        showOn(*mode_, mode);
+        showOn(*safety_, safety);
     } else {
         const QString text = connected ? tr("NO DATA") : QStringLiteral("–");
         const ModeLook none{text, StateChip::Shape::None, StateChip::Emphasis::Muted, state.linkReason};

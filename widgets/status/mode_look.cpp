@@ -135,6 +135,9 @@ ModeLook controlLook(const SessionState& state) {
         // Who is in control, and what runs, was true once.
         return {ModeLookText::tr("NO DATA"), Shape::None, Emphasis::Muted, state.linkReason};
     }
+    if (state.hasData() && !state.isFresh() && state.control != ControlState::Taking) {
+        return {ModeLookText::tr("Data late"), Shape::None, Emphasis::Muted, state.controlReason};
+    }
     switch (state.control) {
         case ControlState::Taking:
             return {ModeLookText::tr("Taking control…"), Shape::Bars, Emphasis::Normal, {}};

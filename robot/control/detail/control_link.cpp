@@ -176,6 +176,27 @@ bool ControlLink::send(const Command& command) {
     return sent;
 }
 
+// The package that has just been read into `values`, or the newest of those that queued up behind it.
+Feedback ControlLink::newest(std::vector<double>& values, std::int64_t lookedNs, std::int64_t doneNs) {
+    Feedback data = layout_.decode(values, now());
+    data.awaited = data.hostNs - doneNs > kBusyNs;
+    data.lookedNs = lookedNs;
+    constexpr int kQueue = 1000;  // a peer that sends faster than it is read does not keep the thread here
+    const bool mayQueue = !data.awaited || connection_->hasPackage();
+    for (int passed = 0; passed < kQueue && mayQueue && loop_.wantsNewest(); ++passed) {
+        // What ends the connection meanwhile shows at the next read.
+        if (connection_->readPackage(values, std::chrono::nanoseconds(0)) !=
+            rtde::Connection::Read::Package) {
+            break;
+        }
+        loop_.pass(data);
+        data = layout_.decode(values, now());
+        data.awaited = false;
+        data.lookedNs = lookedNs;
+    }
+    return data;
+}
+
 void ControlLink::run(script::PrimaryClient& primary) {
     realtime::nameThread("control");
     // Who asks for no priority does not ask for more heat either.
@@ -190,8 +211,16 @@ void ControlLink::run(script::PrimaryClient& primary) {
     bool alive = true;
     std::int64_t doneNs = now();
     const auto lastData = [this] { return loop_.status().dataTimeNs; };
-    const std::int64_t silenceNs = std::chrono::nanoseconds(options_.silence).count();
+    const std::int64_t timeoutNs = std::chrono::nanoseconds(options_.connectionTimeout).count();
     const std::int64_t begunNs = doneNs;
+    std::int64_t lookedNs = doneNs;
+    int looks = 0;  // in vain, since the newest package
+    const auto isDead = [&](std::int64_t nowNs) {
+        // When this computer hung, the data may be on their way.
+        constexpr int kLooks = 10;
+        const std::int64_t silentNs = nowNs - std::max(lastData(), begunNs);
+        return timeoutNs > 0 && looks >= kLooks && silentNs > std::max(timeoutNs, loop_.dataTimeoutNs());
+    };
     const auto answer = [&](const Command& command) {
         doneNs = now();
         return send(command);
@@ -203,8 +232,9 @@ void ControlLink::run(script::PrimaryClient& primary) {
         const std::chrono::nanoseconds wait(std::clamp<std::int64_t>(left, 0, kLookUpNs));
         switch (connection_->readPackage(values, wait, &waker_)) {
             case rtde::Connection::Read::Package: {
-                Feedback data = layout_.decode(values, now());
-                data.awaited = data.hostNs - doneNs > kBusyNs;
+                looks = 0;
+                const Feedback data = newest(values, lookedNs, doneNs);
+                lookedNs = data.hostNs;
                 alive = answer(loop_.tick(data));
                 if (alive) {
                     loop_.answered();
@@ -221,9 +251,9 @@ void ControlLink::run(script::PrimaryClient& primary) {
                     (!looksOn && loop_.fallback(now(), command))) {
                     alive = answer(command);
                 }
-                if (silenceNs > 0 && now() - std::max(lastData(), begunNs) > silenceNs) {
-                    alive = false;
-                }
+                looks += wait.count() > 0 ? 1 : 0;
+                lookedNs = now();
+                alive = alive && !isDead(lookedNs);
                 break;
             }
             case rtde::Connection::Read::Closed:

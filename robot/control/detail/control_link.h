@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "robot/control/controller.h"
 #include "robot/control/detail/control_loop.h"
@@ -65,6 +66,7 @@ public:
 private:
     Result<Feedback> firstData(const Deadline& deadline, const QString& context);
     void run(script::PrimaryClient& primary);
+    Feedback newest(std::vector<double>& values, std::int64_t lookedNs, std::int64_t doneNs);
     bool send(const Command& command);
     std::int64_t now() const { return options_.clock->nowNs(); }
 

@@ -45,6 +45,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     data_.hostNs = nowNs;
     hasData_ = false;
     pace_ = realtime::ArrivalPace(period);
+    stream_.begin(period);
     unansweredSinceNs_ = 0;
     paused_ = false;
     yieldedWhenPaused_ = false;
@@ -103,7 +104,7 @@ void ControlLoop::setHook(CycleHook* hook) {
     }
 }
 
-Command ControlLoop::tick(const Feedback& data) {
+void ControlLoop::takeIn(const Feedback& data) {
     if (const std::int32_t session = nextSession_.exchange(0, std::memory_order_acq_rel); session != 0) {
         session_ = session;
         endRequested_.store(false, std::memory_order_release);
@@ -115,20 +116,33 @@ Command ControlLoop::tick(const Feedback& data) {
             ++status_.late;
         }
         // The stall is over, but what was asked for before it is too old to go on with.
-        if (sinceLast > patienceNs()) {
+        if (sinceLast > dataTimeoutNs()) {
             endActive(StopCause::DataStale, data.hostNs);
         }
     }
     data_ = data;
     sentEarly_ = false;
-    evenNs_ = pace_.follow(data.hostNs, data.timestamp, data.awaited);
+    ageNs_ = std::max<std::int64_t>(stream_.add(data.timestamp, data.hostNs).jitterNs, 0);
+    // In this thread's own queue it may have waited since the last look, and no longer.
+    arrivedNs_ = data.awaited ? data.hostNs : std::max(data.hostNs - ageNs_, data.lookedNs);
     if (!hasData_) {
         hasData_ = true;
         echoed_ = data.echo.sequence;
     }
-    ++status_.ticks;
     followEcho(data);
     watch(data);
+}
+
+void ControlLoop::pass(const Feedback& data) {
+    takeIn(data);
+    noteEnded(data.hostNs);
+    meter_.add({data.hostNs, data.tcpPose.position, data.tcpSpeed.linear.norm(), fastest(data.qd)});
+}
+
+Command ControlLoop::tick(const Feedback& data) {
+    takeIn(data);
+    evenNs_ = pace_.follow(data.hostNs, data.timestamp, data.awaited);
+    ++status_.ticks;
 
     Command command;
     composedNs_ = data.hostNs;
@@ -150,7 +164,7 @@ ControllerStatus ControlLoop::status() const {
 
 bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     const std::int64_t age = nowNs - data_.hostNs;
-    if (age > patienceNs()) {
+    if (age > dataTimeoutNs()) {
         endActive(StopCause::DataStale, nowNs);
     }
     if (dueNs() <= nowNs && cycleWithoutPackage(nowNs, out)) {
@@ -179,6 +193,14 @@ std::int64_t ControlLoop::dueNs() {
     return due;
 }
 
+bool ControlLoop::wantsNewest() {
+    hookInUse_.store(true);
+    const CycleHook* const hook = hook_.load();
+    const bool hooked = hook != nullptr && hook->motion() == followed_;
+    hookInUse_.store(false);
+    return hooked;
+}
+
 bool ControlLoop::cycleWithoutPackage(std::int64_t nowNs, Command& out) {
     const MotionCommand* motion = mailbox_.active(nowNs);
     if (motion == nullptr || motion->id != followed_) {
@@ -186,7 +208,7 @@ bool ControlLoop::cycleWithoutPackage(std::int64_t nowNs, Command& out) {
     }
     out = {};
     composedNs_ = nowNs;
-    composeProgram(*motion, data_, {period_, false, nowNs}, out);
+    composeProgram(*motion, data_, {period_, false, nowNs, ageNs_}, out);
     noteEnded(nowNs);
     seal(out, nowNs);
     publish();
@@ -216,7 +238,7 @@ bool ControlLoop::early(std::int64_t nowNs, Command& out) {
     out = {};
     if (motion != nullptr) {
         sentEarly_ = true;
-        composeProgram(*motion, data_, {period_, false, nowNs}, out);
+        composeProgram(*motion, data_, {period_, false, nowNs, ageNs_}, out);
     }
     noteEnded(nowNs);
     seal(out, nowNs);
@@ -241,9 +263,9 @@ void ControlLoop::publishLoss(ControlLoss loss) {
     publish();
 }
 
-std::int64_t ControlLoop::patienceNs() const {
+std::int64_t ControlLoop::dataTimeoutNs() const {
     const bool follows = followed_ != kNoMotion && mailbox_.epoch().isActive(followed_);
-    return follows ? std::max(patienceNs_, followedSilenceNs_) : patienceNs_;
+    return follows ? std::max(dataTimeoutNs_, followedSilenceNs_) : dataTimeoutNs_;
 }
 
 void ControlLoop::followEcho(const Feedback& data) {
@@ -268,8 +290,8 @@ void ControlLoop::followEcho(const Feedback& data) {
     }
     if (behind >= 0 && static_cast<std::size_t>(behind) < kSentMemory) {
         const auto slot = static_cast<std::size_t>(echo.sequence) % kSentMemory;
-        status_.roundTripMs =
-            static_cast<double>(data.hostNs - sentNs_[slot]) / static_cast<double>(kNsPerMs);
+        status_.roundTripMs = static_cast<double>(std::max<std::int64_t>(arrivedNs_ - sentNs_[slot], 0)) /
+                              static_cast<double>(kNsPerMs);
         // Only now is it our program, our session, and alive.
         const bool taking = !isInControl() && status_.loss == ControlLoss::Taking;
         if (taking && data.runtimeState == RuntimeState::Playing) {
@@ -316,15 +338,15 @@ void ControlLoop::watch(const Feedback& data) {
         return;
     }
     const std::int64_t unanswered = unansweredSinceNs_ == 0 ? 0 : data.hostNs - unansweredSinceNs_;
-    if (unanswered > std::max(kEchoGoneNs, patienceNs())) {
+    if (unanswered > std::max(kEchoGoneNs, dataTimeoutNs())) {
         leave(ControlLoss::EchoStalled, StopCause::ControlLost, data.hostNs);
         return;
     }
-    if (unanswered > patienceNs()) {
+    if (unanswered > dataTimeoutNs()) {
         endActive(StopCause::ControlLost, data.hostNs);
     }
     // Everything flows, but late: a stop would reach the arm as late.
-    if (status_.roundTripMs * static_cast<double>(kNsPerMs) > static_cast<double>(patienceNs())) {
+    if (status_.roundTripMs * static_cast<double>(kNsPerMs) > static_cast<double>(dataTimeoutNs())) {
         endActive(StopCause::LinkLost, data.hostNs);
     }
     const MotionId motion = mailbox_.epoch().activeMotion();
@@ -417,7 +439,7 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
     if (motion->kind == MotionCommand::Kind::Jog) {
         composeJog(*motion, data, command);
     } else {
-        composeProgram(*motion, data, {period_, true, evenNs_}, command);
+        composeProgram(*motion, data, {period_, true, evenNs_, ageNs_}, command);
     }
 }
 
@@ -433,7 +455,7 @@ void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& da
         if (!hook->cycle(data, occasion, hooked)) {
             mailbox_.end(motion.id, StopCause::Completed, data.hostNs);
         }
-        composedNs_ = std::max(composedNs_, hook->beganNs());
+        composedNs_ = std::max(composedNs_, hook->endedNs());
     }
     hookInUse_.store(false);
     switch (from->kind) {

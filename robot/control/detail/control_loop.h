@@ -19,6 +19,7 @@
 #include "robot/control/stop_meter.h"
 #include "robot/realtime/arrival_pace.h"
 #include "robot/realtime/seqlock.h"
+#include "robot/realtime/stream_watch.h"
 #include "robot/realtime/triple_buffer.h"
 
 namespace tiller::control {
@@ -36,6 +37,8 @@ struct Occasion {
     bool fresh = true;      ///< the data have just come; otherwise they are those of the package before
     /// Fresh: when it is to begin, to be even, by the clock of Feedback::hostNs.
     std::int64_t evenNs = 0;
+    /// Of the data at Feedback::hostNs, by the robot's time stamps, from the fastest arrival seen [ns].
+    std::int64_t ageNs = 0;
 };
 
 /// Computes the target of one motion in step with the packages: see packet_loop.h.
@@ -45,8 +48,8 @@ public:
     /// Called in the control thread.
     /// Returns  false to end the motion
     virtual bool cycle(const Feedback& data, const Occasion& occasion, MotionCommand& target) = 0;
-    /// When the last cycle began, by the clock of Feedback::hostNs: it may have waited for its moment.
-    virtual std::int64_t beganNs() const = 0;
+    /// When the last cycle ended, by the clock of Feedback::hostNs: its target leaves then.
+    virtual std::int64_t endedNs() const = 0;
     /// When the next cycle is to run even if no package comes until then; kNoCycleDue: it waits for one.
     virtual std::int64_t dueNs(const realtime::ArrivalPace& pace) const = 0;
 
@@ -72,6 +75,10 @@ public:
 
     /// One package from the robot in, one back.
     Command tick(const Feedback& data);
+    /// A package that is not answered, because a newer one has come already.
+    void pass(const Feedback& data);
+    /// True while the newest package counts alone: a packet loop that took long is not to work off a queue.
+    bool wantsNewest();
     /// What tick() returned has been sent.
     void answered() { answeredTime_.store(data_.timestamp, std::memory_order_release); }
     /// When fallback() has something to do although no package came; kNoCycleDue: nothing.
@@ -93,7 +100,9 @@ public:
     /// How old data may be, and how long the program may leave a package unanswered, before a motion ends that
     /// was not given a longer silence.
     /// Threads: before the control thread starts
-    void setPatience(std::int64_t ns) { patienceNs_ = ns; }
+    void setDataTimeout(std::int64_t ns) { dataTimeoutNs_ = ns; }
+    /// The same for the active motion. Threads: the control thread
+    std::int64_t dataTimeoutNs() const;
     /// For who joins a program that runs: goes on counting where the client before has ended.
     /// Threads: after begin(), before the control thread starts
     void follow(const Echo& echo);
@@ -140,8 +149,7 @@ public:
     void publishLoss(ControlLoss loss);
 
 private:
-    /// How long the active motion may do without data and answers.
-    std::int64_t patienceNs() const;
+    void takeIn(const Feedback& data);
     void followEcho(const Feedback& data);
     void watch(const Feedback& data);
     void leave(ControlLoss loss, StopCause cause, std::int64_t nowNs);
@@ -174,7 +182,7 @@ private:
     std::atomic<bool> mayFinish_{false};
     std::atomic<bool> finishHeard_{false};
     std::int32_t finishSequence_ = 0;  ///< of the first package that permits it; 0: none
-    std::int64_t patienceNs_ = kMaxDataAgeNs;
+    std::int64_t dataTimeoutNs_ = kMaxDataAgeNs;
     bool sentEarly_ = false;  ///< set points, since the newest package
     std::atomic<std::uint64_t> playing_{0};
     std::atomic<ScriptState> scriptState_{ScriptState::Ready};
@@ -190,6 +198,9 @@ private:
     Feedback data_;  ///< the newest
     bool hasData_ = false;
     realtime::ArrivalPace pace_{period_};
+    realtime::StreamWatch stream_;
+    std::int64_t ageNs_ = 0;       ///< of the newest data when they were read: see Occasion
+    std::int64_t arrivedNs_ = 0;   ///< when they came, as far as that is known
     std::int64_t evenNs_ = 0;      ///< when the newest package's cycle is to begin, to be even
     std::int64_t composedNs_ = 0;  ///< when the command was made that is about to be sent
     std::int32_t sequence_ = kBeforeFirstSequence;

@@ -19,7 +19,7 @@ namespace tiller::control {
 
 struct Controller::Private {
     explicit Private(const ControllerOptions& o) : options(o), loop(mailbox, o.limits) {
-        loop.setPatience(patienceNs());
+        loop.setDataTimeout(dataTimeoutNs());
     }
 
     const ControllerOptions options;
@@ -35,7 +35,7 @@ struct Controller::Private {
     int ending = 0;        ///< under `patience`: calls of release() that wait for `taking`
 
     std::int64_t now() const { return options.clock->nowNs(); }
-    std::int64_t patienceNs() const { return std::chrono::nanoseconds(options.patience).count(); }
+    std::int64_t dataTimeoutNs() const { return std::chrono::nanoseconds(options.dataTimeout).count(); }
     /// With the cap as it is now: read after the stops are counted, so that a cap set meanwhile stops what
     /// was made with the one before.
     MotionLimits limitsNow() const {

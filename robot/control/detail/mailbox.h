@@ -76,7 +76,7 @@ public:
     }
     /// Returns  the epoch of the stop
     std::uint64_t stop(const Brake& brake, StopCause cause, std::int64_t nowNs);
-    void stop(StopCause cause, std::int64_t nowNs) { epoch_.stop(cause, nowNs); }
+    std::uint64_t stop(StopCause cause, std::int64_t nowNs) { return epoch_.stop(cause, nowNs); }
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs) {
         return epoch_.end(motion, cause, nowNs);
     }

@@ -144,8 +144,9 @@ struct Echo {
 /// One package from the robot, as far as the control thread needs it.
 struct Feedback {
     std::int64_t hostNs = 0;
-    bool awaited = true;   ///< hostNs is when it came; otherwise it may have been there for a while
-    double timestamp = 0;  ///< the controller's [s]
+    bool awaited = true;        ///< hostNs is when it came; otherwise it may have been there for a while
+    std::int64_t lookedNs = 0;  ///< not awaited: when the connection was looked at last before
+    double timestamp = 0;       ///< the controller's [s]
     RuntimeState runtimeState = RuntimeState::Stopped;
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;

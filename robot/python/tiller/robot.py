@@ -36,7 +36,8 @@ class LoopReport:
 
     cycles: calls of the callback. missed: control periods without one. stale: cycles that ran in time but whose packet did
     not come; the callback saw the values before. late: cycles that began more than half a period late. overruns: calls
-    that took longer than a period. longest_call [s]. fast_wake_ups: the system kept its
+    that took longer than a period. longest_call [s]. longest_wait: the longest that a call waited for other Python threads
+    (the interpreter lock), part of its time [s]. fast_wake_ups: the system kept its
     processors from deep sleep meanwhile. A few stale or late ones are a busy machine's; many missed ones make
     the motion rough.
     """
@@ -47,6 +48,7 @@ class LoopReport:
     late: int  #: cycles that began more than half a period late
     overruns: int  #: calls that took longer than a period
     longest_call: float  #: [s]
+    longest_wait: float = 0.0  #: for the interpreter lock [s]
     fast_wake_ups: bool = False  #: the system kept its processors from deep sleep meanwhile
 
 
@@ -340,13 +342,15 @@ class Robot:
         choice for everything that has to be on time; servo_j() and its like are for targets that come when they come.
 
         kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s], "speed_l" [m/s, rad/s]
-        or "torque" [Nm]. The callback gets a dict: cycle (from 0), time since the loop began [s], period [s], fresh
-        (False: the packet did not come, the values are the last ones), missed (periods left out just before), q, qd,
+        or "torque" [Nm]. The callback gets a dict: cycle (from 0), time since the loop began [s], period [s], age (of the
+        values when the call began, by the robot's time stamps [s]), fresh (False: the packet did not come and the values
+        are the last ones, or age is above two periods), missed (periods without a call since the loop began), q, qd,
         tcp_pose, tcp_speed, speed_fraction, speed_scaling. timeout: of the whole loop [s], raises Timeout. at_once: send
         each target as soon as it is there rather than at even distances.
         Each call takes some 30 us besides the callback's own time, and waits for the interpreter: other Python threads
-        hold it for up to 5 ms at a time (sys.setswitchinterval). While it runs no heartbeat leaves: one that hangs stops
-        the arm within 100 ms. An exception in it brakes the arm and is raised here; so does Ctrl-C.
+        hold it for up to 5 ms at a time (sys.setswitchinterval). After a call that took longer than a period the next one
+        gets the newest packet. While a call runs no heartbeat leaves: one that takes 100 ms stops the arm and raises
+        Stopped, with the time that it took. An exception in it brakes the arm and is raised here; so does Ctrl-C.
         """
         if kind not in ("servo_j", "servo_l", "speed_j", "speed_l", "torque"):
             raise ValueError(f'kind: "servo_j", "servo_l", "speed_j", "speed_l" or "torque", not "{kind}"')

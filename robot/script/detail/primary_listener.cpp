@@ -24,13 +24,18 @@ void ListenerThread::end() {
     thread_.join();
 }
 
-Status PrimaryReader::read(native_socket::Descriptor descriptor, std::chrono::milliseconds patience,
+Status PrimaryReader::read(native_socket::Descriptor descriptor, std::chrono::milliseconds atMost,
                            const Clock& clock) {
-    if (!native_socket::waitReadable(descriptor, patience)) {
-        return Status::WouldBlock;
+    if (!heardNs_) {
+        heardNs_ = clock.nowNs();
+    }
+    if (!native_socket::waitReadable(descriptor, atMost)) {
+        const std::chrono::nanoseconds silent(clock.nowNs() - *heardNs_);
+        return silent > kPrimaryTimeout ? Status::Failed : Status::WouldBlock;
     }
     const auto got = native_socket::receive(descriptor, bytes_);
     if (got.status == Status::Ok) {
+        heardNs_ = clock.nowNs();
         understands_ = parser_.feed(std::span(bytes_).first(got.bytes), clock.nowNs());
     }
     return got.status;

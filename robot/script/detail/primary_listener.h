@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -25,6 +26,10 @@ namespace tiller::script {
 inline constexpr std::array<std::chrono::milliseconds, 4> kReconnectDelays{
     std::chrono::milliseconds(500), std::chrono::milliseconds(1000), std::chrono::milliseconds(2000),
     std::chrono::milliseconds(5000)};
+
+/// A controller sends its state ten times a second. One that is silent for so long has forgotten the
+/// connection, or cannot be reached; nothing else would show it.
+inline constexpr std::chrono::milliseconds kPrimaryTimeout(2500);
 
 /// What ends whatever program runs.
 inline constexpr std::string_view kStopProgram = "stop program\n";
@@ -68,8 +73,9 @@ private:
 class PrimaryReader {
 public:
     /// Waits at most so long for bytes, and takes what has come. clock  stamps the messages
-    /// Returns  Ok when something was taken, WouldBlock when nothing came, or why nothing more can come
-    native_socket::Status read(native_socket::Descriptor descriptor, std::chrono::milliseconds patience,
+    /// Returns  Ok when something was taken, WouldBlock when nothing came, Failed also after kPrimaryTimeout
+    ///          without a byte, or why nothing more can come
+    native_socket::Status read(native_socket::Descriptor descriptor, std::chrono::milliseconds atMost,
                                const Clock& clock);
     PrimaryParser& parser() { return parser_; }
     /// False once a package had a length that makes no sense: the connection is to be given up.
@@ -81,6 +87,7 @@ private:
     PrimaryParser parser_;
     std::array<std::uint8_t, 8192> bytes_;
     bool understands_ = true;
+    std::optional<std::int64_t> heardNs_;  ///< when bytes came last; at first, when they were waited for
 };
 
 }  // namespace tiller::script

@@ -146,8 +146,8 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
         wanted.limits.tcpSpeed = control::kNoCap;
         wanted.limits.tcpRotationSpeed = control::kNoCap;
         wanted.limits.jointSpeed = control::kNoCap;
-        wanted.patience = kSilence;
-        wanted.silence = kSilence;
+        wanted.dataTimeout = kSilence;
+        wanted.connectionTimeout = kSilence;
         wanted.force = kCalmForce;
         wanted.keepPaused = true;  // programs for ur_rtde go on after a pause at the pendant
         if (server != nullptr) {

@@ -311,6 +311,23 @@ const std::vector<ContractEvent>& contractEvents() {
              c.inject("silence off");
              c.reachable = true;
          }}},
+        {"half-open connections",
+         kLostMs,
+         [](ContractCell& c) {
+             c.reachable = false;
+             c.inject("half-open");
+         },
+         {}},
+        {"power cut",
+         kLostMs,
+         [](ContractCell& c) {
+             c.reachable = false;
+             c.inject("silence on");
+         },
+         {[](ContractCell& c) {
+             c.inject("half-open");  // back, and nothing of before is known
+             c.inject("silence off");
+         }}},
         {"debugger pause",
          kLostMs,
          [](ContractCell& c) {

@@ -209,6 +209,45 @@ private Q_SLOTS:
         }
     }
 
+    // Neither an end of the connection nor an error ever comes: it is the data that stay away.
+    void aConnectionThatDiedWithoutASignIsGivenUpWithinHalfASecond_data() {
+        QTest::addColumn<QString>("fault");
+        QTest::newRow("forgotten by the controller") << QStringLiteral("half-open");
+        QTest::newRow("power cut") << QStringLiteral("silence on");
+    }
+    void aConnectionThatDiedWithoutASignIsGivenUpWithinHalfASecond() {
+        QFETCH(QString, fault);
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        QVERIFY(cell.stepMs(100));
+        QVERIFY(cell.controller->status().fresh);
+        QVERIFY(cell.robot.inject(fault).ok());
+        cell.stepAlone(55);
+        ControllerStatus status = cell.controller->status();
+        QVERIFY2(!status.inControl && !status.fresh, "data of 110 ms ago count as control");
+        QCOMPARE(status.loss, ControlLoss::DataStale);
+        QCOMPARE(cell.motions().startJog(linearJog(0, 0, 0.05)).error().code, ErrorCode::LinkLost);
+        cell.stepAlone(185);  // 480 ms; the thread may take its time
+        QTRY_COMPARE_WITH_TIMEOUT(cell.controller->status().loss, ControlLoss::LinkLost, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!cell.controller->isConnected(), 60'000);
+        QVERIFY(!cell.controller->status().inControl);
+        (void)cell.robot.inject(QStringLiteral("silence off"));
+        QVERIFY(cell.takeControl().ok());
+        QVERIFY(cell.controller->status().inControl);
+    }
+
+    void aHiccupCostsTheMotionAndNotTheControl() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        cell.robot.silence(true);
+        cell.stepAlone(150);
+        QVERIFY(!cell.controller->status().inControl);
+        cell.robot.silence(false);
+        QVERIFY(cell.stepMs(100));
+        QVERIFY(cell.controller->status().inControl);
+        QCOMPARE(cell.controller->status().loss, ControlLoss::None);
+    }
+
     void aProtectiveStopEndsTheJogAndTheControl() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The cycles of a packet loop go on in step with the robot when packets come late or not at all, for a while.
+#include <QRegularExpression>
+#include <functional>
+#include <semaphore>
 #include <thread>
+#include <vector>
 
 #include "robot/control/packet_loop.h"
 #include "tests/integration/control/cell.h"
@@ -92,6 +96,74 @@ public:
 
 private:
     Cell& cell_;
+    std::atomic<bool> quit_{false};
+    std::atomic<bool> over_{false};
+    std::thread thread_;
+};
+
+/// A packet loop whose callback lasts until it is permitted to return. The arm stands.
+class SlowLoop {
+public:
+    SlowLoop(Cell& cell, std::function<void(const CycleState&)> note) : cell_(cell), note_(std::move(note)) {
+        thread_ = std::thread([this] {
+            const JointPositions here = cell_.robot.truth().q;
+            ended = PacketLoop(*cell_.controller, Pacing::AtOnce)
+                        .servoJ(
+                            [&](const CycleState& state) -> std::optional<JointPositions> {
+                                note_(state);
+                                begun_.release();
+                                permitted_.acquire();
+                                return quit_ ? std::nullopt : std::optional(here);
+                            },
+                            {}, Deadline::never(), &report);
+            over_ = true;
+        });
+        cell_.stepAlone();  // the package of the first call
+    }
+    ~SlowLoop() { end(); }
+    SlowLoop(const SlowLoop&) = delete;
+    SlowLoop& operator=(const SlowLoop&) = delete;
+
+    /// Until a call has begun; packages come meanwhile only before the first one.
+    bool waitForCall() {
+        constexpr int kAttempts = 2000;
+        for (int i = 0; i < kAttempts && !over_; ++i) {
+            if (begun_.try_acquire_for(std::chrono::milliseconds(10))) {
+                ++calls_;
+                return true;
+            }
+            if (calls_ == 0) {
+                cell_.stepAlone();
+            }
+        }
+        return false;
+    }
+    void permit() { permitted_.release(); }
+    /// Lets the last call return, and all that may follow it, until the loop has ended by itself.
+    void letEnd() {
+        constexpr std::ptrdiff_t kAll = 1000;
+        permitted_.release(kAll);
+        while (!over_ && cell_.step()) {
+        }
+        thread_.join();
+    }
+    /// The same, and the calls ask for the end.
+    void end() {
+        if (thread_.joinable()) {
+            quit_ = true;
+            letEnd();
+        }
+    }
+
+    Result<void> ended;
+    CycleReport report;
+
+private:
+    Cell& cell_;
+    std::function<void(const CycleState&)> note_;
+    std::counting_semaphore<> begun_{0};
+    std::counting_semaphore<> permitted_{0};
+    int calls_ = 0;
     std::atomic<bool> quit_{false};
     std::atomic<bool> over_{false};
     std::thread thread_;
@@ -198,6 +270,82 @@ private Q_SLOTS:
         loop.end();
         QCOMPARE(loop.ended.error().code, ErrorCode::Stopped);
         QCOMPARE(loop.stale, 0);
+    }
+
+    // Packets queue up while a callback computes. Working them off one by one would fall behind for good.
+    void aSlowCallbackGetsTheNewestPacket() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        QVERIFY(cell.step(10));
+        constexpr std::size_t kRounds =
+            13;  // all the periods together are longer than the robot waits for a heartbeat
+        constexpr int kPeriods = 10;
+        std::vector<CycleState> seen;
+        SlowLoop loop(cell, [&](const CycleState& state) { seen.push_back(state); });
+        for (std::size_t round = 0; round < kRounds; ++round) {
+            QVERIFY(loop.waitForCall());
+            cell.stepAlone(kPeriods);
+            loop.permit();
+        }
+        QVERIFY(loop.waitForCall());
+        loop.end();
+        QVERIFY2(loop.ended.ok(), qPrintable(loop.ended.error().toString()));
+        QCOMPARE(seen.size(), kRounds + 1);
+        for (std::size_t i = 2; i < seen.size();
+             ++i) {  // more than one packet may come before the first call
+            QVERIFY2(std::abs(seen[i].time - seen[i - 1].time - kPeriods * 0.002) < 1e-6,
+                     qPrintable(QStringLiteral("%1 s after %2 s").arg(seen[i].time).arg(seen[i - 1].time)));
+            QVERIFY(seen[i].fresh);
+            QVERIFY(seen[i].age < 0.001);
+            QCOMPARE(seen[i].missed - seen[i - 1].missed, static_cast<std::uint64_t>(kPeriods) - 1);
+        }
+        QCOMPARE(loop.report.missed, seen.back().missed);
+        QCOMPARE(loop.report.overruns, kRounds);
+    }
+
+    // A packet that has been under way for long is new, but what it says is not.
+    void aPacketThatWasUnderWayForLongIsNotFresh() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        QVERIFY(cell.step(10));
+        std::vector<CycleState> seen;
+        SlowLoop loop(cell, [&](const CycleState& state) { seen.push_back(state); });
+        QVERIFY(loop.waitForCall());
+        cell.clock.advanceNs(20 * kNsPerMs);
+        cell.stepAlone();
+        loop.permit();
+        QVERIFY(loop.waitForCall());
+        loop.end();
+        QCOMPARE(seen.size(), 2U);
+        QVERIFY(seen[0].fresh);
+        QVERIFY(!seen[1].fresh);
+        QVERIFY2(std::abs(seen[1].age - 0.020) < 1e-6, qPrintable(QString::number(seen[1].age)));
+    }
+
+    void aCallbackThatHangsIsNamedWithItsTime() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        QVERIFY(cell.step(10));
+        SlowLoop loop(cell, [](const CycleState&) {});
+        for (int quick = 0; quick < 3; ++quick) {
+            QVERIFY(loop.waitForCall());
+            cell.stepAlone();
+            loop.permit();
+        }
+        QVERIFY(loop.waitForCall());
+        cell.stepAlone(60);
+        loop.letEnd();
+        QCOMPARE(loop.ended.error().code, ErrorCode::Stopped);
+        const QString why = loop.ended.error().controllerMessage;
+        const auto match =
+            QRegularExpression(QStringLiteral("callback took (\\d+)\\.\\d ms.* period of 2 ms.* \\d+ "
+                                              "of \\d+ calls took longer than a period"))
+                .match(why);
+        QVERIFY2(match.hasMatch(), qPrintable(why));
+        const int tookMs = match.captured(1).toInt();
+        QVERIFY2(tookMs >= 120 && tookMs < 130, qPrintable(why));
+        QVERIFY(cell.controller->status().inControl);
+        QVERIFY(cell.ticksToStandstill(250) >= 0);
     }
 
     void whoWantsPacketsOnlyWaitsForThem() {

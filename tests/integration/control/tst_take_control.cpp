@@ -352,7 +352,9 @@ private Q_SLOTS:
             link.send(versionMessage() + robotState(robotModeData(7, false)));
             link.beMute();
         });
-        Controller controller(to(primary.port(), peer.port()));
+        ControllerOptions options = to(primary.port(), peer.port());
+        options.connectionTimeout = milliseconds(0);  // the peer sends one package and no more
+        Controller controller(options);
         // Enough to get as far as the program.
         const Error error = controller.takeControl(Deadline::after(std::chrono::seconds(5))).error();
         QCOMPARE(error.code, ErrorCode::Timeout);

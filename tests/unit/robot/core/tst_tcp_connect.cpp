@@ -3,6 +3,12 @@
 #include <QTest>
 #include <vector>
 
+#ifdef __linux__
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#endif
+
 #include "robot/core/tcp_connect.h"
 
 using namespace tiller;
@@ -21,6 +27,30 @@ private Q_SLOTS:
             QVERIFY(*socket >= 0);
             native_socket::close(*socket);
         }
+    }
+
+    // A peer without power never ends a connection: the system has to find out.
+    void theSystemWatchesThePeer() {
+#ifdef __linux__
+        QTcpServer server;
+        QVERIFY(server.listen(QHostAddress::LocalHost));
+        const auto socket = connectTcp("127.0.0.1", server.serverPort(), Deadline::after(10s));
+        QVERIFY2(socket.ok(), qPrintable(socket.error().toString()));
+        const auto option = [&](int level, int name) {
+            int value = 0;
+            socklen_t size = sizeof value;
+            return ::getsockopt(static_cast<int>(*socket), level, name, &value, &size) == 0 ? value : -1;
+        };
+        QCOMPARE(option(SOL_SOCKET, SO_KEEPALIVE), 1);
+        QCOMPARE(option(IPPROTO_TCP, TCP_KEEPIDLE) +
+                     option(IPPROTO_TCP, TCP_KEEPINTVL) * option(IPPROTO_TCP, TCP_KEEPCNT),
+                 static_cast<int>(native_socket::kPeerTimeout.count() / 1000));
+        QCOMPARE(option(IPPROTO_TCP, TCP_USER_TIMEOUT),
+                 static_cast<int>(native_socket::kPeerTimeout.count()));
+        native_socket::close(*socket);
+#else
+        QSKIP("how soon is up to this system");
+#endif
     }
 
     void saysWhyItCouldNot_data() {

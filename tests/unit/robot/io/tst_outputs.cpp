@@ -84,6 +84,7 @@ private Q_SLOTS:
     void setsOnlyTheBitsAskedFor();
     void groupsAreSetTogether();
     void waitsForTheRobotsWord();
+    void whatIsNotConfirmedIsSentOnANewConnectionNextTime();
     void oldReportsConfirmNothing();
     void outputsThatDoNotExistAreRefused();
     void sliderIsHeldToItsRange();
@@ -147,6 +148,18 @@ void TestOutputs::waitsForTheRobotsWord() {
     token.cancel();
     QCOMPARE(bench.outputs.setDigitalOutput(3, true, Deadline::after(1h, token)).error().code,
              ErrorCode::Cancelled);
+}
+
+// The controller may have forgotten the connection, and takes what is sent on it for ever.
+void TestOutputs::whatIsNotConfirmedIsSentOnANewConnectionNextTime() {
+    Bench bench;
+    bench.obedient = false;
+    QVERIFY(bench.outputs.connect(patience()).ok());
+    QCOMPARE(bench.outputs.setDigitalOutput(3, true, Deadline::after(50ms)).error().code, ErrorCode::Timeout);
+    QCOMPARE(bench.peer.connections(), 1);
+    bench.obedient = true;
+    QVERIFY(bench.outputs.setDigitalOutput(3, true, patience()).ok());
+    QCOMPARE(bench.peer.connections(), 2);
 }
 
 void TestOutputs::oldReportsConfirmNothing() {

@@ -69,17 +69,74 @@ class TestProgramStopper : public QObject {
 private Q_SLOTS:
     void theWordLeavesOnTheConnectionThatIsOpenAlready() {
         Heard heard;
-        RawPeer peer(obedient(heard));
-        ProgramStopper stopper(to(peer.port()));
+        std::promise<void> heardOne;
+        RawPeer peer([&, first = true, obey = obedient(heard)](RawPeer::Link& link) mutable {
+            if (std::exchange(first, false)) {
+                link.send(versionMessage() + stateWith(true));
+                heard.add(link.readLine());
+                heardOne.set_value();
+                return;
+            }
+            obey(link);
+        });
+        VirtualClock clock;  // nothing is sent again
+        ProgramStopperOptions options = to(peer.port());
+        options.clock = &clock;
+        ProgramStopper stopper(options);
         stopper.start();
         QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
         QVERIFY(heard.lines().isEmpty());
         stopper.requestStop();
+        heardOne.get_future().wait();
+        QCOMPARE(heard.lines().first(), QByteArray("stop program"));
+        const auto stopped = stopper.waitUntilStopped(patience());
+        QVERIFY2(stopped.ok(), why(stopped));
+        QVERIFY(!stopper.isUnderWay());
+    }
+
+    // A controller that has forgotten the connection takes what is sent on it, and never reads it. The clock stands
+    // still: the second connection is made because of the request, not because time has passed.
+    void itLeavesOnANewConnectionAtOnceToo() {
+        Heard heard;
+        native_socket::Descriptor forgotten = -1;
+        RawPeer peer([&, first = true, obey = obedient(heard)](RawPeer::Link& link) mutable {
+            if (std::exchange(first, false)) {
+                link.send(versionMessage() + stateWith(true));
+                forgotten = link.forget();
+                return;
+            }
+            obey(link);
+        });
+        VirtualClock clock;
+        ProgramStopperOptions options = to(peer.port());
+        options.clock = &clock;
+        ProgramStopper stopper(options);
+        stopper.start();
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        stopper.requestStop();
         const auto stopped = stopper.waitUntilStopped(patience());
         QVERIFY2(stopped.ok(), why(stopped));
         QCOMPARE(heard.lines(), QList<QByteArray>{"stop program"});
-        QCOMPARE(peer.clients(), 1);
-        QVERIFY(!stopper.isUnderWay());
+        stopper.end();
+        native_socket::close(forgotten);
+    }
+
+    void aSilentConnectionIsReplaced() {
+        RawPeer peer([](RawPeer::Link& link) {
+            link.send(versionMessage() + stateWith(false));
+            link.beMute();
+        });
+        VirtualClock clock;
+        ProgramStopperOptions options = to(peer.port());
+        options.clock = &clock;
+        ProgramStopper stopper(options);
+        stopper.start();
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        for (int s = 0; s < 600 && peer.clients() < 2; ++s) {
+            clock.advanceNs(kNsPerSecond / 10);
+            QTest::qWait(10);
+        }
+        QCOMPARE(peer.clients(), 2);
     }
 
     void nothingIsSentUnasked() {
@@ -151,8 +208,9 @@ private Q_SLOTS:
     }
 
     void whatTheControllerRefusedOthersIsNotForUs() {
-        RawPeer peer([](RawPeer::Link& link) {
-            link.send(versionMessage() + refusal() + refusal() + refusal() + stateWith(true));
+        RawPeer peer([first = true](RawPeer::Link& link) mutable {
+            const QByteArray refusals = std::exchange(first, false) ? refusal().repeated(3) : QByteArray();
+            link.send(versionMessage() + refusals + stateWith(true));
             link.readLine();
             while (!link.isOver()) {
                 link.send(stateWith(false));

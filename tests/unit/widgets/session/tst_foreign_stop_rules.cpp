@@ -70,10 +70,26 @@ private Q_SLOTS:
         SessionState played = live(RuntimeState::Playing);
         played.link = LinkState::Lost;
         QVERIFY(meansIt(played));
-        SessionState stood = live(RuntimeState::Stopped);
-        stood.link = LinkState::Lost;
-        QVERIFY(meansNothing(stood));
     }
+    // A program may have begun since. Esc and Space may mean something else in the window; STOP does not.
+    void oldDataConfirmNoStandstill() {
+        for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
+            SessionState stopped = live(RuntimeState::Stopped);
+            stopped.link = link;
+            stopped.quality.ageMs = 101;
+            QVERIFY(ForeignStop::isMeant(StopCause::StopButton, stopped));
+            SessionState played = live(RuntimeState::Playing);
+            played.link = link;
+            played.quality.ageMs = 101;
+            QVERIFY(meansIt(played));
+        }
+    }
+    void anArmThatMovesWithoutAProgramIsMeant() {
+        SessionState moving = live(RuntimeState::Stopped);
+        moving.moving = true;
+        QVERIFY(meansIt(moving));
+    }
+    // It goes to our own program first; on all routes once nothing confirms it.
     void noOtherStopIsMeant() {
         for (int cause = 0; cause <= static_cast<int>(StopCause::TargetTooFar); ++cause) {
             const auto which = static_cast<StopCause>(cause);

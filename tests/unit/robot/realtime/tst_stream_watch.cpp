@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "robot/core/clock.h"
-#include "robot/receive/detail/stream_watch.h"
+#include "robot/realtime/stream_watch.h"
 
 using namespace tiller;
-using tiller::receive::StreamWatch;
+using tiller::realtime::StreamWatch;
 
 class TestStreamWatch : public QObject {
     Q_OBJECT

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace tiller::receive {
+namespace tiller::realtime {
 
 /// Threads  one. Real-time: yes
 class StreamWatch {
@@ -38,4 +38,4 @@ private:
     double settledNs_ = 0;
 };
 
-}  // namespace tiller::receive
+}  // namespace tiller::realtime

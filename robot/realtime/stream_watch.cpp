@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "robot/receive/detail/stream_watch.h"
+#include "robot/realtime/stream_watch.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "robot/core/clock.h"
 
-namespace tiller::receive {
+namespace tiller::realtime {
 
 namespace {
 
@@ -60,4 +60,4 @@ StreamWatch::Verdict StreamWatch::add(double timestamp, std::int64_t hostNs) {
     return verdict;
 }
 
-}  // namespace tiller::receive
+}  // namespace tiller::realtime

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/stop_confirmation.h"
+
+#include "robot/control/stop_meter.h"
+#include "robot/core/clock.h"
+
+namespace tiller::control {
+
+namespace {
+
+// A stop takes some 20 ms to the arm; from then on it brakes.
+constexpr std::int64_t kBrakesAfterNs = 100 * kNsPerMs;
+constexpr std::int64_t kCompareEveryNs = 50 * kNsPerMs;
+// An arm at standstill is confirmed by the control program within so much time.
+constexpr std::int64_t kConfirmedAfterNs = 200 * kNsPerMs;
+constexpr std::int64_t kLongestBrakingNs = 1000 * kNsPerMs;
+
+}  // namespace
+
+StopConfirmation::StopConfirmation(std::uint64_t epoch, const StopEvidence& evidence)
+    : epoch_(epoch)
+    , requestNs_(evidence.nowNs)
+    , lookNs_(evidence.nowNs + kBrakesAfterNs)
+    , tcpSpeed_(evidence.tcpSpeed)
+    , jointSpeed_(evidence.jointSpeed) {}
+
+bool StopConfirmation::isConfirmed(const StopEvidence& evidence) const {
+    if (evidence.inControl && evidence.executedEpoch > epoch_) {
+        return true;  // our program obeys a motion begun after the stop
+    }
+    const bool still = evidence.fresh && !evidence.moving && evidence.dataNs > requestNs_;
+    return still && (evidence.stopped || (evidence.inControl && evidence.restingEpoch >= epoch_));
+}
+
+bool StopConfirmation::isSlower(const StopEvidence& evidence) const {
+    return evidence.tcpSpeed < tcpSpeed_ - kStillTcpSpeed ||
+           evidence.jointSpeed < jointSpeed_ - kStillJointSpeed;
+}
+
+StopConfirmation::Verdict StopConfirmation::look(const StopEvidence& evidence) {
+    if (isConfirmed(evidence)) {
+        return Verdict::Confirmed;
+    }
+    if (!evidence.inControl) {
+        return Verdict::EveryRoute;
+    }
+    const std::int64_t since = evidence.nowNs - requestNs_;
+    if (!evidence.fresh || !evidence.moving) {
+        return since < kConfirmedAfterNs ? Verdict::Waiting : Verdict::EveryRoute;
+    }
+    if (evidence.nowNs < lookNs_) {
+        return Verdict::Waiting;
+    }
+    if (!isSlower(evidence) || since >= kLongestBrakingNs) {
+        return Verdict::EveryRoute;
+    }
+    lookNs_ = evidence.nowNs + kCompareEveryNs;
+    tcpSpeed_ = evidence.tcpSpeed;
+    jointSpeed_ = evidence.jointSpeed;
+    return Verdict::Waiting;
+}
+
+}  // namespace tiller::control

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// When a stop in control counts as confirmed, and when it has to go out on every route.
+#include <QTest>
+#include <algorithm>
+#include <utility>
+
+#include "robot/control/stop_confirmation.h"
+#include "robot/core/clock.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using Verdict = StopConfirmation::Verdict;
+
+namespace {
+
+constexpr std::uint64_t kEpoch = 7;
+
+/// Our program moves the arm, and all data are fresh.
+struct Scene {
+    StopEvidence evidence{.nowNs = kNsPerSecond,
+                          .fresh = true,
+                          .dataNs = kNsPerSecond,
+                          .moving = true,
+                          .tcpSpeed = 0.2,
+                          .jointSpeed = 0.4,
+                          .stopped = false,
+                          .inControl = true,
+                          .restingEpoch = kEpoch - 2,
+                          .executedEpoch = kEpoch - 1};
+    StopConfirmation confirmation{kEpoch, evidence};
+
+    Verdict lookAfter(int ms) {
+        evidence.nowNs += ms * kNsPerMs;
+        evidence.dataNs = evidence.fresh ? evidence.nowNs : evidence.dataNs;
+        return confirmation.look(evidence);
+    }
+    /// Time until the verdict is another than Waiting [ms]; the arm as `change` makes it every 10 ms.
+    template <class Change>
+    std::pair<Verdict, int> verdict(Change change) {
+        for (int ms = 10; ms < 5000; ms += 10) {
+            change(ms);
+            if (const Verdict seen = lookAfter(10); seen != Verdict::Waiting) {
+                return {seen, ms};
+            }
+        }
+        return {Verdict::Waiting, 5000};
+    }
+};
+
+}  // namespace
+
+class TestStopConfirmation : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void standstillThatOurProgramReportsConfirms() {
+        Scene scene;
+        const auto [seen, ms] = scene.verdict([&](int now) {
+            scene.evidence.moving = now < 60;
+            scene.evidence.restingEpoch = now < 60 ? kEpoch - 2 : kEpoch;
+        });
+        QCOMPARE(seen, Verdict::Confirmed);
+        QCOMPARE(ms, 60);
+    }
+    void standstillWithoutAProgramConfirms() {
+        Scene scene;
+        scene.evidence.moving = false;
+        scene.evidence.stopped = true;
+        scene.evidence.inControl = false;
+        QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
+    }
+    void dataFromBeforeTheStopConfirmNothing() {
+        Scene scene;
+        scene.evidence.moving = false;
+        scene.evidence.restingEpoch = kEpoch;
+        QCOMPARE(scene.confirmation.look(scene.evidence), Verdict::Waiting);
+        QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
+    }
+    void aNewMotionOfOursConfirmsThatOurProgramObeys() {
+        Scene scene;
+        scene.evidence.executedEpoch = kEpoch + 1;
+        QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
+    }
+    void withoutFreshControlDataEveryRouteIsUsedAtOnce() {
+        Scene scene;
+        scene.evidence.inControl = false;
+        QCOMPARE(scene.lookAfter(10), Verdict::EveryRoute);
+    }
+    void anArmThatDoesNotSlowDownIsStoppedOnEveryRoute() {
+        Scene scene;
+        const auto [seen, ms] = scene.verdict([](int) {});
+        QCOMPARE(seen, Verdict::EveryRoute);
+        QCOMPARE(ms, 100);
+    }
+    // From a high speed that takes longer, and costs no control.
+    void anArmThatBrakesIsLeftToBrake() {
+        Scene fast;
+        fast.evidence.tcpSpeed = 0.8;
+        fast.evidence.jointSpeed = 1.6;
+        fast.confirmation = StopConfirmation(kEpoch, fast.evidence);
+        const auto [verdict, after] = fast.verdict([&](int now) {
+            fast.evidence.tcpSpeed = std::max(0.0, 0.8 - 0.002 * now);
+            fast.evidence.jointSpeed = 2 * fast.evidence.tcpSpeed;
+            fast.evidence.moving = fast.evidence.tcpSpeed > 0;
+            fast.evidence.restingEpoch = fast.evidence.moving ? kEpoch - 2 : kEpoch;
+        });
+        QCOMPARE(verdict, Verdict::Confirmed);
+        QCOMPARE(after, 400);
+    }
+    void brakingThatStopsHalfwayIsNoBraking() {
+        Scene scene;
+        const auto [seen, ms] = scene.verdict([&](int now) {
+            scene.evidence.tcpSpeed = std::max(0.1, 0.2 - 0.001 * now);
+            scene.evidence.jointSpeed = 2 * scene.evidence.tcpSpeed;
+        });
+        QCOMPARE(seen, Verdict::EveryRoute);
+        QVERIFY2(ms <= 200, qPrintable(QString::number(ms)));
+    }
+    void lateRobotDataEndTheWait() {
+        Scene scene;
+        const auto [seen, ms] = scene.verdict([&](int) { scene.evidence.fresh = false; });
+        QCOMPARE(seen, Verdict::EveryRoute);
+        QCOMPARE(ms, 200);
+    }
+    // Another program has replaced ours and happens to wait.
+    void standstillThatOurProgramDoesNotReportIsNotEnough() {
+        Scene scene;
+        const auto [seen, ms] = scene.verdict([&](int) { scene.evidence.moving = false; });
+        QCOMPARE(seen, Verdict::EveryRoute);
+        QCOMPARE(ms, 200);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestStopConfirmation)
+#include "tst_stop_confirmation.moc"
