@@ -508,6 +508,7 @@ void RobotSession::reportChanges() {
     }
     if (state.link == LinkState::Live) {
         outputs_.reportSlider();
+        outputs_.followPulses();
     }
     recording_.reportFailure();
     if (d_->link) {
