@@ -186,8 +186,9 @@ std::vector<JointPositions> JogColumn::wayBack() const {
     return {track_->places().begin(), track_->places().end()};
 }
 
-void JogColumn::setHome(const JointPositions& home) {
+void JogColumn::setHome(const JointPositions& home, bool ofProject) {
     home_ = home;
+    homeOfProject_ = ofProject;
     speedsKnown_ = false;
     showSpeeds();
 }
@@ -614,7 +615,10 @@ void JogColumn::connectKeys() {
 
 void JogColumn::connectBottom() {
     const auto home = [this] {
-        return homeMove(selection(), state_.q, home_, state_.arm(), state_.tcpOffset, port_.limits());
+        MoveRequest move =
+            homeMove(selection(), state_.q, home_, state_.arm(), state_.tcpOffset, port_.limits());
+        move.toProject = homeOfProject_;
+        return move;
     };
     guardKey(
         homeKey_, [this, home] { return beginMove(home()); }, Steps::None);
