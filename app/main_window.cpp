@@ -65,6 +65,7 @@
 #include "widgets/plots/plot_view.h"
 #include "widgets/project/project_document.h"
 #include "widgets/project/project_files.h"
+#include "widgets/project/project_fit.h"
 #include "widgets/scene/scene_dock.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/session/incident_watch.h"
@@ -383,6 +384,38 @@ void MainWindow::connectProject() {
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
     connect(files_.get(), &ProjectFiles::noticeWanted, waypoints_, &WaypointsTab::showNotice);
     connect(files_.get(), &ProjectFiles::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
+    connect(document_.get(), &ProjectDocument::stepTaken, this, &MainWindow::showStep);
+    fit_ = std::make_unique<ProjectFit>(*session_, *document_, this);
+    connect(fit_.get(), &ProjectFit::questionOpens, this,
+            [this] { stopMotion(control::StopCause::DialogOpened); });
+    connect(fit_.get(), &ProjectFit::message, this,
+            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+    connect(fit_.get(), &ProjectFit::noticeWanted, waypoints_, [this](const Notice& notice) {
+        showTab("waypoints");
+        waypoints_->showNotice(notice);
+    });
+    connect(fit_.get(), &ProjectFit::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
+}
+
+/// Undo and redo may concern another tab than the one in front.
+void MainWindow::showStep(const ProjectStep& step) {
+    Q_EMIT session_->message(
+        Severity::Info, (step.undone ? tr("Undone: %1") : tr("Redone: %1")).arg(step.text), Origin::Operator);
+    switch (step.part) {
+        case ProjectPart::Waypoints:
+            showTab("waypoints");
+            break;
+        case ProjectPart::Frames:
+            showTab("frames");
+            break;
+        case ProjectPart::Tcps:
+        case ProjectPart::Payloads:
+        case ProjectPart::Positions:
+            showTab("tools");
+            break;
+        case ProjectPart::Cell:
+            break;  // it is shown in the view
+    }
 }
 
 void MainWindow::connectIo() {
@@ -432,7 +465,7 @@ void MainWindow::connectTools() {
     tools_->setHeldSpeed([this] { return jog_->heldSpeed(); });
     const auto followHome = [this] {
         const project::NamedPosition* home = document_->positions().homePosition();
-        jog_->setHome(home != nullptr ? home->joints : defaultHome());
+        jog_->setHome(home != nullptr ? home->joints : defaultHome(), home != nullptr);
     };
     connect(document_.get(), &ProjectDocument::positionsChanged, this, followHome);
     followHome();
@@ -764,10 +797,11 @@ void MainWindow::buildActions() {
     SceneActions::addTo(*actions_, scene_->view());
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
-        // One history for waypoints and frames.
+        // One history for the whole project.
         if (action->objectName() == "waypoint.action.undo" ||
             action->objectName() == "waypoint.action.redo") {
             frames_->addAction(action);
+            tools_->addAction(action);
         }
     }
     for (QAction* action : frames_->commandActions()) {
@@ -831,6 +865,11 @@ void MainWindow::addProjectActions() {
                    tr("A copy of one of three projects, to try on the simulated robot."),
                    {},
                    [this] { showSamples(); }});
+    actions_->add({"project.adapt",
+                   tr("Adapt project to this robot…"),
+                   tr("Converts a project of another robot model: keep the poses or the joints."),
+                   {},
+                   [this] { fit_->ask(); }});
     actions_->add({"project.saveAs", tr("Save project as…"),
                    tr("Saves to this file now, and every change from now on."),
                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] {

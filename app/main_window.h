@@ -34,6 +34,8 @@ class LogTab;
 class Panel;
 class ProjectDocument;
 class ProjectFiles;
+class ProjectFit;
+struct ProjectStep;
 class PlotDock;
 class RobotPopup;
 class SceneDock;
@@ -146,6 +148,7 @@ private:
     /// What recordings and incidents keep as the project.
     void keepProject();
     void connectProject();
+    void showStep(const ProjectStep& step);
     void followJog();
     void connectFrames();
     void connectTools();
@@ -172,6 +175,7 @@ private:
     HoldTerms holdTerms_;
     std::unique_ptr<ProjectDocument> document_;
     std::unique_ptr<ProjectFiles> files_;  ///< saves on its way out what the document holds
+    std::unique_ptr<ProjectFit> fit_;
     std::unique_ptr<Lessons> lessons_;
 
     HeaderBar* header_ = nullptr;

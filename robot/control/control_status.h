@@ -34,6 +34,7 @@ enum class LimiterKind : std::uint8_t {
     None,
     TcpSpeed,       ///< the cap on the TCP
     ElbowSpeed,     ///< the same cap on the elbow
+    JogSpeed,       ///< TCP or elbow at the cap of this jog: JogTarget::speedCap
     RotationSpeed,  ///< the cap on the rotation of the TCP
     JointSpeed,     ///< a joint would turn too fast
     JointLimit,     ///< a joint is near the end of its range

@@ -42,6 +42,9 @@ enum class JogFrame : std::uint8_t {
     Custom,  ///< axes of JogTarget::T_base_frame (a taught frame, or the direction the operator looks from)
 };
 
+/// A cap that is none: the robot's own limits remain.
+inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
+
 /// A velocity the arm shall have until it is refreshed, changed or expires. Rotation is about the active TCP.
 struct JogTarget {
     enum class Kind : std::uint8_t { Cartesian, Joint };
@@ -53,6 +56,9 @@ struct JogTarget {
     /// Above 0: ends with StopCause::Contact when the force on the TCP has changed by more than this since
     /// the motion began [N].
     double contactForce = 0;
+    /// Highest speed of TCP and elbow in this jog [m/s], above 0. The cap of the controller applies as well. A joint
+    /// jog needs it: how fast the TCP gets at a joint speed depends on the posture.
+    double speedCap = kNoCap;
 
     friend bool operator==(const JogTarget&, const JogTarget&) = default;
 };
@@ -111,9 +117,6 @@ struct JointLimits {
     std::array<double, 6> maxPosition{};  ///< [rad]
     std::array<double, 6> maxSpeed{};     ///< [rad/s]
 };
-
-/// A cap that is none: the robot's own limits remain.
-inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
 
 /// Jog dynamics and caps. The controller has its own, wider ones. All above 0; takeControl() refuses what can
 /// only be another unit: above 3 m/s, 12 rad/s, 150 m/s2, 40 rad/s2. kNoCap is a speed without a cap.

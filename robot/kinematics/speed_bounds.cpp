@@ -59,18 +59,21 @@ SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, co
     const Eigen::Vector3d turn = rotationVector(R_start.transpose() * rotationMatrix(to.rotation));
     // What an arm at rest measures of its own place trembles by some hundredths of a millimetre.
     constexpr double kOnTheSpot = 1e-4;  // [m]
-    if (length < kOnTheSpot) {
-        // A turn on the spot: the controller counts its angle as a path of this radius.
-        return turn.norm() > 1e-6 ? SpeedBound{rotationCap * kTurnRadius, SpeedLimit::Rotation}
-                                  : SpeedBound();
+    constexpr double kNoTurn = 1e-6;     // [rad]
+    const bool onTheSpot = length < kOnTheSpot;
+    if (onTheSpot && turn.norm() < kNoTurn) {
+        return {};
     }
-    SpeedBound bound{cap, SpeedLimit::Tcp};
+    // The controller counts the angle of a turn on the spot as a path of this radius.
+    const double counted = onTheSpot ? turn.norm() * kTurnRadius : length;
+    SpeedBound bound = onTheSpot ? SpeedBound{rotationCap * kTurnRadius, SpeedLimit::Rotation}
+                                 : SpeedBound{cap, SpeedLimit::Tcp};
     const auto holdTo = [&bound](double speed, SpeedLimit by) {
         if (speed < bound.speed) {
             bound = {speed, by};
         }
     };
-    if (turn.norm() > 1e-6) {
+    if (!onTheSpot && turn.norm() > kNoTurn) {
         holdTo(rotationCap * length / turn.norm(), SpeedLimit::Rotation);
     }
     constexpr int kSamples = 48;
@@ -85,8 +88,8 @@ SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, co
             break;
         }
         const Eigen::Vector3d nextElbow = elbowPosition(dh, *next);
-        const double elbowPerTcp = (nextElbow - elbow).norm() / (length / kSamples);
-        if (elbowPerTcp > 1.0) {
+        const double elbowPerTcp = (nextElbow - elbow).norm() / (counted / kSamples);
+        if (elbowPerTcp > 0) {
             holdTo(cap / elbowPerTcp, SpeedLimit::Elbow);
         }
         q = *next;

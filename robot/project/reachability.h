@@ -17,6 +17,7 @@ struct Reach {
         JointLimit,    ///< a joint would have to leave its range
         FrameMissing,  ///< its frame is not in the project
         OnTheWay,      ///< start and end can be reached, the straight line between them cannot
+        OtherModel,    ///< taught with another robot model: see model_change.h. reach() does not return it
     };
     Obstacle obstacle = Obstacle::OutOfReach;
     JointPositions q;  ///< target; valid for None and OnTheWay

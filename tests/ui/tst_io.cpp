@@ -13,6 +13,7 @@
 #include "resources/resources.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
+#include "widgets/common/notice_bar.h"
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/io_tab.h"
@@ -102,6 +103,52 @@ private Q_SLOTS:
         channel->setFocus();
         QTest::keyClick(channel, Qt::Key_P);
         QVERIFY(until([this] { return output(4); }));
+        QVERIFY(until([this] { return !output(4); }));
+    }
+
+    // The robot times it: a window that hangs leaves nothing on.
+    void aPulseEndsWithAWindowThatHangs() {
+        IoChannel* channel = tab().output(4);
+        channel->setFocus();
+        QTest::keyClick(channel, Qt::Key_P);
+        QVERIFY(until([this] { return output(4); }));
+        const double on = cell().truth().timestamp;
+        int hung = 0;
+        for (; output(4) && hung < 3'000; hung += 20) {
+            cell().advanceWithFrozenInterface(20);
+        }
+        QVERIFY2(!output(4), "the output stayed on");
+        const double seconds = cell().truth().timestamp - on;
+        QVERIFY2(std::abs(seconds - 0.5) < 0.05, qPrintable(QString::number(seconds)));
+    }
+
+    // Without control nothing on the robot could time it.
+    void aPulseIsRefusedWithoutControl() {
+        bench_->window.session().releaseControl();
+        QVERIFY(
+            until([this] { return bench_->window.session().state().control != ControlState::InControl; }));
+        IoChannel* channel = tab().output(4);
+        channel->setFocus();
+        QTest::keyClick(channel, Qt::Key_P);
+        cell().advanceMs(200);
+        QVERIFY(!output(4));
+        auto& notice = find<NoticeBar>("io.notice");
+        QVERIFY(notice.isVisible());
+        QVERIFY2(notice.text().contains("Take control"), qPrintable(notice.text()));
+    }
+
+    // A program that is stopped from outside cannot end its pulse: then the window does.
+    void aPulseOfAStoppedProgramIsEnded() {
+        tab().output(4)->setFocus();
+        QTest::keyClick(tab().output(4), Qt::Key_P);
+        QVERIFY(until([this] { return output(4); }));
+        QTcpSocket client;
+        client.connectToHost(cell().robot.listenAddress(), cell().robot.ports().secondary);
+        QVERIFY(client.waitForConnected(5000));
+        client.write("stop program\n");
+        client.flush();
+        QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Stopped; }));
+        QVERIFY2(output(4), "nothing on the robot ends it any more");
         QVERIFY(until([this] { return !output(4); }));
     }
 

@@ -112,7 +112,7 @@ private Q_SLOTS:
         }
         QVERIFY2(jogKeys.size() == 12 + 12 + 3, "the pad, the joints, Home, Align and Back");
         // Home is a place from where every key leads on.
-        column.setHome(simulator::kHomeJoints);
+        column.setHome(simulator::kHomeJoints, false);
 
         QRandomGenerator random(seed);
         int moved = 0;

@@ -174,8 +174,14 @@ void IoTab::pulse(int output) {
     if (state_.link != LinkState::Live || replay_) {
         return;
     }
-    ask(output, true);
-    QTimer::singleShot(kPulseMs, this, [this, output] { ask(output, false); });
+    if (const QString obstacle = session_.outputs().pulseObstacle(); !obstacle.isEmpty()) {
+        notice_->show(NoticeBar::Kind::Warning, tr("%1 cannot be pulsed now").arg(terminal(true, output)),
+                      obstacle);
+        return;
+    }
+    notice_->dismiss();
+    constexpr double kMsPerSecond = 1000;
+    session_.outputs().pulseDigitalOutput(output, kPulseMs / kMsPerSecond);
 }
 
 void IoTab::focusSearch() {

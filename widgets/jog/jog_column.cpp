@@ -11,8 +11,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "robot/core/angles.h"
+#include "robot/io/outputs.h"
 #include "robot/kinematics/speed_bounds.h"
 #include "widgets/common/density.h"
+#include "widgets/common/format.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notation.h"
 #include "widgets/common/segmented_control.h"
@@ -69,6 +72,12 @@ constexpr int kAboveKeys = 8;
 
 double heldFactor() {
     return modifierFactor(QGuiApplication::keyboardModifiers());
+}
+
+/// With as many digits as slow joints need: "0.36 °/s", "3.6 °/s", "10 °/s".
+QString keySpeedText(double speed) {
+    const double degrees = toDegrees(speed);
+    return QStringLiteral("%1 °/s").arg(format::number(degrees, degrees < 1 ? 2 : degrees < 9.95 ? 1 : 0));
 }
 
 bool near(const JointPositions& a, const JointPositions& b, double distance) {
@@ -177,8 +186,9 @@ std::vector<JointPositions> JogColumn::wayBack() const {
     return {track_->places().begin(), track_->places().end()};
 }
 
-void JogColumn::setHome(const JointPositions& home) {
+void JogColumn::setHome(const JointPositions& home, bool ofProject) {
     home_ = home;
+    homeOfProject_ = ofProject;
     speedsKnown_ = false;
     showSpeeds();
 }
@@ -365,7 +375,7 @@ HeldSpeed JogColumn::heldSpeed() const {
     return {chosen.tcp, chosen.rotation, chosen.joint};
 }
 
-/// On the keys that go to a place: how fast they will.
+/// The speeds at which the keys for joints and places move the arm.
 void JogColumn::showSpeeds() {
     if (speedsKnown_ || isHolding()) {
         return;  // what is under way goes on as fast as it was begun
@@ -383,6 +393,12 @@ void JogColumn::showSpeeds() {
     back.q = track_->nextPlace().value_or(state_.q);
     back.speed = track_->speed();
     back_->setDetail(text(back));
+    const double slider = std::max(state_.speedFraction, io::kLowestSpeedFraction);
+    for (JointRow* row : joints_->rows()) {
+        const double speed = jointKeySpeed(selection(), row->joint(), 1, state_.q, state_.arm(),
+                                           state_.tcpOffset, port_.limits());
+        row->setSpeed(known ? keySpeedText(speed * slider) : QString());
+    }
 }
 
 void JogColumn::showReason() {
@@ -578,7 +594,8 @@ void JogColumn::connectKeys() {
     for (JointRow* row : joints_->rows()) {
         for (const auto& [key, direction] : {std::pair{row->minusKey(), -1}, {row->plusKey(), 1}}) {
             const auto step = [this, joint = row->joint(), direction = direction] {
-                return jointStep(selection(), joint, direction, heldFactor(), state_.q, port_.limits());
+                return jointStep(selection(), joint, direction, heldFactor(), state_.q, state_.arm(),
+                                 state_.tcpOffset, port_.limits());
             };
             guardKey(
                 key,
@@ -598,7 +615,10 @@ void JogColumn::connectKeys() {
 
 void JogColumn::connectBottom() {
     const auto home = [this] {
-        return homeMove(selection(), state_.q, home_, state_.arm(), state_.tcpOffset, port_.limits());
+        MoveRequest move =
+            homeMove(selection(), state_.q, home_, state_.arm(), state_.tcpOffset, port_.limits());
+        move.toProject = homeOfProject_;
+        return move;
     };
     guardKey(
         homeKey_, [this, home] { return beginMove(home()); }, Steps::None);

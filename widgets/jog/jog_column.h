@@ -74,7 +74,8 @@ public:
     const JogSelection& selection() const;
     /// The chosen speed: the fastest that any motion held by a key may be.
     HeldSpeed heldSpeed() const;
-    void setHome(const JointPositions& home);
+    /// ofProject  it is a position of the project: the project guard of the session may refuse it
+    void setHome(const JointPositions& home, bool ofProject);
     /// What freedrive leaves free.
     void setFreedriveAxes(FreedriveAxes axes);
     /// Counts the way from here; once more: since the press again.
@@ -167,6 +168,7 @@ private:
     MotionPort port_;
     SessionState state_;
     JointPositions home_ = defaultHome();
+    bool homeOfProject_ = false;
     FreedriveAxes freedriveAxes_ = FreedriveAxes::All;
     bool payloadChecked_ = true;  ///< freedrive looks at the forces first
     QString refusal_;

@@ -108,6 +108,7 @@ control::JogTarget jointJog(const JogSelection& selection, int joint, int direct
     target.kind = control::JogTarget::Kind::Joint;
     target.qd[joint] =
         direction * capped(chosenSpeed(selection).joint * allowed(selection, factor), limits.jointSpeed);
+    target.speedCap = capped(chosenSpeed(selection).tcp * allowed(selection, factor), limits.tcpSpeed);
     target.contactForce = contactForce(selection);
     return target;
 }
@@ -133,15 +134,26 @@ MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key
 }
 
 MoveRequest jointStep(const JogSelection& selection, int joint, int direction, double factor,
-                      const JointPositions& from, const control::MotionLimits& limits) {
+                      const JointPositions& from, const RobotModel& model, const Pose& tcpOffset,
+                      const control::MotionLimits& limits) {
     MoveRequest request;
     request.kind = MoveRequest::Kind::MoveJ;
     request.q = from;
     request.q[joint] = std::clamp(from[joint] + direction * chosenStep(selection).angle, -kJointPositionLimit,
                                   kJointPositionLimit);
-    request.speed = capped(chosenSpeed(selection).joint * factor, limits.jointSpeed);
+    request.speed = jointKeySpeed(selection, joint, factor, from, model, tcpOffset, limits);
     request.acceleration = limits.jointAcceleration;
     return request;
+}
+
+double jointKeySpeed(const JogSelection& selection, int joint, double factor, const JointPositions& from,
+                     const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits) {
+    const control::JogTarget target = jointJog(selection, joint, 1, factor, limits);
+    // The distances of TCP and elbow from the axis of the joint do not change while it turns alone.
+    JointPositions to = from;
+    to[joint] += 1;
+    return std::min(target.qd[joint],
+                    kinematics::jointSpeedBound(model.dh, from, to, tcpOffset, target.speedCap).speed);
 }
 
 MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, const JointPositions& home,

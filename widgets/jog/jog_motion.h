@@ -94,16 +94,21 @@ struct CartesianKey {
 /// factor  of the modifier keys: 0.1, 1 or 3; the result never exceeds `limits`
 control::JogTarget cartesianJog(const JogSelection& selection, const CartesianKey& key, double factor,
                                 const control::MotionLimits& limits);
-/// The velocity of one joint.
+/// The velocity of one joint. TCP and elbow stay below the chosen TCP speed: JogTarget::speedCap.
 control::JogTarget jointJog(const JogSelection& selection, int joint, int direction, double factor,
                             const control::MotionLimits& limits);
 
 /// One bounded step of the TCP from `from`; rotation is about the TCP, in the axes of the chosen frame.
 MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key, double factor,
                           const Pose& from, const control::MotionLimits& limits);
-/// One bounded step of one joint, ending at the joint's range at the latest.
+/// One bounded step of one joint, ending at the joint's range at the latest, at jointKeySpeed().
 MoveRequest jointStep(const JogSelection& selection, int joint, int direction, double factor,
-                      const JointPositions& from, const control::MotionLimits& limits);
+                      const JointPositions& from, const RobotModel& model, const Pose& tcpOffset,
+                      const control::MotionLimits& limits);
+/// The speed a joint key runs at [rad/s]: the chosen joint speed, or less where TCP or elbow would get faster than the
+/// chosen TCP speed.
+double jointKeySpeed(const JogSelection& selection, int joint, double factor, const JointPositions& from,
+                     const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
 
 /// A joint move whose TCP keeps below the chosen speed and the application's cap on the whole way.
 MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, const JointPositions& home,

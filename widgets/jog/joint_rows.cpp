@@ -110,13 +110,14 @@ QString JointRow::shortName() const {
 
 void JointRow::setCompact(bool compact) {
     compact_ = compact;
-    setToolTip(compact ? name_ : QString());
+    describe();
     updateGeometry();
     resizeEvent(nullptr);
 }
 
 void JointRow::setLow(bool low) {
     low_ = low;
+    describe();
     updateGeometry();
 }
 
@@ -129,6 +130,22 @@ void JointRow::setAngle(double angle, bool moving, bool valid, bool stale) {
     bar_->setAngle(angle, valid);
     value_ = text;
     grey_ = !valid || stale;
+}
+
+void JointRow::setSpeed(const QString& speed) {
+    if (speed == speed_) {
+        return;
+    }
+    speed_ = speed;
+    describe();
+    update(textRect());
+}
+
+/// Rows without room for the speed have it in their tooltip.
+void JointRow::describe() {
+    const QString speed = speed_.isEmpty() ? name_ : tr("%1: %2").arg(name_, speed_);
+    setToolTip(compact_ || low_ ? speed : QString());
+    setAccessibleDescription(speed_);
 }
 
 void JointRow::showNumber() {
@@ -180,8 +197,15 @@ void JointRow::paintEvent(QPaintEvent*) {
     const bool two = compact_ && touchHeight() > 0;
     painter.setPen(theme.text);
     painter.setFont(textFont(compact_ ? 13 : 15));
-    painter.drawText(text, Qt::AlignLeft | (two ? Qt::AlignTop : Qt::AlignVCenter),
+    // In a full row the speed of the keys stands below the name.
+    const bool named = !compact_ && !low_ && !speed_.isEmpty();
+    painter.drawText(text, Qt::AlignLeft | (two || named ? Qt::AlignTop : Qt::AlignVCenter),
                      compact_ ? shortName() : name_);
+    if (named) {
+        painter.setFont(textFont(13));
+        painter.setPen(theme.secondary);
+        painter.drawText(text, Qt::AlignLeft | Qt::AlignBottom, speed_);
+    }
     painter.setFont(textFont(compact_ ? 15 : 19));
     painter.setPen(grey_ ? theme.disabledText : theme.text);
     painter.drawText(text, Qt::AlignRight | (two ? Qt::AlignBottom : Qt::AlignVCenter), value_);

@@ -53,6 +53,9 @@ public:
     JointBar* bar() const { return bar_; }
     QString valueText() const { return value_; }
     void setAngle(double angle, bool moving, bool valid, bool stale);
+    /// At which the keys turn the joint: "3.6 °/s". Empty: not known.
+    void setSpeed(const QString& speed);
+    QString speedText() const { return speed_; }
     /// Paints the number, if it is another than the one painted last. Its marker needs no call: it follows the arm.
     void showNumber();
     void setCompact(bool compact);
@@ -70,12 +73,14 @@ protected:
 
 private:
     QString shortName() const;
+    void describe();
     QRect textRect() const;
 
     int joint_;
     QString name_;
     QString value_;
     QString shown_;  ///< the value painted last
+    QString speed_;
     HoldButton* minus_;
     HoldButton* plus_;
     JointBar* bar_;

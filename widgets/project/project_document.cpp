@@ -19,7 +19,17 @@ ProjectDocument::ProjectDocument(QObject* parent)
     , robot_(robotModel(RobotModelId::UR5e))
     , author_(qEnvironmentVariable("USER", qEnvironmentVariable("USERNAME"))) {}
 
-void ProjectDocument::setRobot(const RobotModel& robot) {
+void ProjectDocument::setRobot(const RobotModel& connected) {
+    isConnected_ = true;
+    useRobot(connected);
+}
+
+void ProjectDocument::clearRobot() {
+    isConnected_ = false;
+    useRobot(robotModel(project_.robot.value_or(RobotModelId::UR5e)));
+}
+
+void ProjectDocument::useRobot(const RobotModel& robot) {
     if (robot_.id == robot.id && robot_.dh == robot.dh) {
         return;
     }
@@ -28,9 +38,18 @@ void ProjectDocument::setRobot(const RobotModel& robot) {
     tellAllChanged();
 }
 
+void ProjectDocument::adoptRobot(RobotModelId connected) {
+    if (!project_.robot || !project::hasTaughtPlaces(project_)) {
+        project_.robot = connected;
+    }
+}
+
 void ProjectDocument::setProject(project::Project project) {
     Q_EMIT projectAboutToBeReplaced();
     project_ = std::move(project);
+    if (!isConnected_ && project_.robot) {
+        robot_ = robotModel(*project_.robot);
+    }
     refreshReach();
     Q_EMIT projectReplaced();
     undo_.clear();
@@ -43,10 +62,17 @@ void ProjectDocument::setProject(project::Project project) {
     Q_EMIT documentChanged();
 }
 
+project::Reach ProjectDocument::reachOf(const project::Waypoint& point) const {
+    if (isOfOtherModel()) {
+        return {project::Reach::Obstacle::OtherModel, point.joints};
+    }
+    return project::reach(robot_, point, frames());
+}
+
 void ProjectDocument::refreshReach() {
     reach_.clear();
     for (const project::Waypoint& point : waypoints()) {
-        reach_.push_back(project::reach(robot_, point, frames()));
+        reach_.push_back(reachOf(point));
     }
 }
 
@@ -54,6 +80,64 @@ void ProjectDocument::tellAllChanged() {
     if (!waypoints().isEmpty()) {
         Q_EMIT waypointsChanged(0, waypoints().size() - 1);
     }
+}
+
+// ---- undo and redo ---------------------------------------------------------------------------------
+
+namespace {
+
+/// Of the first entry that is new or another one than before.
+template <class List>
+QUuid firstOther(const List& before, const List& after) {
+    for (const auto& now : after) {
+        bool same = false;
+        for (const auto& then : before) {
+            same = same || then == now;
+        }
+        if (!same) {
+            return now.id;
+        }
+    }
+    return {};
+}
+
+ProjectStep stepBetween(const project::Project& before, const project::Project& after) {
+    ProjectStep step;
+    if (!(before.frames == after.frames)) {
+        step.part = ProjectPart::Frames;
+        step.id = firstOther(before.frames, after.frames);
+    } else if (!(before.waypoints == after.waypoints) || !(before.patterns == after.patterns) ||
+               !(before.paths == after.paths) || before.robot != after.robot) {
+        step.id = firstOther(before.waypoints, after.waypoints);
+    } else if (!(before.tooling.tools == after.tooling.tools) ||
+               before.tooling.activeTool != after.tooling.activeTool) {
+        step.part = ProjectPart::Tcps;
+        step.id = firstOther(before.tooling.tools, after.tooling.tools);
+    } else if (!(before.tooling == after.tooling)) {
+        step.part = ProjectPart::Payloads;
+        step.id = firstOther(before.tooling.payloads, after.tooling.payloads);
+    } else if (!(before.positions == after.positions)) {
+        step.part = ProjectPart::Positions;
+        step.id = firstOther(before.positions.list, after.positions.list);
+    } else {
+        step.part = ProjectPart::Cell;
+    }
+    return step;
+}
+
+}  // namespace
+
+void ProjectDocument::step(bool back) {
+    if (!(back ? undo_.canUndo() : undo_.canRedo())) {
+        return;
+    }
+    const QString text = back ? undo_.undoText() : undo_.redoText();
+    const project::Project before = project_;
+    back ? undo_.undo() : undo_.redo();
+    ProjectStep taken = stepBetween(before, project_);
+    taken.undone = back;
+    taken.text = text;
+    Q_EMIT stepTaken(taken);
 }
 
 // ---- edits by hand ---------------------------------------------------------------------------------
@@ -239,6 +323,26 @@ void ProjectDocument::changeCell(const project::CellGeometry& after, const QStri
 
 void ProjectDocument::changePaths(const project::PathList& after, const QString& text) {
     push(&project::Project::paths, after, text);
+}
+
+void ProjectDocument::changeModel(const project::ModelChange& change, const QString& text) {
+    undo_.beginMacro(text);
+    // First: where the places are then follows from it.
+    push(&project::Project::robot, change.project.robot, text);
+    QVector<int> rows;
+    std::vector<project::Waypoint> changed;
+    for (int row = 0; row < waypoints().size(); ++row) {
+        const project::Waypoint& after = change.project.waypoints.at(row);
+        if (!(waypoints().at(row) == after)) {
+            rows.append(row);
+            changed.push_back(after);
+        }
+    }
+    pushChanges(rows, std::move(changed), text);
+    push(&project::Project::patterns, change.project.patterns, text);
+    push(&project::Project::positions, change.project.positions, text);
+    push(&project::Project::paths, change.project.paths, text);
+    undo_.endMacro();
 }
 
 // ---- patterns --------------------------------------------------------------------------------------
@@ -467,7 +571,7 @@ void ProjectDocument::insertRaw(int row, const std::vector<project::Waypoint>& w
     int at = row;
     for (const project::Waypoint& waypoint : waypoints) {
         project_.waypoints.insert(at++, waypoint);
-        reaches.push_back(project::reach(robot_, waypoint, frames()));
+        reaches.push_back(reachOf(waypoint));
     }
     reach_.insert(reach_.begin() + row, reaches.begin(), reaches.end());
     Q_EMIT waypointsInserted(row, last);
@@ -501,7 +605,7 @@ void ProjectDocument::replaceRaw(const std::vector<project::Waypoint>& waypoints
     for (const project::Waypoint& waypoint : waypoints) {
         const int row = project_.waypoints.indexOf(waypoint.id);
         project_.waypoints.replace(row, waypoint);
-        reach_.at(static_cast<std::size_t>(row)) = project::reach(robot_, waypoint, frames());
+        reach_.at(static_cast<std::size_t>(row)) = reachOf(waypoint);
         first = std::min(first, row);
         last = std::max(last, row);
     }
@@ -554,6 +658,15 @@ void ProjectDocument::tellPart(const project::CellGeometry&) {
 
 void ProjectDocument::tellPart(const project::PathList&) {
     Q_EMIT pathsChanged();
+    Q_EMIT documentChanged();
+}
+
+void ProjectDocument::tellPart(const std::optional<RobotModelId>&) {
+    if (!isConnected_) {
+        clearRobot();
+    }
+    refreshReach();
+    tellAllChanged();
     Q_EMIT documentChanged();
 }
 

@@ -6,13 +6,27 @@
 
 #include <QObject>
 #include <QUndoStack>
+#include <QUuid>
 #include <vector>
 
 #include "robot/core/robot_model.h"
+#include "robot/project/model_change.h"
 #include "robot/project/project_file.h"
 #include "robot/project/reachability.h"
 
 namespace tiller {
+
+/// What of the project an edit concerns: where in the window it is shown.
+enum class ProjectPart { Waypoints, Frames, Tcps, Payloads, Positions, Cell };
+
+/// An edit that was undone or redone.
+struct ProjectStep {
+    bool undone = true;
+    QString text;  ///< the edit: "Change the TCP “gripper”"
+    ProjectPart part = ProjectPart::Waypoints;
+    QUuid
+        id;  ///< the first waypoint, frame, tool, payload or position that is another one now; null: none is left
+};
 
 class ProjectDocument : public QObject {
     Q_OBJECT
@@ -23,9 +37,19 @@ public:
     const project::Project& project() const { return project_; }
     const project::WaypointList& waypoints() const { return project_.waypoints; }
     const project::FrameList& frames() const { return project_.frames; }
+    /// The connected arm; without one, that of the project.
     const RobotModel& robot() const { return robot_; }
-    /// Reach depends on the arm.
-    void setRobot(const RobotModel& robot);
+    /// Reach depends on the arm. Where it has another geometry than the arm the project was taught with, nothing counts
+    /// as reachable: see isOfOtherModel().
+    void setRobot(const RobotModel& connected);
+    /// No robot is connected.
+    void clearRobot();
+    /// True when the places of the project were taught with another arm than robot(): each of them is somewhere else.
+    bool isOfOtherModel() const { return project::isOfOtherModel(project_, robot_.id); }
+    /// The arm of a project that names none, or has no places yet. Not an edit: saved with the next one.
+    void adoptRobot(RobotModelId connected);
+    /// One undo step: the project as project::changeModel() made it for another arm.
+    void changeModel(const project::ModelChange& change, const QString& text);
     const project::Reach& reach(int row) const { return reach_.at(static_cast<std::size_t>(row)); }
     const project::Tooling& tooling() const { return project_.tooling; }
     const project::Positions& positions() const { return project_.positions; }
@@ -33,6 +57,9 @@ public:
     const project::CellGeometry& cell() const { return project_.cell; }
     const project::PathList& paths() const { return project_.paths; }
     QUndoStack& undoStack() { return undo_; }
+    /// As the stack's own, and stepTaken() reports what changed.
+    void undo() { step(true); }
+    void redo() { step(false); }
     /// Whose name the history of a waypoint notes; the name of the account unless told.
     void setAuthor(const QString& name) { author_ = name; }
 
@@ -91,6 +118,8 @@ public:
 Q_SIGNALS:
     /// Anything in the project is different now.
     void documentChanged();
+    /// By undo() or redo().
+    void stepTaken(const tiller::ProjectStep& step);
     /// The frames are others, or stand elsewhere.
     void framesChanged();
     void toolingChanged();
@@ -114,6 +143,9 @@ Q_SIGNALS:
     void orderChanged();
 
 private:
+    void step(bool back);
+    void useRobot(const RobotModel& robot);
+    project::Reach reachOf(const project::Waypoint& point) const;
     void refreshReach();
     void tellAllChanged();
     template <class Part>
@@ -132,10 +164,12 @@ private:
     void tellPart(const project::PatternList&);
     void tellPart(const project::CellGeometry&);
     void tellPart(const project::PathList&);
+    void tellPart(const std::optional<RobotModelId>&);
 
     project::Project project_;
     std::vector<project::Reach> reach_;  ///< of the waypoints, in their order
     RobotModel robot_;
+    bool isConnected_ = false;  ///< robot_ is the connected arm
     QUndoStack undo_;
     QString author_;
 };

@@ -252,11 +252,7 @@ Result<void> ProjectStore::openOrStart(const QString& path) {
 }
 
 project::Project ProjectStore::snapshot() const {
-    project::Project project = document_.project();
-    if (!project.robot) {
-        project.robot = document_.robot().id;
-    }
-    return project;
+    return document_.project();
 }
 
 void ProjectStore::autosave() {

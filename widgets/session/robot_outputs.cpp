@@ -2,8 +2,11 @@
 
 #include "widgets/session/robot_outputs.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "robot/control/output_pulses.h"
 #include "robot/core/wait_until.h"
 #include "robot/io/input_registers.h"
 #include "widgets/session/session_backend.h"
@@ -18,46 +21,76 @@ using std::chrono::milliseconds;
 constexpr milliseconds kConfirmTime{2000};
 constexpr milliseconds kQuickTime{500};
 constexpr milliseconds kConnectTime{3000};
-constexpr std::chrono::hours kLongestPulse{1};
+/// A pulse that goes on for so much longer than asked for has not been ended by the robot.
+constexpr milliseconds kPulseGrace{300};
 
 QString holderOf(const Result<void>& can) {
     // Not connected is no holder: setting tries to connect by itself.
     return can || can.error().code == ErrorCode::NotConnected ? QString() : can.error().context;
 }
 
-/// Outputs and what they shall be.
-struct Levels {
+milliseconds lengthOf(double seconds) {
+    constexpr double kMsPerSecond = 1000;
+    return milliseconds(std::llround(seconds * kMsPerSecond));
+}
+
+/// Outputs, their levels during a pulse and after it.
+struct PulseLevels {
     std::uint32_t mask;
-    std::uint32_t values;
+    std::uint32_t during;
+    std::uint32_t after;
 };
 
-/// Waits until a pulse is over, or until nobody is there any more who asked for it, and lets the outputs go back.
-/// begun    what came of setting them: it may have been done even where nobody heard so
-/// leaving  the connection ends: what is still to be done has to be quick
+/// What a pulse needs while the link goes away.
+struct PulseLink {
+    std::shared_ptr<control::Controller> controller;
+    std::shared_ptr<receive::Receiver> receiver;
+    std::shared_ptr<io::Outputs> outputs;
+};
+
+/// Begins a pulse and waits for its end, which the robot brings about. Ends it before where the key was released, and
+/// switches the outputs back over RTDE where the robot did not.
+/// leaving  the connection ends: the rest has to be quick
 /// ended    taken back, or leaving
-Result<void> endOfPulse(io::Outputs& outputs, const Levels& back, const OutputOrder::Pulse& pulse,
-                        const Clock& clock, const Result<void>& begun, const CancelToken& leaving,
-                        const CancelToken& ended) {
+Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, const OutputOrder::Pulse& pulse,
+                          const Clock& clock, const CancelToken& leaving, const CancelToken& ended) {
     constexpr std::int64_t kMuteNs = 200 * kNsPerMs;
-    if (begun) {
-        const std::int64_t beganNs = clock.nowNs();
-        const auto lengthNs = static_cast<std::int64_t>(pulse.seconds * static_cast<double>(kNsPerSecond));
-        std::int64_t heardNs = beganNs;
-        std::uint32_t heard = pulse.holds ? pulse.holds() : 0;
-        waitUntil(Deadline::after(kLongestPulse, ended), [&] {
-            const std::int64_t nowNs = clock.nowNs();
-            if (const std::uint32_t holds = pulse.holds ? pulse.holds() : 0; holds != heard) {
-                heard = holds;
-                heardNs = nowNs;
-            }
-            return nowNs - beganNs >= lengthNs || (pulse.holds && nowNs - heardNs > kMuteNs);
-        });
-    } else if (begun.error().code != ErrorCode::Cancelled && begun.error().code != ErrorCode::Timeout) {
+    control::OutputPulses pulses(*link.controller);
+    const milliseconds length = lengthOf(pulse.seconds);
+    const Result<void> begun = pulses.begin(levels.mask, levels.during, length, control::Holding::Held,
+                                            Deadline::after(kConfirmTime, ended));
+    if (!begun && begun.error().code != ErrorCode::Cancelled && begun.error().code != ErrorCode::Timeout) {
         return begun;  // it was refused
     }
-    const Result<void> gone = outputs.setDigitalOutputs(
-        back.mask, back.values, Deadline::after(leaving.isCancelled() ? kQuickTime : kConfirmTime));
-    return begun ? gone : begun;
+    bool isOver = false;
+    if (begun) {
+        const io::OutputFeedback feedback = io::OutputFeedback::fromReceiver(*link.receiver);
+        const std::int64_t beganNs = clock.nowNs();
+        const std::int64_t overdueNs = beganNs + std::chrono::nanoseconds(length + kPulseGrace).count();
+        std::int64_t heldNs = beganNs;
+        std::uint32_t holds = pulse.holds();
+        bool isSeen = false;
+        waitUntil(Deadline::after(control::kMaxPulse + kConfirmTime, ended), [&] {
+            const std::int64_t nowNs = clock.nowNs();
+            if (const std::uint32_t now = pulse.holds(); now != holds) {
+                holds = now;
+                heldNs = nowNs;
+            }
+            if (const auto levelsNow = feedback.newest().digitalOutputs) {
+                isSeen = isSeen || (*levelsNow & levels.mask) == levels.during;
+                isOver = isSeen && (*levelsNow & levels.mask) == levels.after;
+            }
+            return isOver || nowNs >= overdueNs || nowNs - heldNs > kMuteNs;
+        });
+    }
+    if (isOver) {
+        return {};
+    }
+    const Deadline quick = Deadline::after(leaving.isCancelled() ? kQuickTime : kConfirmTime);
+    (void)pulses.end(levels.mask,
+                     quick);  // not in control, or answered no more: the outputs are switched back below
+    const Result<void> back = link.outputs->setDigitalOutputs(levels.mask, levels.after, quick);
+    return begun ? back : begun;
 }
 
 }  // namespace
@@ -107,6 +140,7 @@ void RobotOutputs::connect() {
 
 void RobotOutputs::forget() {
     holders_ = {};
+    pulses_.clear();
     sliderBusy_ = false;
     sliderWanted_.reset();
     sliderLogged_.reset();
@@ -117,6 +151,8 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
     if (!d_.link) {
         return;
     }
+    // Set by hand, it is no pulse any more.
+    std::erase_if(pulses_, [output](const RunningPulse& pulse) { return pulse.output == output; });
     const QString done =
         tr("Output %1: %2").arg(terminalText(ioTerminal(true, output)), on ? tr("on") : tr("off"));
     const std::uint64_t generation = d_.generation;
@@ -152,19 +188,27 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
         }
     }
     const QString done = tr("%1 (%2)").arg(what, each.join(QStringLiteral(", ")));
+    if (order.pulse && !pulseObstacle().isEmpty()) {
+        const Error error{ErrorCode::NotInControl, what, {}};
+        report(d_.generation, done, error);
+        if (order.done) {
+            order.done(error);
+        }
+        return;
+    }
     SessionWorker& worker = order.pulse ? d_.pulses : d_.worker;
     worker.post(&session_, [this, generation = d_.generation, mask, values, done, order, clock = d_.clock,
-                            outputs = d_.link->outputs](const CancelToken& token) {
+                            link = PulseLink{d_.link->controller, d_.link->receiver, d_.link->outputs}](
+                               const CancelToken& token) {
         Result<void> result = Error{ErrorCode::Cancelled, done, {}};
         // Taken back while it connects, it is not sent either.
         const CancelToken either(
             [token, own = order.token] { return token.isCancelled() || own.isCancelled(); });
         if (!either.isCancelled()) {
-            result = outputs->setDigitalOutputs(mask, values, Deadline::after(kConfirmTime, either));
-            if (order.pulse) {
-                result =
-                    endOfPulse(*outputs, {mask, ~values & mask}, *order.pulse, *clock, result, token, either);
-            }
+            result = order.pulse ? runHeldPulse(link, {mask, values & mask, ~values & mask}, *order.pulse,
+                                                *clock, token, either)
+                                 : link.outputs->setDigitalOutputs(mask, values,
+                                                                   Deadline::after(kConfirmTime, either));
         }
         return std::function<void()>([this, generation, done, order, result] {
             if (result || result.error().code != ErrorCode::Cancelled) {
@@ -175,6 +219,54 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
             }
         });
     });
+}
+
+QString RobotOutputs::pulseObstacle() const {
+    return d_.link && d_.state.control == ControlState::InControl
+               ? QString()
+               : tr("The robot itself times a pulse, which needs control. Take control first, or switch the "
+                    "output on "
+                    "and off.");
+}
+
+void RobotOutputs::pulseDigitalOutput(int output, double seconds) {
+    if (const QString obstacle = pulseObstacle(); !obstacle.isEmpty()) {
+        Q_EMIT session_.message(Severity::Warning, obstacle);
+        return;
+    }
+    const QString done = changeText(output, true, OutputOrder::Pulse{seconds, {}});
+    d_.worker.post(&session_, [this, generation = d_.generation, output, seconds, done,
+                               controller = d_.link->controller](const CancelToken& token) {
+        const std::uint32_t bit = 1U << output;
+        const Result<void> begun = control::OutputPulses(*controller)
+                                       .begin(bit, bit, lengthOf(seconds), control::Holding::Free,
+                                              Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, output, seconds, done, begun] {
+            report(generation, done, begun);
+            if (begun && generation == d_.generation) {
+                const auto length = std::chrono::nanoseconds(lengthOf(seconds) + kPulseGrace);
+                pulses_.push_back({output, d_.clock->nowNs() + length.count()});
+            }
+        });
+    });
+}
+
+void RobotOutputs::followPulses() {
+    const std::int64_t nowNs = d_.clock->nowNs();
+    const auto overdue = [&](const RunningPulse& pulse) { return nowNs >= pulse.dueNs; };
+    std::vector<RunningPulse> ended;
+    std::copy_if(pulses_.begin(), pulses_.end(), std::back_inserter(ended), overdue);
+    std::erase_if(pulses_, overdue);
+    for (const RunningPulse& pulse : ended) {
+        if ((d_.state.digitalOutputs >> pulse.output & 1U) != 0) {
+            Q_EMIT session_.message(
+                Severity::Warning,
+                tr("The robot did not end the pulse of %1, because its program was ended or paused. "
+                   "Tiller switches the output off.")
+                    .arg(terminalText(ioTerminal(true, pulse.output))));
+            setDigitalOutput(pulse.output, false);
+        }
+    }
 }
 
 void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double level) {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "robot/core/deadline.h"
 #include "robot/core/result.h"
@@ -22,12 +23,13 @@ struct SessionBackend;
 
 /// For a command that somebody waits for, or may take back while it waits for its turn.
 struct OutputOrder {
-    /// For a while only: then all of it goes back.
+    /// For a time only, which the robot measures: then the outputs go back, whatever this program does meanwhile. Needs
+    /// control.
     struct Pulse {
         double seconds = 0;
-        /// Asked on the worker. Grows while whoever gave the order is there: once it has not for 200 ms, the
-        /// pulse ends.
-        std::function<std::uint32_t()> holds = {};
+        /// Asked on the worker. Grows while the key is held: when it has not for 200 ms, the pulse ends. It also ends
+        /// with the heartbeat of this program.
+        std::function<std::uint32_t()> holds;
     };
 
     /// Cancelled: it is not sent any more. What has been sent is not undone, but for a pulse, which ends.
@@ -51,6 +53,10 @@ public:
     /// what  for the log, before the outputs: "Gripper: close"
     void setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
                            const OutputOrder& order = {});
+    /// Switches it on, and off after that time, which the robot measures. Refused with a message while not in control.
+    void pulseDigitalOutput(int output, double seconds);
+    /// Why outputs cannot be pulsed now, as a sentence; empty where they can.
+    QString pulseObstacle() const;
     /// output  0 or 1; level  0 ... 1 of 4 to 20 mA or 0 to 10 V
     void setAnalogOutput(int output, io::AnalogDomain domain, double level);
     void setRegister(const RegisterValue& value);
@@ -62,6 +68,8 @@ public:
     /// Connects the outputs, for the first time or again.
     void connect();
     void reportSlider();
+    /// Switches back outputs whose pulse the robot did not end, because its control program was ended or paused.
+    void followPulses();
     /// The robot is gone: nothing of it is remembered but the names.
     void forget();
 
@@ -74,6 +82,12 @@ private:
     SessionBackend& d_;
     OutputHolders holders_;
     QMap<QString, QString> names_;
+    /// Pulses that the robot times without a key that is held.
+    struct RunningPulse {
+        int output = 0;
+        std::int64_t dueNs = 0;  ///< from then on the robot has ended it
+    };
+    std::vector<RunningPulse> pulses_;
     std::optional<double> sliderWanted_;  ///< newest wish while one is being carried out
     bool sliderBusy_ = false;
     std::optional<double> sliderLogged_;  ///< its place as the log knows it

@@ -295,6 +295,9 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
     if (!d_->link) {
         return notMovable(d_->state);
     }
+    if (const QString objection = request.toProject ? projectGuard_() : QString(); !objection.isEmpty()) {
+        return Error{ErrorCode::Cancelled, objection, {}};
+    }
     const control::MoveParameters parameters{request.speed, request.acceleration, control::Holding::Held};
     control::Controller& controller = *d_->link->controller;
     control::Motions motions(controller, request.stops.value_or(controller.stops()));
@@ -311,6 +314,9 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
 Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path, std::uint64_t stops) {
     if (!d_->link || !d_->state.canMove()) {
         return notMovable(d_->state);
+    }
+    if (const QString objection = projectGuard_(); !objection.isEmpty()) {
+        return Error{ErrorCode::Cancelled, objection, {}};
     }
     PathStart& start = d_->link->path;
     start.ticket = std::max(start.ticket + 1, PathStart::kFirstTicket);
@@ -517,6 +523,7 @@ void RobotSession::reportChanges() {
     }
     if (state.link == LinkState::Live) {
         outputs_.reportSlider();
+        outputs_.followPulses();
     }
     recording_.reportFailure();
     if (d_->link) {

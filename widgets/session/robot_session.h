@@ -59,6 +59,8 @@ struct MoveRequest {
     double acceleration = 1.2;  ///< MoveJ [rad/s2], MoveL [m/s2]
     /// Of what one press goes on with: it begins only if there were no more stops than these since.
     std::optional<std::uint64_t> stops = {};
+    /// To a place of the project: it does not begin while the project guard of the session has an objection.
+    bool toProject = false;
 };
 
 class RobotSession : public QObject {
@@ -106,6 +108,9 @@ public:
     // Motion. A motion is begun by a press and needs hold() at least every 100 ms until it is ended; whoever
     // begins it keeps the number it was given, and a number that has been stopped never moves the arm again.
     using MotionId = std::uint64_t;
+    /// guard  asked before every move to a place of the project (MoveRequest::toProject, beginPath()): why it must not
+    ///        begin, as a sentence; empty when it may. Such moves then end with Cancelled and that sentence
+    void setProjectGuard(std::function<QString()> guard) { projectGuard_ = std::move(guard); }
     Result<MotionId> beginJog(const control::JogTarget& target);
     Result<MotionId> beginMove(const MoveRequest& request);
     /// Several moves, blended into each other by the controller. They are sent to it first, which takes some tenths
@@ -170,6 +175,7 @@ private:
     void reportControllerMessages();
 
     std::unique_ptr<SessionBackend> d_;
+    std::function<QString()> projectGuard_ = [] { return QString(); };
     RobotOutputs outputs_;
     RobotServices services_;
     RobotTooling tooling_;

@@ -105,6 +105,7 @@ void SessionBackend::readLink() {
     state.simulated = address.simulated;
     state.version = receiver.version();
     const auto told = link->primary ? link->primary->configuration() : std::nullopt;
+    state.modelKnown = told.has_value();
     if (told) {
         state.model = robotModelByType(told->robotType, state.version.isCb3()).value_or(state.model);
     }

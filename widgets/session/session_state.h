@@ -70,6 +70,7 @@ struct SessionState {
     bool simulated = false;
     SoftwareVersion version;
     RobotModelId model = RobotModelId::UR5e;
+    bool modelKnown = false;  ///< the robot has reported it; until then `model` is assumed
     DhParameters dh = robotModel(RobotModelId::UR5e).dh;  ///< the arm's own where it tells its calibration
     LinkQuality quality;
 

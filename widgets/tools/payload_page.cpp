@@ -364,6 +364,14 @@ void PayloadPage::showFigures(const project::Payload& payload) {
     }
 }
 
+void PayloadPage::followStep(const QUuid& id) {
+    if (const int row = document_.tooling().payloads.indexOf(id); row >= 0) {
+        selectRow(row);
+    }
+    askedFor_ = {};
+    compare();
+}
+
 void PayloadPage::compare() {
     const project::Payload* used = document_.tooling().payloads.find(document_.tooling().activePayload);
     if (used == nullptr || !state_.hasData()) {

@@ -26,6 +26,8 @@ public:
     PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
+    /// After undo or redo: selects what changed, and asks when the robot has another one than the project.
+    void followStep(const QUuid& id);
     void setHeldSpeed(std::function<HeldSpeed()> speed) { estimator_->setHeldSpeed(std::move(speed)); }
     /// Weighs for a second and says whether the payload the robot was told of explains what the arm feels.
     void checkTruth();

@@ -253,6 +253,14 @@ void TcpPage::refresh() {
                               .arg(tool->name, format::difference(by.distance, by.angle)));
 }
 
+void TcpPage::followStep(const QUuid& id) {
+    if (const int row = document_.tooling().tools.indexOf(id); row >= 0) {
+        selectRow(row);
+    }
+    askedFor_ = {};
+    compare();
+}
+
 void TcpPage::compare() {
     const project::Tool* used = document_.tooling().tools.find(document_.tooling().activeTool);
     if (used == nullptr || !state_.hasData()) {

@@ -25,6 +25,8 @@ public:
     TcpPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
+    /// After undo or redo: selects what changed, and asks when the robot has another one than the project.
+    void followStep(const QUuid& id);
 
     /// Larger differences are told [m, rad].
     static constexpr double kSameDistance = 5e-5;

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/common/segmented_control.h"
+#include "widgets/project/project_document.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/positions_page.h"
 #include "widgets/tools/tcp_page.h"
@@ -52,6 +53,25 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
     connectPage(tcps_, Tcps);
     connectPage(payloads_, Payloads);
     connectPage(positions_, Positions);
+    connect(&document, &ProjectDocument::stepTaken, this, [this](const ProjectStep& step) {
+        switch (step.part) {
+            case ProjectPart::Tcps:
+                showPage(Tcps);
+                tcps_->followStep(step.id);
+                break;
+            case ProjectPart::Payloads:
+                showPage(Payloads);
+                payloads_->followStep(step.id);
+                break;
+            case ProjectPart::Positions:
+                showPage(Positions);
+                break;
+            case ProjectPart::Waypoints:
+            case ProjectPart::Frames:
+            case ProjectPart::Cell:
+                break;
+        }
+    });
 
     // Figures that change sixty times a second cannot be read; what is weighed needs every state.
     liveTimer_.setSingleShot(true);

@@ -120,6 +120,8 @@ QString WaypointModel::reachText(const project::Reach& reach) {
             break;
         case project::Reach::Obstacle::OnTheWay:
             return tr("✕ line");
+        case project::Reach::Obstacle::OtherModel:
+            return tr("✕ robot");
     }
     return tr("✕ reach");
 }
@@ -134,6 +136,10 @@ QString WaypointModel::reachAdvice(const project::Reach& reach) {
             return tr("Its frame is not in this project. Choose another frame.");
         case project::Reach::Obstacle::OnTheWay:
             return tr("The straight line from here leaves the arm's reach. Use MoveJ, or start elsewhere.");
+        case project::Reach::Obstacle::OtherModel:
+            return tr(
+                "The project was taught with another robot model. Choose “Adapt project to this robot…” "
+                "first.");
         case project::Reach::Obstacle::OutOfReach:
             break;
     }

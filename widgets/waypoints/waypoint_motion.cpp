@@ -17,6 +17,7 @@ Result<MoveRequest> moveRequestFor(const RobotModel& model, const project::Waypo
         return Error{ErrorCode::NoSolution, WaypointModel::reachAdvice(preview.reach), {}};
     }
     MoveRequest request;
+    request.toProject = true;
     request.acceleration = waypoint.acceleration();
     request.q = preview.reach.q;
     if (waypoint.move == project::MoveKind::Joint) {

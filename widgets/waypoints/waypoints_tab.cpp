@@ -62,6 +62,11 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
             [this](int first, int) { selectRow(first); });
     connect(&document_, &ProjectDocument::projectReplaced, this,
             [this] { selectRow(model_->rowCount() > 0 ? 0 : -1); });
+    connect(&document_, &ProjectDocument::stepTaken, this, [this](const ProjectStep& step) {
+        if (step.part == ProjectPart::Waypoints && !step.id.isNull()) {
+            selectWaypoint(step.id);
+        }
+    });
     connect(model_.get(), &WaypointModel::editRefused, this,
             [this](const QString& reason) { showProblem(reason); });
     connect(&document_, &ProjectDocument::documentChanged, this, [this] {
@@ -186,8 +191,13 @@ void WaypointsTab::buildLayout(MotionPort port) {
 
 void WaypointsTab::onState(const SessionState& state) {
     state_ = state;
-    if (document_.robot().id != state.model || document_.robot().dh != state.dh) {
+    const RobotModel before = document_.robot();
+    if (state.hasData()) {
         document_.setRobot(state.arm());
+    } else if (state.link == LinkState::Disconnected) {
+        document_.clearRobot();
+    }
+    if (document_.robot().id != before.id || document_.robot().dh != before.dh) {
         Q_EMIT ghostChanged();
     }
     if (!detailsTimer_.isActive()) {
@@ -333,7 +343,10 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
 
 QString WaypointsTab::teachObstacle() const {
     if (state_.link == LinkState::Live) {
-        return {};
+        // Places of two arms in one project could not be told apart.
+        return document_.isOfOtherModel()
+                   ? WaypointModel::reachAdvice({project::Reach::Obstacle::OtherModel, {}})
+                   : QString();
     }
     return state_.hasData() ? tr("The robot's data are old. Wait until they come again.")
                             : tr("No robot is connected. Connect one, or try the simulator.");
@@ -508,6 +521,10 @@ void WaypointsTab::buildActions() {
     for (QAction* action :
          {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
         const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
+        // Through the document, which reports what changed.
+        disconnect(action, nullptr, &undo, nullptr);
+        connect(action, &QAction::triggered, &document_,
+                isUndo ? &ProjectDocument::undo : &ProjectDocument::redo);
         action->setObjectName(isUndo ? QStringLiteral("waypoint.action.undo")
                                      : QStringLiteral("waypoint.action.redo"));
         action->setShortcuts(isUndo ? QList<QKeySequence>{QKeySequence(Qt::CTRL | Qt::Key_Z)}

@@ -227,7 +227,8 @@ ArgumentCheck& ArgumentCheck::positive(const char* name, double value, double hi
 
 bool isFinite(const JogTarget& target) {
     return target.twist.linear.allFinite() && target.twist.angular.allFinite() && target.qd.allFinite() &&
-           target.T_base_frame.allFinite() && std::isfinite(target.contactForce);
+           target.T_base_frame.allFinite() && std::isfinite(target.contactForce) &&
+           !std::isnan(target.speedCap);
 }
 
 Error checkLimits(const MotionLimits& limits, const char* context) {

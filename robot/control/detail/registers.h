@@ -76,6 +76,8 @@ enum class RequestKind : std::int32_t {
     ForceGainScaling = 14,
     WatchContact = 15,
     ReadContact = 16,
+    BeginPulses = 17,
+    EndPulses = 18,
     InverseKinematics = 20,
     ForwardKinematics = 21,
     PoseIsSafe = 22,

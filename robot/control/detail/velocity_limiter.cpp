@@ -156,8 +156,11 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     }
 
     Limiter limiter;
-    holdTo(limiter, twist.head<3>().norm(), limits_.tcpSpeed, LimiterKind::TcpSpeed);
-    holdTo(limiter, (g.elbow * qd).norm(), limits_.tcpSpeed, LimiterKind::ElbowSpeed);
+    const double tcpSpeed = twist.head<3>().norm();
+    const double elbowSpeed = (g.elbow * qd).norm();
+    holdTo(limiter, tcpSpeed, limits_.tcpSpeed, LimiterKind::TcpSpeed);
+    holdTo(limiter, elbowSpeed, limits_.tcpSpeed, LimiterKind::ElbowSpeed);
+    holdTo(limiter, std::max(tcpSpeed, elbowSpeed), target.speedCap, LimiterKind::JogSpeed);
     if (cartesian) {
         holdTo(limiter, twist.tail<3>().norm(), limits_.tcpRotationSpeed, LimiterKind::RotationSpeed);
     }

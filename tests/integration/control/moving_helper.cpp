@@ -16,6 +16,7 @@
 #include "robot/control/compliance.h"
 #include "robot/control/controller.h"
 #include "robot/control/motions.h"
+#include "robot/control/output_pulses.h"
 #include "robot/control/packet_loop.h"
 #include "robot/control/programs.h"
 #include "tests/support/process_end.h"
@@ -184,6 +185,17 @@ std::map<QString, Way> everyWay(Controller& c) {
         if (!motion.isActive()) {
             motion = begun(Motions(c).moveUntilContact(
                 up().twist, patience(), {.acceleration = kAcceleration, .holding = Holding::Free}));
+        }
+    };
+
+    // Not a motion: two outputs, one of them for as long as this process lives.
+    ways["pulse"] = [&c, begun = false]() mutable {
+        if (!begun) {
+            OutputPulses pulses(c);
+            begun =
+                well(pulses.begin(1U << 2, 1U << 2, std::chrono::minutes(10), Holding::Held, patience())) &&
+                well(pulses.begin(1U << 1, 1U << 1, std::chrono::milliseconds(1500), Holding::Free,
+                                  patience()));
         }
     };
 

@@ -137,6 +137,59 @@ private Q_SLOTS:
         }
         QCOMPARE(robot.truth().safetyMode, SafetyMode::Normal);
     }
+
+    // The robot times pulses of outputs: a process that is gone cannot leave one on.
+    void aLostProcessLeavesNoOutputOn_data() {
+        QTest::addColumn<int>("loss");
+        for (const Loss loss : kLosses) {
+            QTest::newRow(name(loss)) << static_cast<int>(loss);
+        }
+    }
+    void aLostProcessLeavesNoOutputOn() {
+        QFETCH(int, loss);
+        simulator::SimulatorOptions options;
+        options.anyFreePorts = true;
+        options.poweredOn = true;
+        simulator::Simulator robot(options);
+        QVERIFY(robot.start().ok());
+        test::MovingProcess helper(QStringLiteral(MOVING_HELPER),
+                                   {robot.listenAddress(), QString::number(robot.ports().primary),
+                                    QString::number(robot.ports().rtde), QStringLiteral("pulse")});
+        const auto isOn = [&robot](int output) { return (robot.truth().digitalOutputs >> output & 1U) != 0; };
+        // When it is on or off, by the robot's clock [s]; below 0: it was not within that time.
+        const auto timeOf = [&robot, &isOn](int output, bool on, double atMost) {
+            const double begin = robot.truth().timestamp;
+            while (isOn(output) != on) {
+                if (robot.truth().timestamp > begin + atMost) {
+                    return -1.0;
+                }
+                QTest::qSleep(1);
+            }
+            return robot.truth().timestamp;
+        };
+        const double began = timeOf(1, true, 60);
+        QVERIFY2(began > 0, "the helper switched nothing on");
+        QVERIFY(isOn(2));
+        const double lost = robot.truth().timestamp;
+        switch (static_cast<Loss>(loss)) {
+            case Loss::Killed:
+                helper.kill();
+                break;
+            case Loss::Stopped:
+                helper.signal(SIGSTOP);
+                break;
+            case Loss::Cut:
+                QVERIFY(robot.inject(QStringLiteral("link lost")).ok());
+                break;
+        }
+        const double held = timeOf(2, false, 2);
+        QVERIFY2(held > 0, "the held pulse went on");
+        const double timed = timeOf(1, false, 3);
+        QVERIFY2(timed > 0, "the output stayed on");
+        qInfo("%s: held pulse off after %.0f ms, pulse of 1500 ms off after %.0f ms", QTest::currentDataTag(),
+              (held - lost) * 1000, (timed - began) * 1000);
+        QVERIFY(std::abs(timed - began - 1.5) < 0.1);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestKilledProcess)

@@ -91,6 +91,70 @@ class TestControlScriptCommands : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    // Standard 2, configurable 1 and tool 0 at once; the robot counts their time.
+    void pulsedOutputsGoBackAfterTheirTime() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.host.pins[16] = true;
+        const Answer answer = bench.ask(RequestKind::BeginPulses, 1 << 2 | 1 << 9 | 1 << 16,
+                                        {0.02, 1 << 2 | 1 << 9, 0, 0, 0, 0});
+        QCOMPARE(answer.outcome, Outcome::Done);
+        int frames = 0;
+        for (; bench.host.pins[2] && frames < 100; ++frames) {
+            QVERIFY(bench.host.pins[9] && !bench.host.pins[16]);
+            bench.hold(ScriptCommand::Idle, 1, 1);
+        }
+        QVERIFY2(std::abs(frames - 10) <= 1, qPrintable(QString::number(frames)));
+        QVERIFY(!bench.host.pins[9]);
+        QVERIFY2(bench.host.pins[16], "this one was switched off for the time");
+        for (std::size_t pin = 0; pin < 18; ++pin) {
+            QCOMPARE(bool(bench.host.pins[pin]), pin == 16);
+        }
+    }
+
+    // Without a heartbeat a held pulse ends like a motion, another one at its time.
+    void aSilentComputerEndsHeldPulsesOnly() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.ask(RequestKind::BeginPulses, 1 << 1, {0.5, 1 << 1, 1, 0, 0, 0});
+        bench.ask(RequestKind::BeginPulses, 1 << 2, {0.5, 1 << 2, 0, 0, 0, 0});
+        bench.frame(bench.silentFrames() - 10);
+        QVERIFY(bench.host.pins[1] && bench.host.pins[2]);
+        bench.frame(20);
+        QVERIFY(!bench.host.pins[1]);
+        QVERIFY(bench.host.pins[2]);
+        bench.frame(static_cast<int>(0.45 / bench.host.step));
+        QVERIFY(!bench.host.pins[2]);
+        QVERIFY(bench.running());
+    }
+
+    void aPulseThatIsEndedGoesBackAtOnce() {
+        Bench bench;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.ask(RequestKind::BeginPulses, 1 << 3, {60, 1 << 3, 0, 0, 0, 0});
+        QVERIFY(bench.host.pins[3]);
+        bench.host.pins[4] = true;
+        bench.ask(RequestKind::EndPulses, 1 << 3 | 1 << 4);
+        QVERIFY(!bench.host.pins[3]);
+        QVERIFY2(bench.host.pins[4], "no pulse was under way there");
+    }
+
+    // No pulse outlives the program, whether it is asked to end or hears nothing for five seconds.
+    void aProgramThatEndsEndsItsPulses() {
+        for (const bool asked : {true, false}) {
+            Bench bench;
+            bench.hold(ScriptCommand::Idle, 1, 2);
+            bench.ask(RequestKind::BeginPulses, 1 << 3, {60, 1 << 3, 0, 0, 0, 0});
+            if (asked) {
+                bench.hold(ScriptCommand::End, 2, 5);
+            } else {
+                bench.frame(static_cast<int>(5.1 / bench.host.step));
+            }
+            QVERIFY(!bench.running());
+            QVERIFY(!bench.host.pins[3]);
+        }
+    }
+
     void aServoHoldsItsPlaceThenFollows() {
         Bench bench;
         bench.host.q = JointPositions(0.19, -1, 1, -1, -1, 0);

@@ -115,6 +115,30 @@ private Q_SLOTS:
         QVERIFY(30 * kDeg * radius * limiter.scale <= 0.25 + 1e-9);
     }
 
+    void aJogIsHeldToItsOwnCap() {
+        const JointPositions stretched(0, -10 * kDeg, 15 * kDeg, 0, 90 * kDeg, 0);
+        JogTarget target = joint(0, 10 * kDeg);
+        const double radius = tcpAt(stretched).position.head<2>().norm();
+        QVERIFY(10 * kDeg * radius > 0.05);
+        target.speedCap = 0.05;
+        Limiter limiter = limitAt(target, stretched);
+        QCOMPARE(limiter.kind, LimiterKind::JogSpeed);
+        QVERIFY(std::abs(10 * kDeg * radius * limiter.scale - 0.05) < 1e-9);
+        // The elbow is held to it as well: the TCP is near the axis of the shoulder.
+        const JointPositions folded(0, 0, 170 * kDeg, 0, 90 * kDeg, 0);
+        target = joint(1, 10 * kDeg);
+        target.speedCap = 0.02;
+        limiter = limitAt(target, folded);
+        QCOMPARE(limiter.kind, LimiterKind::JogSpeed);
+        QVERIFY(10 * kDeg * 0.425 * limiter.scale <= 0.02 + 1e-9);
+        // A cap above that of the controller does not raise it.
+        target = joint(0, 30 * kDeg);
+        target.speedCap = 3;
+        limiter = limitAt(target, stretched);
+        QCOMPARE(limiter.kind, LimiterKind::TcpSpeed);
+        QVERIFY(30 * kDeg * radius * limiter.scale <= 0.25 + 1e-9);
+    }
+
     // The elbow swings out while the TCP sits on the base axis and hardly moves.
     void theElbowIsHeldToTheCapToo() {
         MotionLimits limits;

@@ -54,6 +54,34 @@ private Q_SLOTS:
         QVERIFY(std::isinf(jointSpeedBound(dh(), kStart, kStart, {}, 0.25).speed));
     }
 
+    // A turn about the tip of a long tool swings the arm, while the TCP itself stays.
+    void aTurnOnTheSpotIsHeldByTheElbow() {
+        const Pose longTool(0, 0, 0.6, 0, 0, 0);
+        const Pose here = forwardTcp(dh(), kStart, longTool);
+        Pose there = here;
+        there.rotation = rotationVector(rotationMatrix(here.rotation) * rotationMatrix({0.4, 0, 0}));
+        constexpr double kCap = 0.05;
+        const SpeedBound bound = lineSpeedBound(dh(), kStart, there, longTool, kCap, 0.8);
+        QCOMPARE(bound.by, SpeedLimit::Elbow);
+        // Driven that fast the elbow keeps below the cap all the way, and comes near it.
+        const double turnSpeed = bound.speed / kTurnRadius;
+        double fastest = 0;
+        JointPositions q = kStart;
+        constexpr int kSteps = 200;
+        for (int i = 1; i <= kSteps; ++i) {
+            Pose pose = here;
+            pose.rotation =
+                rotationVector(rotationMatrix(here.rotation) * rotationMatrix({0.4 * i / kSteps, 0, 0}));
+            const auto next = inverseNearest(dh(), pose, longTool, q);
+            QVERIFY(next.has_value());
+            const double way =
+                (linkFrames(dh(), *next)[2].translation() - linkFrames(dh(), q)[2].translation()).norm();
+            fastest = std::max(fastest, way / (0.4 / kSteps / turnSpeed));
+            q = *next;
+        }
+        QVERIFY2(fastest < 1.02 * kCap && fastest > 0.9 * kCap, qPrintable(QString::number(fastest)));
+    }
+
     void aLineIsHeldByItsTurn() {
         const Pose here = forwardTcp(dh(), kStart);
         Pose there = here;

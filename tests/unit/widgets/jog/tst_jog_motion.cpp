@@ -104,14 +104,38 @@ private Q_SLOTS:
         QVERIFY(turned.isApprox(rotationMatrix({0, 0, 1 * kDeg}), 1e-9));
     }
     void jointStepEndsAtTheRange() {
+        const RobotModel& model = robotModel(RobotModelId::UR5e);
         JogSelection selection;
         selection.motion = MotionChoice::CoarseStep;
         JointPositions q;
         q[2] = kJointPositionLimit - 0.01;
-        const MoveRequest step = jointStep(selection, 2, 1, 1, q, limits_);
+        const MoveRequest step = jointStep(selection, 2, 1, 1, q, model, {}, limits_);
         QCOMPARE(step.kind, MoveRequest::Kind::MoveJ);
         QVERIFY(close(step.q[2], kJointPositionLimit));
-        QVERIFY(close(jointStep(selection, 2, -1, 1, q, limits_).q[2], q[2] - 5 * kDeg));
+        QVERIFY(close(jointStep(selection, 2, -1, 1, q, model, {}, limits_).q[2], q[2] - 5 * kDeg));
+    }
+    void aJointJogBearsTheChosenTcpSpeed() {
+        JogSelection selection;
+        for (int speedClass = 0; speedClass < kSpeedClassCount; ++speedClass) {
+            selection.speedClass = speedClass;
+            const double chosen = speedClasses()[static_cast<std::size_t>(speedClass)].tcp;
+            QVERIFY(close(jointJog(selection, 1, 1, 1, limits_).speedCap, chosen));
+            QVERIFY(close(jointJog(selection, 1, 1, 0.1, limits_).speedCap, 0.1 * chosen));
+            QVERIFY(jointJog(selection, 1, 1, 3, limits_).speedCap <= limits_.tcpSpeed);
+        }
+    }
+    void aJointKeyIsAsFastAsTheTcpMayBe() {
+        const RobotModel& model = robotModel(RobotModelId::UR5e);
+        JogSelection selection;
+        selection.speedClass = 0;
+        const JointPositions stretched(0.3, -0.1, 0.1, 0, 1.5, 0);
+        const double radius = kinematics::forwardTcp(model.dh, stretched).position.head<2>().norm();
+        const double base = jointKeySpeed(selection, 0, 1, stretched, model, {}, limits_);
+        QVERIFY(close(base * radius, 0.005));
+        QVERIFY(close(jointStep(selection, 0, -1, 1, stretched, model, {}, limits_).speed, base));
+        QVERIFY2(
+            close(jointKeySpeed(selection, 5, 1, stretched, model, {}, limits_), speedClasses()[0].joint),
+            "the TCP is on the axis of wrist 3");
     }
     void homeKeepsTheTcpBelowTheCap() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Digital outputs that are switched for a time which the robot measures: they go back even when this process crashes,
+// hangs or loses its link. The control program counts the time, so a pulse needs control. A secondary program could
+// not do it: it must not take time.
+
+#include <chrono>
+#include <cstdint>
+
+#include "robot/control/controller.h"
+
+namespace tiller::control {
+
+inline constexpr int kPulseOutputs = 18;  ///< 0 ... 7 standard, 8 ... 15 configurable, 16, 17 tool
+inline constexpr std::chrono::hours kMaxPulse{1};
+
+/// What ends a pulse: its time, end(), the end of the control program (also Controller::release()), and for a Held one
+/// 100 ms without a heartbeat of this computer. A control program that hears nothing ends after 5 s; then Free pulses
+/// end as well. A program that is killed or paused from outside (pendant, protective stop) cannot end its pulses.
+///
+/// Errors   of every call: NotInControl, LinkLost, Timeout, Cancelled, InvalidArgument, LimitExceeded
+/// Threads  any. Blocks: until the control program confirmed, some 6 ms, at most until the deadline
+class OutputPulses {
+public:
+    explicit OutputPulses(Controller& controller) : controller_(&controller) {}
+
+    /// Sets the outputs whose bit is set in `mask` to their bit in `values`, and to the other level when the time is
+    /// over. An output that is pulsing begins again with the new time.
+    /// duration  above 0, at most kMaxPulse; the robot rounds to its control period
+    /// holding   Held: ends with the heartbeat of this computer
+    Result<void> begin(std::uint32_t mask, std::uint32_t values, std::chrono::milliseconds duration,
+                       Holding holding, const Deadline& deadline);
+    /// Ends the pulses of these outputs now; others of the mask stay as they are.
+    Result<void> end(std::uint32_t mask, const Deadline& deadline);
+
+private:
+    Controller* controller_;
+};
+
+}  // namespace tiller::control

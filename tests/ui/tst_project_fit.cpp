@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A project that was taught with another robot model, or with another TCP, in the real window with a simulated UR5e in
+// virtual time: nothing moves to its places before the operator has answered.
+
+#include <QAction>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTest>
+
+#include "robot/kinematics/arm_kinematics.h"
+#include "robot/project/project_file.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/notice_bar.h"
+#include "widgets/project/project_document.h"
+#include "widgets/project/project_files.h"
+#include "widgets/waypoints/waypoint_model.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+const JointPositions kStart(-1.6, -1.7, -2.2, -0.8, 1.6, 0.2);
+
+JointPositions turned(double by) {
+    JointPositions q = kStart;
+    q[0] += by;
+    return q;
+}
+
+/// Two waypoints and Home, near where the arm starts.
+project::Project taughtWith(RobotModelId model, const Pose& tcp = {}) {
+    project::Project project;
+    project.robot = model;
+    for (const double by : {0.1, 0.2}) {
+        project::Waypoint point;
+        point.id = QUuid::createUuid();
+        point.name = project.waypoints.nextName(QStringLiteral("point"));
+        const JointPositions q = turned(by);
+        project.waypoints.append(*project::taughtAt(
+            point, q, kinematics::forwardTcp(robotModel(model).dh, q, tcp), tcp, project.frames));
+    }
+    project.positions.list = {{QUuid::createUuid(), QStringLiteral("Home"), turned(-0.1), {}, {}}};
+    project.positions.home = project.positions.list.at(0).id;
+    return project;
+}
+
+}  // namespace
+
+class TestProjectFit : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<WindowBench> bench_;
+    QStringList said_;
+
+    VirtualCell& cell() { return bench_->cell; }
+    app::MainWindow& window() { return bench_->window; }
+    ProjectDocument& document() { return window().document(); }
+    HoldButton& key(const char* name) { return bench_->find<HoldButton>(name); }
+
+    bool until(const std::function<bool()>& condition) {
+        for (int i = 0; i < 1500; ++i) {
+            if (condition()) {
+                return true;
+            }
+            cell().advanceMs(4);
+            QTest::qWait(1);
+        }
+        return condition();
+    }
+    void bringUp() {
+        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
+        driveKeys(cell(), window().findChildren<HoldButton*>().toVector());
+        QVERIFY(until([this] { return window().session().state().modelKnown; }));
+    }
+    void open(const project::Project& project) {
+        const QString path = bench_->folder.filePath("cell.tiller");
+        QVERIFY(project::saveProject(path, project).ok());
+        window().openProject(path);
+        window().showTab("waypoints");
+        QCOMPARE(document().waypoints().size(), project.waypoints.size());
+        window().selectWaypoint(0);
+        cell().advanceMs(40);
+    }
+    QMessageBox* question() { return window().findChild<QMessageBox*>("projectFit"); }
+    void answer(const char* button) {
+        QVERIFY(until([this] { return question() != nullptr && question()->isVisible(); }));
+        question()->findChild<QPushButton*>(QLatin1String(button))->click();
+        QVERIFY(until([this] { return question() == nullptr; }));
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        cell().advanceMs(40);
+    }
+    /// How far the TCP goes while this key is held [m].
+    double movedBy(const char* name) {
+        const Pose before = cell().truth().tcpPose;
+        press(key(name));
+        cell().advanceMs(600);
+        release(key(name));
+        cell().advanceMs(300);
+        return (cell().truth().tcpPose.position - before.position).norm();
+    }
+    /// Of all keys that go to places of the project, and of the session below them.
+    void nothingMovesToThem() {
+        for (const char* name : {"waypoint.goTo", "waypoint.goThrough", "homeKey"}) {
+            QVERIFY2(movedBy(name) < 1e-4, name);
+            if (question() != nullptr) {
+                answer("projectFit.cancel");
+            }
+        }
+        MoveRequest move;
+        move.q = turned(0.1);
+        move.speed = 0.1;
+        move.toProject = true;
+        const auto begun = window().session().beginMove(move);
+        QVERIFY(!begun.ok());
+        QVERIFY2(begun.error().context.contains("project"), qPrintable(begun.error().context));
+        const auto path = window().session().beginPath({}, window().session().stops());
+        QVERIFY(!path.ok());
+        QCOMPARE(path.error().code, ErrorCode::Cancelled);
+        QCoreApplication::processEvents();
+        if (question() != nullptr) {
+            answer("projectFit.cancel");
+        }
+    }
+    double offFrom(const Pose& place) { return (cell().truth().tcpPose.position - place.position).norm(); }
+    void goTo(int row) {
+        window().selectWaypoint(row);
+        cell().advanceMs(40);
+        QVERIFY2(key("waypoint.goTo").isEnabled(), qPrintable(key("waypoint.goTo").toolTip()));
+        press(key("waypoint.goTo"));
+        cell().advanceMs(300);
+        cell().advanceUntil([this] { return standsStill(cell()); }, 60'000);
+        release(key("waypoint.goTo"));
+        cell().advanceMs(100);
+    }
+
+private Q_SLOTS:
+    void init() {
+        simulator::SimulatorOptions options = VirtualCell::options();
+        options.startJoints = kStart;
+        bench_ = std::make_unique<WindowBench>(options);
+        bench_->show();
+        said_.clear();
+        connect(&window().session(), &RobotSession::message, this,
+                [this](Severity, const QString& text) { said_ << text; });
+    }
+    void cleanup() { bench_.reset(); }
+
+    void aProjectOfTheSameModelAsksNothing() {
+        bringUp();
+        open(taughtWith(RobotModelId::UR5e));
+        cell().advanceMs(200);
+        QCoreApplication::processEvents();
+        QVERIFY(question() == nullptr);
+        QVERIFY(movedBy("waypoint.goTo") > 0.005);
+        QVERIFY(question() == nullptr);
+    }
+
+    void nothingMovesBeforeTheAnswer_data() {
+        QTest::addColumn<bool>("connectedFirst");
+        QTest::newRow("asked when it is opened") << true;
+        QTest::newRow("asked when the robot is connected") << false;
+    }
+    void nothingMovesBeforeTheAnswer() {
+        QFETCH(bool, connectedFirst);
+        if (connectedFirst) {
+            bringUp();
+        }
+        open(taughtWith(RobotModelId::UR10e));
+        if (!connectedFirst) {
+            QVERIFY2(document().reach(0).ok(),
+                     "without a robot the places are those of the project's own arm");
+            bringUp();
+        }
+        QVERIFY(until([this] { return question() != nullptr; }));
+        QVERIFY2(question()->text().contains("UR10e") && question()->text().contains("UR5e"),
+                 qPrintable(question()->text()));
+        answer("projectFit.cancel");
+        for (int row = 0; row < 2; ++row) {
+            QVERIFY2(!document().reach(row).ok(), "not marked as reachable");
+        }
+        nothingMovesToThem();
+        // Nor are places of the two arms mixed.
+        QVERIFY(!bench_->find<QPushButton>("waypoint.teach").isEnabled());
+        // What does not belong to the project moves.
+        QVERIFY(movedBy("jog.Z+") > 0.005);
+        // The question can be had again.
+        window().findChild<QAction*>("project.adapt")->trigger();
+        QVERIFY(until([this] { return question() != nullptr; }));
+        answer("projectFit.cancel");
+        QCOMPARE(document().project().robot, std::optional(RobotModelId::UR10e));
+    }
+
+    void keptPosesAreWhereTheyWere() {
+        bringUp();
+        const project::Project before = taughtWith(RobotModelId::UR10e);
+        open(before);
+        const int steps = document().undoStack().count();
+        answer("projectFit.poses");
+        QCOMPARE(document().undoStack().count(), steps + 1);
+        QVERIFY(document().reach(0).ok());
+        goTo(0);
+        QVERIFY2(offFrom(before.waypoints.at(0).pose) < 0.001,
+                 qPrintable(QString::number(1e3 * offFrom(before.waypoints.at(0).pose))));
+        // One step back it is the other arm's project, and asks again.
+        document().undo();
+        QVERIFY(document().waypoints().at(0).joints == before.waypoints.at(0).joints);
+        QCOMPARE(document().project().robot, std::optional(RobotModelId::UR10e));
+        QVERIFY(!document().reach(0).ok());
+        nothingMovesToThem();
+    }
+
+    void keptJointsAreThePosture() {
+        bringUp();
+        const project::Project before = taughtWith(RobotModelId::UR10e);
+        open(before);
+        answer("projectFit.joints");
+        QVERIFY(document().waypoints().at(0).joints == before.waypoints.at(0).joints);
+        goTo(0);
+        QVERIFY((cell().truth().q.values - before.waypoints.at(0).joints.values).cwiseAbs().maxCoeff() <
+                0.002);
+        QVERIFY2(offFrom(document().waypoints().at(0).pose) < 0.001, "the pose is that of this arm");
+    }
+
+    void whatCannotBeReachedIsNamed() {
+        bringUp();
+        project::Project project = taughtWith(RobotModelId::UR10e);
+        project::Waypoint far = project.waypoints.at(0);
+        far.id = QUuid::createUuid();
+        far.name = QStringLiteral("far");
+        far = *project::taughtAt(far, JointPositions(0.4, -0.4, 0.3, -0.3, 1.5, 0),
+                                 kinematics::forwardTcp(robotModel(RobotModelId::UR10e).dh,
+                                                        JointPositions(0.4, -0.4, 0.3, -0.3, 1.5, 0)),
+                                 {}, project.frames);
+        project.waypoints.append(far);
+        open(project);
+        answer("projectFit.poses");
+        QVERIFY2(said_.join('\n').contains("Out of reach: far"), qPrintable(said_.join('\n')));
+        QVERIFY(document().reach(0).ok() && !document().reach(2).ok());
+    }
+
+    // A file that names no arm takes the connected one, as does a project without places; neither asks.
+    void aProjectWithoutAModelTakesTheConnectedOne() {
+        bringUp();
+        project::Project project = taughtWith(RobotModelId::UR10e);
+        project.robot.reset();
+        open(project);
+        QVERIFY(until([this] { return document().project().robot == RobotModelId::UR5e; }));
+        QVERIFY(question() == nullptr);
+        QVERIFY(!window().files().store().isModified());
+        project::Project empty;
+        empty.robot = RobotModelId::UR10e;
+        const QString path = bench_->folder.filePath("empty.tiller");
+        QVERIFY(project::saveProject(path, empty).ok());
+        window().openProject(path);
+        QVERIFY(until([this] { return document().project().robot == RobotModelId::UR5e; }));
+        QVERIFY(question() == nullptr);
+    }
+
+    // The TCP is asked about when the arm is to move.
+    void anotherTcpAsksBeforeAnythingMoves() {
+        bringUp();
+        project::Project project = taughtWith(RobotModelId::UR5e, Pose(0, 0, 0.15, 0, 0, 0));
+        project.tooling.tools.append({QUuid::createUuid(), "gripper", Pose(0, 0, 0.15, 0, 0, 0), 0, {}, {}});
+        project.tooling.activeTool = project.tooling.tools.at(0).id;
+        open(project);
+        cell().advanceMs(200);
+        QVERIFY2(question() == nullptr, "not before");
+        QVERIFY(movedBy("waypoint.goTo") < 1e-4);
+        QVERIFY(until([this] { return question() != nullptr; }));
+        QVERIFY2(question()->text().contains("gripper"), qPrintable(question()->text()));
+        answer("projectFit.cancel");
+        QVERIFY(movedBy("homeKey") < 1e-4);
+        answer("projectFit.setTcp");
+        QVERIFY(until([this] { return window().session().state().tcpOffset.position.z() > 0.149; }));
+        QVERIFY(movedBy("waypoint.goTo") > 0.005);
+        QVERIFY(question() == nullptr);
+    }
+
+    void theRobotsTcpMayBeKept() {
+        bringUp();
+        open(taughtWith(RobotModelId::UR5e, Pose(0, 0, 0.15, 0, 0, 0)));
+        QVERIFY(movedBy("waypoint.goTo") < 1e-4);
+        answer("projectFit.keepTcp");
+        QVERIFY(movedBy("waypoint.goTo") > 0.005);
+        QVERIFY(question() == nullptr);
+    }
+};
+
+QTEST_MAIN(TestProjectFit)
+#include "tst_project_fit.moc"

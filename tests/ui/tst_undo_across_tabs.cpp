@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Undo and redo from a tab that does not show what they change: they name the edit, show its tab, and compare TCP and
+// payload with the robot. The real window with a simulated robot in virtual time.
+
+#include <QAction>
+#include <QPushButton>
+#include <QTabBar>
+#include <QTest>
+
+#include "tests/support/window_bench.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/notice_bar.h"
+#include "widgets/project/project_document.h"
+#include "widgets/tools/payload_page.h"
+#include "widgets/tools/positions_page.h"
+#include "widgets/tools/tcp_page.h"
+#include "widgets/tools/tools_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+class TestUndoAcrossTabs : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<WindowBench> bench_;
+    QStringList said_;
+
+    VirtualCell& cell() { return bench_->cell; }
+    app::MainWindow& window() { return bench_->window; }
+    ProjectDocument& document() { return window().document(); }
+    ToolsTab& tools() { return bench_->find<ToolsTab>("tools"); }
+
+    bool until(const std::function<bool()>& condition) {
+        for (int i = 0; i < 1500; ++i) {
+            if (condition()) {
+                return true;
+            }
+            cell().advanceMs(4);
+            QTest::qWait(1);
+        }
+        return condition();
+    }
+    QString tab() {
+        auto& tabs = bench_->find<QTabBar>("tabs");
+        return tabs.tabData(tabs.currentIndex()).toString();
+    }
+    void trigger(const char* action) { window().findChild<QAction*>(QLatin1String(action))->trigger(); }
+    static project::Tool gripper(double length) {
+        project::Tool tool;
+        tool.id = QUuid("{8a7a2f8e-9b1f-4c5e-8a39-1f7a0a4f2d11}");
+        tool.name = QStringLiteral("gripper");
+        tool.tcpOffset = Pose(0, 0, length, 0, 0, 0);
+        return tool;
+    }
+    void changeTcp(double length, const QString& text) {
+        project::Tooling after = document().tooling();
+        after.tools = {gripper(length)};
+        after.activeTool = gripper(length).id;
+        document().changeTooling(after, text);
+    }
+    void changePayload(double mass, const QString& text) {
+        project::Tooling after = document().tooling();
+        project::Payload payload;
+        payload.id = QUuid("{3c1c1d06-7a0e-4b3e-9f57-0f3a4a1e7b22}");
+        payload.name = QStringLiteral("part");
+        payload.mass = mass;
+        after.payloads = {payload};
+        after.activePayload = payload.id;
+        document().changeTooling(after, text);
+    }
+    /// The pages follow the robot ten times a second, in real time.
+    void pageSeesTheRobot() {
+        QTest::qWait(150);
+        cell().advanceMs(40);
+        QTest::qWait(150);
+    }
+    bool wasSaid(const QString& text) const { return said_.join('\n').contains(text); }
+
+private Q_SLOTS:
+    void init() {
+        bench_ = std::make_unique<WindowBench>();
+        bench_->show();
+        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
+        said_.clear();
+        connect(&window().session(), &RobotSession::message, this,
+                [this](Severity, const QString& text) { said_ << text; });
+        QVERIFY(until([this] { return window().session().state().modelKnown; }));
+    }
+    void cleanup() { bench_.reset(); }
+
+    void anUndoneTcpIsShownAndComparedWithTheRobot() {
+        changeTcp(0.15, "Change the TCP “gripper”");
+        window().session().tooling().setTcp(Pose(0, 0, 0.2, 0, 0, 0), "gripper");
+        QVERIFY(until([this] { return window().session().state().tcpOffset.position.z() > 0.199; }));
+        changeTcp(0.2, "Change the TCP “gripper” again");
+        QVERIFY(until([this] { return !window().session().state().moving; }));
+        pageSeesTheRobot();
+        window().showTab("waypoints");
+        tools().showPage(ToolsTab::Payloads);
+        said_.clear();
+
+        trigger("waypoint.action.undo");
+        QCOMPARE(document().tooling().tools.at(0).tcpOffset.position.z(), 0.15);
+        QCOMPARE(tab(), QString("tools"));
+        QVERIFY(tools().tcps().isVisible());
+        QVERIFY2(wasSaid("Undone: Change the TCP “gripper” again"), qPrintable(said_.join('\n')));
+        QVERIFY2(wasSaid("The robot has another TCP than “gripper”"), qPrintable(said_.join('\n')));
+        auto* notice = tools().tcps().findChild<NoticeBar*>();
+        QVERIFY(notice != nullptr && notice->isVisible());
+        QVERIFY2(notice->title().contains("another TCP"), qPrintable(notice->title()));
+
+        // Nothing to ask about once it is redone: then it is the robot's.
+        window().showTab("io");
+        said_.clear();
+        trigger("waypoint.action.redo");
+        QCOMPARE(tab(), QString("tools"));
+        QVERIFY(wasSaid("Redone: Change the TCP “gripper” again"));
+        QVERIFY2(!wasSaid("another TCP"), qPrintable(said_.join('\n')));
+    }
+
+    void anUndonePayloadIsShownAndComparedWithTheRobot() {
+        changePayload(1.0, "Change the payload “part”");
+        RobotTooling::Load load;
+        load.mass = 2.0;
+        window().session().tooling().setPayload(load, "part");
+        QVERIFY(until([this] { return window().session().state().payloadMass > 1.99; }));
+        changePayload(2.0, "Change the payload “part” again");
+        pageSeesTheRobot();
+        window().showTab("frames");
+        said_.clear();
+        trigger("waypoint.action.undo");
+        QCOMPARE(tab(), QString("tools"));
+        QVERIFY(tools().payloads().isVisible());
+        QVERIFY(wasSaid("Undone: Change the payload “part” again"));
+        QVERIFY2(wasSaid("The robot has another payload than “part”"), qPrintable(said_.join('\n')));
+    }
+
+    void everyPartShowsItsTab_data() {
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("waypoints") << "waypoints"
+                                   << "waypoints";
+        QTest::newRow("frames") << "frames"
+                                << "frames";
+        QTest::newRow("positions") << "positions"
+                                   << "tools";
+    }
+    void everyPartShowsItsTab() {
+        QFETCH(QString, part);
+        QFETCH(QString, shown);
+        if (part == "waypoints") {
+            project::Waypoint point;
+            point.id = QUuid::createUuid();
+            point.name = QStringLiteral("point");
+            document().insertWaypoints(0, {point}, "Add something");
+        } else if (part == "frames") {
+            document().insertFrame(0, {QUuid::createUuid(), "frame", Pose(), {}}, "Add something");
+        } else {
+            project::Positions after = document().positions();
+            after.list.append({QUuid::createUuid(), "Home", JointPositions(), {}, {}});
+            document().changePositions(after, "Add something");
+        }
+        for (const char* action : {"waypoint.action.undo", "waypoint.action.redo"}) {
+            window().showTab("log");
+            said_.clear();
+            trigger(action);
+            QCOMPARE(tab(), shown);
+            QVERIFY2(wasSaid("Add something"), qPrintable(said_.join('\n')));
+        }
+        if (part == "positions") {
+            QVERIFY(tools().positions().isVisible());
+        }
+    }
+
+    // The keys work in the tab Tools as well.
+    void ctrlZWorksInTools() {
+        changeTcp(0.15, "Change the TCP “gripper”");
+        window().showTab("tools");
+        tools().setFocus();
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(document().tooling().tools.size(), std::size_t(0));
+        QVERIFY(wasSaid("Undone: Change the TCP “gripper”"));
+    }
+};
+
+QTEST_MAIN(TestUndoAcrossTabs)
+#include "tst_undo_across_tabs.moc"

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/project/project_fit.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+#include <algorithm>
+
+#include "widgets/common/notation.h"
+#include "widgets/project/project_document.h"
+
+namespace tiller {
+
+namespace {
+
+bool isSameTcp(const Pose& a, const Pose& b) {
+    constexpr double kSameDistance = 5e-5;  // [m]
+    constexpr double kSameAngle = 1e-3;     // [rad]
+    const project::PoseDifference by = project::poseDifference(a, b);
+    return by.distance <= kSameDistance && by.angle <= kSameAngle;
+}
+
+/// The first names, and how many there are besides.
+QString namesText(const QStringList& names) {
+    constexpr int kNamed = 8;
+    const QString first = names.mid(0, kNamed).join(QStringLiteral(", "));
+    const auto others = static_cast<int>(names.size()) - kNamed;
+    return others > 0 ? ProjectFit::tr("%1 and %n more", nullptr, others).arg(first) : first;
+}
+
+}  // namespace
+
+ProjectFit::ProjectFit(RobotSession& session, ProjectDocument& document, QWidget* over)
+    : QObject(over), session_(session), document_(document), over_(over) {
+    session_.setProjectGuard([this] {
+        const QString why = obstacle();
+        if (!why.isEmpty()) {
+            // Not in the press that is being refused.
+            QMetaObject::invokeMethod(this, &ProjectFit::ask, Qt::QueuedConnection);
+        }
+        return why;
+    });
+    connect(&session_, &RobotSession::stateChanged, this, &ProjectFit::follow);
+    connect(&session_, &RobotSession::linkBegan, this, [this] {
+        askedFor_.reset();
+        keptTcp_.reset();
+    });
+    connect(&document_, &ProjectDocument::projectReplaced, this, [this] {
+        delete question_;
+        askedFor_.reset();
+        keptTcp_.reset();
+    });
+    connect(&document_, &ProjectDocument::toolingChanged, this, [this] { keptTcp_.reset(); });
+}
+
+ProjectFit::~ProjectFit() {
+    session_.setProjectGuard([] { return QString(); });
+}
+
+bool ProjectFit::isOfOtherModel() const {
+    return session_.state().hasData() && project::isOfOtherModel(document_.project(), session_.state().model);
+}
+
+std::optional<project::Tool> ProjectFit::otherTcp() const {
+    const SessionState& state = session_.state();
+    if (!state.hasData() || !project::hasTaughtPlaces(document_.project()) ||
+        (keptTcp_ && isSameTcp(*keptTcp_, state.tcpOffset))) {
+        return {};
+    }
+    const project::Tooling& tooling = document_.tooling();
+    if (const project::Tool* used = tooling.tools.find(tooling.activeTool)) {
+        return isSameTcp(used->tcpOffset, state.tcpOffset) ? std::nullopt : std::optional(*used);
+    }
+    // Without one in use, the TCPs that the waypoints were taught with.
+    for (const project::Waypoint& point : document_.waypoints()) {
+        if (isSameTcp(point.tcpOffset, state.tcpOffset)) {
+            return {};
+        }
+    }
+    if (document_.waypoints().isEmpty()) {
+        return {};
+    }
+    project::Tool tool;
+    tool.name = tr("TCP of %1").arg(document_.waypoints().at(0).name);
+    tool.tcpOffset = document_.waypoints().at(0).tcpOffset;
+    return tool;
+}
+
+QString ProjectFit::modelText() const {
+    return tr("The project was taught with a %1, and a %2 is connected. The same joints bring it to other "
+              "places.")
+        .arg(QLatin1String(robotModel(*document_.project().robot).name),
+             QLatin1String(robotModel(session_.state().model).name));
+}
+
+QString ProjectFit::tcpText(const project::Tool& tool) const {
+    const project::PoseDifference by = project::poseDifference(tool.tcpOffset, session_.state().tcpOffset);
+    return tr("The project uses the TCP “%1”, and the robot has another one, %2 from it.")
+        .arg(tool.name, format::difference(by.distance, by.angle));
+}
+
+QString ProjectFit::obstacle() const {
+    if (isOfOtherModel()) {
+        return modelText();
+    }
+    const std::optional<project::Tool> tool = otherTcp();
+    return tool ? tcpText(*tool) : QString();
+}
+
+void ProjectFit::follow(const SessionState& state) {
+    if (!state.hasData() || !state.modelKnown) {
+        return;
+    }
+    document_.adoptRobot(state.model);
+    if (isOfOtherModel() && askedFor_ != state.model && question_ == nullptr) {
+        askedFor_ = state.model;
+        QMetaObject::invokeMethod(this, &ProjectFit::ask, Qt::QueuedConnection);
+    }
+}
+
+void ProjectFit::ask() {
+    if (question_ != nullptr) {
+        question_->raise();
+        return;
+    }
+    if (isOfOtherModel()) {
+        askAboutModel();
+    } else if (const std::optional<project::Tool> tool = otherTcp()) {
+        askAboutTcp(*tool);
+    } else {
+        Q_EMIT message(Severity::Info, session_.state().hasData()
+                                           ? tr("The project fits the connected robot.")
+                                           : tr("Connect the robot that the project is to be used with."));
+    }
+}
+
+void ProjectFit::show(QMessageBox& question) {
+    Q_EMIT questionOpens();
+    question_ = &question;
+    question.setAttribute(Qt::WA_DeleteOnClose);
+    question.open();
+}
+
+void ProjectFit::askAboutModel() {
+    Q_EMIT message(Severity::Warning, modelText());
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Project of another robot model"), modelText(),
+                                     QMessageBox::NoButton, over_);
+    question->setObjectName(QStringLiteral("projectFit"));
+    question->setInformativeText(
+        tr("Keep the poses: the joints are computed again, and the tool goes to the same places. Keep the "
+           "joints: the "
+           "arm has the same posture, and the tool goes elsewhere. Until this is answered, nothing moves to "
+           "a place of "
+           "the project."));
+    QPushButton* poses = question->addButton(tr("Keep the poses"), QMessageBox::AcceptRole);
+    poses->setObjectName(QStringLiteral("projectFit.poses"));
+    QPushButton* joints = question->addButton(tr("Keep the joints"), QMessageBox::AcceptRole);
+    joints->setObjectName(QStringLiteral("projectFit.joints"));
+    QPushButton* cancel = question->addButton(QMessageBox::Cancel);
+    cancel->setObjectName(QStringLiteral("projectFit.cancel"));
+    question->setDefaultButton(cancel);
+    question->setEscapeButton(cancel);
+    connect(question, &QMessageBox::buttonClicked, this, [this, poses, joints](QAbstractButton* button) {
+        if (!isOfOtherModel()) {
+            return;  // another robot or project meanwhile
+        }
+        if (button == poses) {
+            change(project::Keep::Poses);
+        } else if (button == joints) {
+            change(project::Keep::Joints);
+        } else {
+            remind();
+        }
+    });
+    show(*question);
+}
+
+void ProjectFit::askAboutTcp(const project::Tool& tool) {
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Another TCP than the project’s"),
+                                     tcpText(tool), QMessageBox::NoButton, over_);
+    question->setObjectName(QStringLiteral("projectFit"));
+    question->setInformativeText(
+        tr("With the TCP of the robot, the flange goes to where it was taught. Until this is answered, "
+           "nothing moves to "
+           "a place of the project."));
+    QPushButton* set =
+        question->addButton(tr("Set “%1” on the robot").arg(tool.name), QMessageBox::AcceptRole);
+    set->setObjectName(QStringLiteral("projectFit.setTcp"));
+    QPushButton* keep = question->addButton(tr("Keep the robot’s TCP"), QMessageBox::AcceptRole);
+    keep->setObjectName(QStringLiteral("projectFit.keepTcp"));
+    QPushButton* cancel = question->addButton(QMessageBox::Cancel);
+    cancel->setObjectName(QStringLiteral("projectFit.cancel"));
+    question->setDefaultButton(cancel);
+    question->setEscapeButton(cancel);
+    connect(question, &QMessageBox::buttonClicked, this, [this, set, keep, tool](QAbstractButton* button) {
+        if (button == set) {
+            session_.tooling().setTcp(tool.tcpOffset, tool.name);
+        } else if (button == keep) {
+            keptTcp_ = session_.state().tcpOffset;
+        }
+    });
+    show(*question);
+}
+
+void ProjectFit::change(project::Keep keep) {
+    const RobotModelId from = *document_.project().robot;
+    const project::ModelChange made =
+        project::changeModel(document_.project(), robotModel(from), session_.state().arm(), keep);
+    const QLatin1String arms[] = {QLatin1String(robotModel(from).name),
+                                  QLatin1String(robotModel(session_.state().model).name)};
+    const QString done = (keep == project::Keep::Poses ? tr("Convert from %1 to %2, keep the poses")
+                                                       : tr("Convert from %1 to %2, keep the joints"))
+                             .arg(arms[0], arms[1]);
+    document_.changeModel(made, done);
+    Q_EMIT message(Severity::Info, done);
+    QStringList left;
+    if (!made.unreachable.isEmpty()) {
+        left << tr("Out of reach: %1.").arg(namesText(made.unreachable));
+    }
+    if (!made.removed.isEmpty()) {
+        left << tr("Removed, because the arm cannot reach them: %1. Undo brings them back.")
+                    .arg(namesText(made.removed));
+    }
+    if (!left.isEmpty()) {
+        const QString text = left.join(QLatin1Char(' '));
+        Q_EMIT message(Severity::Warning, text);
+        Q_EMIT noticeWanted({tr("Not everything can be reached"), text, {}, {}});
+    }
+}
+
+/// After Cancel: where the question can be had again.
+void ProjectFit::remind() {
+    Q_EMIT noticeWanted(
+        {tr("Nothing moves to the places of this project"), modelText(), tr("Choose…"), [this] { ask(); }});
+}
+
+}  // namespace tiller
+
+#include "moc_project_fit.cpp"
