@@ -26,11 +26,13 @@ void ListenerThread::end() {
 
 Status PrimaryReader::read(native_socket::Descriptor descriptor, std::chrono::milliseconds patience,
                            const Clock& clock) {
+    lastBytes_ = 0;
     if (!native_socket::waitReadable(descriptor, patience)) {
         return Status::WouldBlock;
     }
     const auto got = native_socket::receive(descriptor, bytes_);
     if (got.status == Status::Ok) {
+        lastBytes_ = got.bytes;
         understands_ = parser_.feed(std::span(bytes_).first(got.bytes), clock.nowNs());
     }
     return got.status;

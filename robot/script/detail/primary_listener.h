@@ -72,6 +72,7 @@ public:
     native_socket::Status read(native_socket::Descriptor descriptor, std::chrono::milliseconds patience,
                                const Clock& clock);
     PrimaryParser& parser() { return parser_; }
+    std::size_t lastBytes() const { return lastBytes_; }  ///< taken by the last read()
     /// False once a package had a length that makes no sense: the connection is to be given up.
     bool understands() const { return understands_; }
     /// What it is given up with.
@@ -80,6 +81,7 @@ public:
 private:
     PrimaryParser parser_;
     std::array<std::uint8_t, 8192> bytes_;
+    std::size_t lastBytes_ = 0;
     bool understands_ = true;
 };
 
