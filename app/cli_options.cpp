@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_options.h"
 
+#include <algorithm>
+
 #include "app/cli_command.h"
 
 namespace tiller::app {
@@ -26,6 +28,16 @@ std::vector<std::string> namesIn(const QString& list) {
         names.push_back(name.trimmed().toStdString());
     }
     return names;
+}
+
+bool isHostName(const QString& text) {
+    constexpr qsizetype kMaxLength = 255;
+    const auto isAllowed = [](QChar c) {
+        // Letters and digits of every script: a name may be internationalized.
+        return c.isLetterOrNumber() || QStringLiteral(".-_:%").contains(c);
+    };
+    return !text.isEmpty() && text.size() <= kMaxLength && !text.startsWith(QLatin1Char('-')) &&
+           std::all_of(text.begin(), text.end(), isAllowed);
 }
 
 }  // namespace tiller::app

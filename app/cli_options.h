@@ -15,4 +15,8 @@ std::optional<double> numberIn(const QCommandLineParser& parser, const QCommandL
 /// "A,B, C" as its names.
 std::vector<std::string> namesIn(const QString& list);
 
+/// Whether the text can be an address or a host name: letters, digits and ".-_:%", at most 255 characters, no option.
+/// Everything that is made from it, such as a file name, is then harmless.
+bool isHostName(const QString& text);
+
 }  // namespace tiller::app

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QCommandLineParser>
+#include <QDateTime>
+#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 #include <chrono>
@@ -32,10 +34,13 @@ const QString kRecordHelp = QStringLiteral(
     "tiller-cli record: writes what a robot sends to a file, every package of it\n"
     "\n"
     "Usage: tiller-cli record ADDRESS --out FILE [options]\n"
+    "       tiller-cli record ADDRESS --out-folder FOLDER [options]\n"
     "\n"
     "  ADDRESS              address or host name of the robot, or of a simulated one\n"
     "  --out FILE           what to write: FILE.mcap or FILE.csv. A file that is there is replaced only\n"
     "                       with --force\n"
+    "  --out-folder FOLDER  write a new .mcap file in this folder, named after the address and the time "
+    "(UTC)\n"
     "  --fields A,B,...     RTDE outputs to record; the time stamp always is. Without it: into .mcap\n"
     "                       all that the window shows, into .csv what ur_rtde records\n"
     "  --duration SECONDS   end by itself, counted from the first package; without it: on Ctrl-C, or\n"
@@ -71,11 +76,25 @@ struct RecordOptions {
     bool quiet = false;
 };
 
+/// A name in the folder that no file has.
+QString newFileIn(const QString& folder, QString address) {
+    // Not part of a file name on every system.
+    address.replace(QLatin1Char(':'), QLatin1Char('_')).replace(QLatin1Char('%'), QLatin1Char('_'));
+    const QString name = QStringLiteral("%1-%2").arg(
+        address, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMddTHHmmss")));
+    QString path = QDir(folder).filePath(name + QStringLiteral(".mcap"));
+    for (int number = 2; QFileInfo::exists(path); ++number) {
+        path = QDir(folder).filePath(QStringLiteral("%1-%2.mcap").arg(name).arg(number));
+    }
+    return path;
+}
+
 /// Nothing: it was complained about.
 std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& helped) {
     QCommandLineParser parser;
     const QCommandLineOption help(QStringList{"h", "help"});
     const QCommandLineOption outFile("out", {}, "FILE");
+    const QCommandLineOption outFolder("out-folder", {}, "FOLDER");
     const QCommandLineOption fields("fields", {}, "A,B");
     const QCommandLineOption duration("duration", {}, "SECONDS", "0");
     const QCommandLineOption every("every", {}, "N", "1");
@@ -90,8 +109,8 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
     const QCommandLineOption force("force");
     const QCommandLineOption quiet("quiet");
     const QCommandLineOption offset("port-offset", {}, "N", "0");
-    parser.addOptions({help, outFile, fields, duration, every, trigger, before, after, files, attach, noRos,
-                       keepFree, wait, force, quiet, offset});
+    parser.addOptions({help, outFile, outFolder, fields, duration, every, trigger, before, after, files,
+                       attach, noRos, keepFree, wait, force, quiet, offset});
     if (!parser.parse(arguments)) {
         wrongArguments(parser.errorText());
         return std::nullopt;
@@ -106,8 +125,18 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
         wrongArguments(QStringLiteral("record: the address of one robot is needed, as in 192.168.0.10"));
         return std::nullopt;
     }
+    const QString address = parser.positionalArguments().constFirst();
+    if (!isHostName(address)) {
+        wrongArguments(QStringLiteral("record: '%1' is not an address or a host name").arg(address));
+        return std::nullopt;
+    }
+    if (parser.isSet(outFile) && parser.isSet(outFolder)) {
+        wrongArguments(QStringLiteral("record: --out and --out-folder exclude each other"));
+        return std::nullopt;
+    }
     RecordOptions options;
-    const QString path = parser.value(outFile);
+    const QString path =
+        parser.isSet(outFolder) ? newFileIn(parser.value(outFolder), address) : parser.value(outFile);
     options.isMcap = path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
     if (!options.isMcap && !path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
         wrongArguments(path.isEmpty()
@@ -133,7 +162,7 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
     options.duration = *seconds;
     options.wait = *patience;
     options.quiet = parser.isSet(quiet);
-    options.receiver.host = parser.positionalArguments().constFirst();
+    options.receiver.host = address;
     options.receiver.port = static_cast<std::uint16_t>(rtde::kPort + static_cast<int>(*portOffset));
     options.portOffset = static_cast<int>(*portOffset);
     options.recorder.path = path;

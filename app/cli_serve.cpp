@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QCommandLineParser>
+#include <QTextStream>
+#include <algorithm>
 
 #include "app/cli_command.h"
 #include "app/cli_options.h"
@@ -15,26 +17,68 @@ namespace {
 constexpr std::chrono::milliseconds kShowEvery{100};
 
 const QString kServeHelp = QStringLiteral(
-    "tiller-cli serve: sends on what a robot sends, while it comes\n"
+    "tiller-cli serve: forwards live data of a robot to viewers\n"
     "\n"
     "Usage: tiller-cli serve ADDRESS [options]\n"
     "\n"
-    "  ADDRESS              address or host name of the robot, or of a simulated one\n"
-    "  --listen ADDRESS     where Foxglove and other viewers connect (default 127.0.0.1: this machine only;\n"
-    "                       0.0.0.0: every one that reaches it). It only tells: no viewer can move the "
-    "robot\n"
-    "  --port N             the port of that server (default 8765); 0: one that is free\n"
+    "  ADDRESS              address or host name of the robot, or of a simulated robot\n"
+    "  --listen ADDRESS     address that Foxglove and other viewers connect to (default 127.0.0.1: only "
+    "this\n"
+    "                       machine; 0.0.0.0: every machine on the network). The server is read-only: no "
+    "viewer\n"
+    "                       can move the robot\n"
+    "  --port N             port of the server (default 8765); 0: a free port\n"
+    "  --allow-origin ORIGIN  web page or app that may connect, such as https://app.foxglove.dev (Foxglove "
+    "in a\n"
+    "                       browser) or file:// (desktop apps: Foxglove, Lichtblick). Can be given several "
+    "times\n"
     "  --no-server          no server\n"
-    "  --udp ADDRESS[:PORT] JSON in UDP datagrams, one a package, to PlotJuggler (its port: 9870)\n"
-    "  --fields A,B,...     RTDE outputs to send on; without it all that the window shows\n"
-    "  --wait SECONDS       for the first package (default 10)\n"
+    "  --udp ADDRESS[:PORT] sends JSON in UDP datagrams, one for each package, to PlotJuggler (its port: "
+    "9870)\n"
+    "  --fields A,B,...     RTDE outputs to forward; default: all that the window shows\n"
+    "  --wait SECONDS       time to wait for the first package (default 10)\n"
     "  --quiet              no progress on the terminal\n"
     "  --port-offset N      added to the robot's port numbers (default 0)\n"
     "  --help               this text\n"
     "\n"
-    "Prints one line beginning with 'ready'. Ends on Ctrl-C or SIGTERM. When the link to the robot breaks, "
-    "it\n"
-    "comes back by itself. Exit code: 0, 1 no data or no port, 2 wrong arguments.\n");
+    "Limits of the server: 16 viewers with a subscription; 32 connections without one and 32 handshakes, of "
+    "which\n"
+    "a new one replaces the oldest; handshake within 5 s and 16 KiB; requests of at most 64 KiB each and 1 "
+    "MiB/s;\n"
+    "8 MiB of unsent messages for each viewer, of which the oldest are dropped. A viewer that reads nothing "
+    "for\n"
+    "10 s, or does not read the answers to its requests, is disconnected. Web pages are refused unless they "
+    "come\n"
+    "from this machine or from an allowed origin.\n"
+    "\n"
+    "Prints a line beginning with 'ready'. Ends on Ctrl-C or SIGTERM. Reconnects when the connection to the "
+    "robot\n"
+    "is lost. Exit code: 0; 1: no data or port not available; 2: wrong arguments.\n");
+
+/// Reports each refused origin once, so that a flood of refused pages does not fill the terminal.
+class RefusedOrigins {
+public:
+    void show(const QString& origin) {
+        constexpr qsizetype kMaxShown = 20;
+        if (!origin.isEmpty() && shown_.size() < kMaxShown && !shown_.contains(origin)) {
+            shown_ << origin;
+            QTextStream(stderr) << QStringLiteral(
+                                       "\nserve: refused a viewer with the origin %1; --allow-origin "
+                                       "admits it")
+                                       .arg(printable(origin))
+                                << Qt::endl;
+        }
+    }
+
+private:
+    /// The origin is chosen by the peer: no control characters on the terminal.
+    static QString printable(QString text) {
+        std::replace_if(
+            text.begin(), text.end(), [](QChar c) { return !c.isPrint(); }, QChar(u'?'));
+        return text;
+    }
+    QStringList shown_;
+};
 
 }  // namespace
 
@@ -43,13 +87,14 @@ int serve(const QStringList& arguments) {
     const QCommandLineOption help(QStringList{"h", "help"});
     const QCommandLineOption listen("listen", {}, "ADDRESS", "127.0.0.1");
     const QCommandLineOption port("port", {}, "N", "8765");
+    const QCommandLineOption allowOrigin("allow-origin", {}, "ORIGIN");
     const QCommandLineOption noServer("no-server");
     const QCommandLineOption udp("udp", {}, "ADDRESS");
     const QCommandLineOption fields("fields", {}, "A,B");
     const QCommandLineOption wait("wait", {}, "SECONDS", "10");
     const QCommandLineOption quiet("quiet");
     const QCommandLineOption offset("port-offset", {}, "N", "0");
-    parser.addOptions({help, listen, port, noServer, udp, fields, wait, quiet, offset});
+    parser.addOptions({help, listen, port, allowOrigin, noServer, udp, fields, wait, quiet, offset});
     if (!parser.parse(arguments)) {
         return wrongArguments(parser.errorText());
     }
@@ -71,6 +116,8 @@ int serve(const QStringList& arguments) {
     live::LiveOptions options;
     options.listenAddress = parser.isSet(noServer) ? QString() : parser.value(listen);
     options.port = static_cast<std::uint16_t>(*serverPort);
+    const QStringList origins = parser.values(allowOrigin);
+    options.allowedOrigins.assign(origins.begin(), origins.end());
     options.fields = namesIn(parser.value(fields));
     if (parser.isSet(udp)) {
         const QStringList parts = parser.value(udp).split(':');
@@ -102,7 +149,8 @@ int serve(const QStringList& arguments) {
     }
     live::LiveOutput output;
     if (const auto started = output.start(options, receiver); !started) {
-        return complain(started.error().toString(), kFailed);
+        return complain(started.error().toString(),
+                        started.error().code == ErrorCode::AddressInvalid ? kWrongArguments : kFailed);
     }
     out() << "ready";
     if (output.port() != 0) {
@@ -113,14 +161,20 @@ int serve(const QStringList& arguments) {
     }
     out() << Qt::endl;
     ProgressLine line(!parser.isSet(quiet));
+    RefusedOrigins refused;
     while (!waitForTermination(kShowEvery)) {
         const live::LiveProgress progress = output.progress();
-        line.show(QStringLiteral("%1 viewers  %2 packages  %3 messages  %4 left out  %5 datagrams")
-                      .arg(progress.viewers)
-                      .arg(progress.packets)
-                      .arg(progress.messages)
-                      .arg(progress.dropped)
-                      .arg(progress.datagrams));
+        refused.show(progress.refusedOrigin);
+        line.show(
+            QStringLiteral("%1 viewers  %2 packages  %3 messages  %4 dropped  %5 datagrams  %6 disconnected  "
+                           "%7 refused")
+                .arg(progress.viewers)
+                .arg(progress.packets)
+                .arg(progress.messages)
+                .arg(progress.dropped)
+                .arg(progress.datagrams)
+                .arg(progress.disconnected)
+                .arg(progress.refused));
     }
     output.stop();
     return kSuccess;

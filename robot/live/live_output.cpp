@@ -8,9 +8,11 @@
 #include <QUdpSocket>
 #include <atomic>
 #include <future>
+#include <mutex>
 #include <optional>
 #include <thread>
 
+#include "robot/live/detail/allowed_origins.h"
 #include "robot/live/detail/foxglove_server.h"
 #include "robot/live/detail/sample_json.h"
 #include "robot/realtime/thread_priority.h"
@@ -46,8 +48,12 @@ struct LiveOutput::Worker {
     std::atomic<std::uint64_t> messages{0};
     std::atomic<std::uint64_t> dropped{0};
     std::atomic<std::uint64_t> datagrams{0};
+    std::atomic<std::uint64_t> disconnected{0};
+    std::atomic<std::uint64_t> refused{0};
+    std::mutex mutex;
+    QString refusedOrigin;  ///< under the mutex
 
-    // The thread's own.
+    // Used by the thread only.
     std::unique_ptr<FoxgloveServer> server;
     std::unique_ptr<QUdpSocket> udp;
     QHostAddress udpHost;
@@ -60,7 +66,11 @@ struct LiveOutput::Worker {
 
     Result<void> open() {
         if (!options.listenAddress.isEmpty()) {
-            server = std::make_unique<FoxgloveServer>(options.name);
+            auto origins = AllowedOrigins::from(options.allowedOrigins);
+            if (!origins) {
+                return origins.error();
+            }
+            server = std::make_unique<FoxgloveServer>(options.name, *origins, options.limits);
             if (auto listening = server->listen(options.listenAddress, options.port); !listening) {
                 return listening;
             }
@@ -127,6 +137,12 @@ struct LiveOutput::Worker {
             viewers = server->viewers();
             messages = server->sent();
             dropped = server->dropped();
+            disconnected = server->disconnected();
+            if (refused != server->refused()) {
+                const std::lock_guard lock(mutex);
+                refusedOrigin = server->refusedOrigin();
+                refused = server->refused();
+            }
         }
     }
 
@@ -208,7 +224,9 @@ LiveProgress LiveOutput::progress() const {
     if (!d_) {
         return {};
     }
-    return {d_->viewers, d_->packets, d_->messages, d_->dropped, d_->datagrams};
+    const std::lock_guard lock(d_->mutex);
+    return {d_->viewers,   d_->packets,      d_->messages, d_->dropped,
+            d_->datagrams, d_->disconnected, d_->refused,  d_->refusedOrigin};
 }
 
 std::uint16_t LiveOutput::port() const {

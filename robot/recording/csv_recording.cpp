@@ -53,10 +53,26 @@ void splitLine(std::string_view line, char separator, Sink sink) {
     }
 }
 
+/// Cells between blanks, however many. A unit in brackets belongs to the heading before it.
+std::vector<std::string_view> blankSeparated(std::string_view line) {
+    std::vector<std::string_view> cells;
+    for (std::size_t begin = line.find_first_not_of(" \t"); begin != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
+        if (line[begin] == '[' && !cells.empty()) {
+            const char* const first = cells.back().data();
+            cells.back() = {first, static_cast<std::size_t>(line.data() + end - first)};
+        } else {
+            cells.push_back(line.substr(begin, end - begin));
+        }
+        begin = line.find_first_not_of(" \t", end);
+    }
+    return cells;
+}
+
 char separatorOf(std::string_view heading) {
     char best = ',';
     std::ptrdiff_t most = 0;
-    for (const char candidate : {',', ';', '\t'}) {
+    for (const char candidate : {',', ';', '\t', '|'}) {
         std::ptrdiff_t count = 0;
         bool quoted = false;
         for (const char c : heading) {
@@ -188,10 +204,13 @@ private:
         if (withoutBlanks(line).empty() || line.front() == '#') {
             return;
         }
+        if (rows_ == 0 && table_.columns.size() == 1) {
+            separateByBlanks(line);
+        }
         row_.clear();
         std::size_t numbers = 0;
         wrong_.clear();
-        splitLine(line, separator_, [&](std::string_view cell) {
+        const auto takeCell = [&](std::string_view cell) {
             double value = kNone;
             if (numberOf(cell, separator_ != ',', value)) {
                 numbers += cell.empty() ? 0 : 1;
@@ -200,7 +219,12 @@ private:
                 value = kNone;
             }
             row_.push_back(value);
-        });
+        };
+        if (separator_ == ' ') {
+            std::ranges::for_each(blankSeparated(line), takeCell);
+        } else {
+            splitLine(line, separator_, takeCell);
+        }
         if (numbers == 0 && rows_ == 0 && !isHeaded_ && !wrong_.empty()) {
             takeUnits(line);
             return;
@@ -237,10 +261,26 @@ private:
             line.remove_prefix(1);
         }
         separator_ = separatorOf(line);
+        heading_ = line;
         splitLine(line, separator_,
                   [&](std::string_view cell) { table_.columns.push_back(columnFrom(cell)); });
         table_.values.resize(table_.columns.size());
         notNumbers_.resize(table_.columns.size());
+    }
+
+    /// Where heading and first row have as many words, more than one, blanks separate the cells.
+    void separateByBlanks(std::string_view line) {
+        const auto headings = blankSeparated(heading_);
+        if (headings.size() < 2 || blankSeparated(line).size() != headings.size()) {
+            return;
+        }
+        separator_ = ' ';
+        table_.columns.clear();
+        for (const std::string_view cell : headings) {
+            table_.columns.push_back(columnFrom(cell));
+        }
+        table_.values.resize(headings.size());
+        notNumbers_.resize(headings.size());
     }
 
     void takeUnits(std::string_view line) {
@@ -269,6 +309,7 @@ private:
 
     RecordedTable table_;
     char separator_ = ',';
+    std::string heading_{};
     std::size_t number_ = 0;  ///< of the line
     std::size_t rows_ = 0;
     bool isHeaded_ = false;  ///< the line of units has been

@@ -15,6 +15,32 @@ namespace tiller::script {
 
 using std::chrono::milliseconds;
 
+namespace {
+
+/// A controller sends some 20 kB/s. What a flood sends beyond 100 times as much waits in the buffers of TCP, and then at
+/// the sender, in place of taking a core here.
+class ReadPace {
+public:
+    void take(std::size_t bytes) { taken_ += bytes; }
+    /// Until the next read.
+    milliseconds pause() {
+        const auto now = std::chrono::steady_clock::now();
+        if (now >= end_) {
+            end_ = now + kSlice;
+            taken_ = 0;
+        }
+        return taken_ < kBytesPerSlice ? milliseconds::zero() : std::chrono::ceil<milliseconds>(end_ - now);
+    }
+
+private:
+    static constexpr milliseconds kSlice{5};
+    static constexpr std::size_t kBytesPerSlice = 10'000;  // 2 MB/s
+    std::chrono::steady_clock::time_point end_{};
+    std::size_t taken_ = 0;
+};
+
+}  // namespace
+
 struct PrimaryClient::Private {
     PrimaryClientOptions options;
 
@@ -78,6 +104,7 @@ Error PrimaryClient::Private::listen() {
     const QString context = QStringLiteral("listen to %1:%2").arg(options.host).arg(options.port);
     const auto descriptor = static_cast<native_socket::Descriptor>((*socket)->socketDescriptor());
     PrimaryReader reader;
+    ReadPace pace;
     std::uint64_t malformedBefore = 0;
     // Short enough that the end of the thread is not felt in the 20 ms in which a cancel takes effect.
     constexpr milliseconds kPoll(5);
@@ -106,6 +133,10 @@ Error PrimaryClient::Private::listen() {
         publish(parser);
         if (!reader.understands()) {
             return PrimaryReader::notUnderstood(context);
+        }
+        pace.take(reader.lastBytes());
+        if (const milliseconds pause = pace.pause(); pause > milliseconds::zero()) {
+            pauseFor(pause);
         }
     }
     return {ErrorCode::Cancelled, context, {}};

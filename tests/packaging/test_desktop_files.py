@@ -112,6 +112,33 @@ class TestDesktopFiles(unittest.TestCase):
             self.assertLessEqual(options_in(command[2]), options_in(help_of("tiller-cli", command[1])), unit)
             self.assertIn("NoNewPrivileges=yes", unit.read_text())
 
+    def test_no_shell_reads_the_instance_name_of_a_unit(self):
+        for unit in (LINUX / "systemd").glob("*.service"):
+            for line in re.findall(r"^Exec\w+=.*$", unit.read_text(), re.MULTILINE):
+                self.assertNotRegex(line, r"\b(sh|bash|env)\b", unit)
+                # One argument by itself, which no option can be: behind "--", or the value of an option.
+                self.assertRegex(line, r"(-- %i$|=%i( |$))", unit)
+
+    def test_the_units_pass_the_check_of_systemd(self):
+        if not shutil.which("systemd-analyze"):
+            self.skipTest("systemd-analyze is not installed")
+        with tempfile.TemporaryDirectory() as folder:
+            for unit in (LINUX / "systemd").glob("*.service"):
+                text = unit.read_text().replace("/usr/bin/tiller-cli", PROGRAMS["tiller-cli"])
+                file = pathlib.Path(folder) / unit.name.replace("@", "@127.0.0.1")
+                file.write_text(text)
+                done = subprocess.run(["systemd-analyze", "verify", "--man=no", str(file)], capture_output=True,
+                                      text=True, check=False)
+                self.assertNotIn(unit.name.partition("@")[0], done.stderr)
+
+    def test_what_is_no_address_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for address in ("--force", "$(touch x)", "a;touch x", "`touch x`", "a b", "../x", "a/b", "x\ny", ""):
+                done = subprocess.run([PROGRAMS["tiller-cli"], "record", "--out-folder", ".", "--quiet", "--wait", "1",
+                                       "--", address], cwd=folder, capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 2, address)
+            self.assertEqual(os.listdir(folder), [])
+
 
 if __name__ == "__main__":
     unittest.main()

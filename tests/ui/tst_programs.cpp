@@ -298,6 +298,24 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
     }
 
+    void aFloodOfPopupsIsBounded() {
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        const int before = card->updates();
+        script::ControllerMessage popup;
+        popup.kind = script::MessageKind::Popup;
+        for (int i = 1; i <= 10'000; ++i) {
+            popup.text = QStringLiteral("Popup %1").arg(i);
+            Q_EMIT window_->session().controllerMessage(popup);
+        }
+        // The first one is shown at once, the others with the next update.
+        QVERIFY2(card->updates() - before <= 2, qPrintable(QString::number(card->updates() - before)));
+        QCOMPARE(card->count(), RobotPopup::kMaxPopups);
+        QTRY_COMPARE_WITH_TIMEOUT(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Popup 10000"),
+                                  20'000);
+        window_->session().disconnectFromRobot();
+        QCOMPARE(card->count(), 0);
+    }
+
     void aPopupThatCannotBeClosedFromHereSaysSoAndHides() {
         begin(SoftwareVersion{10, 12, 0, 0});
         QTRY_COMPARE_WITH_TIMEOUT(state().service, dashboard::ServiceKind::RobotApi, 20'000);

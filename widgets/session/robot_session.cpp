@@ -2,6 +2,7 @@
 #include "widgets/session/robot_session.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "robot/control/compliance.h"
 #include "robot/control/motions.h"
@@ -533,7 +534,19 @@ void RobotSession::reportChanges() {
 
 void RobotSession::reportControllerMessages() {
     using script::MessageKind;
-    for (const script::ControllerMessage& m : d_->link->primary->takeMessages()) {
+    script::PrimaryClient& primary = *d_->link->primary;
+    script::MessageLimiter& limiter = d_->link->messageLimiter;
+    const std::int64_t now = d_->clock->nowNs();
+    std::vector<script::ControllerMessage> messages = primary.takeMessages();
+    limiter.limit(messages, now);
+    limiter.setDropped(primary.droppedMessages());
+    if (const std::uint64_t removed = limiter.takeRemoved(now); removed > 0) {
+        Q_EMIT message(
+            Severity::Warning,
+            tr("The robot sends too many messages: %n were not shown", nullptr,
+               static_cast<int>(std::min<std::uint64_t>(removed, std::numeric_limits<int>::max()))));
+    }
+    for (const script::ControllerMessage& m : messages) {
         Q_EMIT controllerMessage(m);
         const Severity severity = m.severity >= script::MessageSeverity::Violation ? Severity::Error
                                   : m.severity == script::MessageSeverity::Warning ? Severity::Warning

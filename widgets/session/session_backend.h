@@ -18,6 +18,7 @@
 #include "robot/io/outputs.h"
 #include "robot/receive/receiver.h"
 #include "robot/recording/recorder.h"
+#include "robot/script/message_limiter.h"
 #include "robot/script/primary_client.h"
 #include "robot/script/script_client.h"
 #include "widgets/session/foreign_stop.h"
@@ -62,6 +63,7 @@ struct RobotLink {
     std::unique_ptr<dashboard::ServiceWorker> watch;  ///< only looks: never behind a command
     std::unique_ptr<ForeignStop> foreignStop;
     std::unique_ptr<script::PrimaryClient> primary;
+    script::MessageLimiter messageLimiter;  ///< of what `primary` received
 };
 
 struct SessionBackend {

@@ -75,6 +75,12 @@ RobotPopup::RobotPopup(RobotSession& session, QWidget& window, QWidget& over)
 
     unread_.setSingleShot(true);
     unread_.setInterval(kUnreadMs);
+    nextUpdate_.setSingleShot(true);
+    nextUpdate_.setInterval(kShowEveryMs);
+    connect(&nextUpdate_, &QTimer::timeout, this, [this] {
+        obstacle_ = obstacleNow(session_.state());
+        showNewest();
+    });
     connect(&unread_, &QTimer::timeout, this, &RobotPopup::showKey);
     connect(key_, &QPushButton::clicked, this, &RobotPopup::closeOnRobot);
     connect(&session, &RobotSession::controllerMessage, this, &RobotPopup::hear);
@@ -92,10 +98,26 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
         return;
     }
     popups_.append(message);
+    if (popups_.size() > kMaxPopups) {
+        popups_.removeFirst();
+        if (asked_) {
+            asked_ = std::max<qsizetype>(0, *asked_ - 1);
+        }
+    }
     refused_ = false;
-    obstacle_ = obstacleNow(session_.state());
     unread_.start();
+    showSoon();
+}
+
+// The layout and the screen reader would take a core if each popup of a flood was shown.
+void RobotPopup::showSoon() {
+    if (nextUpdate_.isActive()) {
+        showKey();  // not the popup that could be closed until now
+        return;
+    }
+    obstacle_ = obstacleNow(session_.state());
     showNewest();
+    nextUpdate_.start();
 }
 
 void RobotPopup::followState(const SessionState& state) {
@@ -171,6 +193,7 @@ void RobotPopup::showNewest() {
         hide();
         return;
     }
+    ++updates_;
     const script::ControllerMessage& newest = popups_.last();
     heading_->setText(newest.title.isEmpty() ? kindText(newest.severity) : newest.title);
     const bool whole = newest.text.size() <= kLongest;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A popup that stands on the teach pendant, shown in the window as the robot shows it: heading, text and a key that
-// closes it there. It lies over the view, takes the focus from nobody and moves nothing; a click that was meant for
-// what it covers does not close it, nor does Space, which means stop: a program that waits would go on.
+// Shows a popup of the teach pendant in the window: heading, text and a button that closes it on the robot. It covers
+// the view, takes no focus and moves nothing. A click that was meant for the covered widget does not close it, nor does
+// Space, which means stop: a program that waits for the popup would continue. Many popups at once, as from a program that
+// opens them in a loop, are kept up to a limit and shown a few times a second.
 
 #include <QFrame>
 #include <QList>
@@ -26,8 +27,13 @@ public:
     /// over    in whose middle it stands, while that is shown
     RobotPopup(RobotSession& session, QWidget& window, QWidget& over);
 
-    /// How many stand on the pendant, as far as was heard; the newest is shown.
+    /// Popups on the pendant that were reported, at most kMaxPopups; the newest is shown.
     int count() const { return static_cast<int>(popups_.size()); }
+    /// How many times the shown popup was replaced, for tests of the load.
+    int updates() const { return updates_; }
+
+    static constexpr int kMaxPopups = 100;    ///< beyond these the oldest are forgotten
+    static constexpr int kShowEveryMs = 200;  ///< [ms] between two updates of the widget
 
     /// So long a new one cannot be closed [ms].
     static constexpr int kUnreadMs = 500;
@@ -44,6 +50,7 @@ private:
     QString obstacleNow(const SessionState& state) const;
     void remove(qsizetype which);
     void forget();
+    void showSoon();
     void showNewest();
     void showKey();
     void place();
@@ -55,6 +62,8 @@ private:
     std::optional<qsizetype> asked_;  ///< which the robot was asked to close, until it answers
     bool refused_ = false;            ///< the robot did not close the one that is shown
     QTimer unread_;
+    QTimer nextUpdate_;
+    int updates_ = 0;
     QLabel* heading_;
     QLabel* text_;
     QLabel* note_;

@@ -6,22 +6,30 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTcpSocket>
 #include <QWebSocket>
+#include <QWebSocketCorsAuthenticator>
 #include <QtEndian>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace tiller::live {
 
 namespace {
 
-constexpr int kMostViewers = 16;
-constexpr quint64 kLongestRequest = 256 * 1024;
-constexpr int kMostSubscriptions = 1000;
-// What a viewer may be behind before messages are left out for it: seconds of all there is.
-constexpr qint64 kMostUnsent = 8 << 20;
+constexpr int kAcceptedAtOnce = 8;
+constexpr int kMaxShownOrigin = 200;  // [characters]
+// The kernel's buffer of a connection: what is in it can no longer be dropped. Less than a second of all messages.
+constexpr int kSendBuffer = 256 * 1024;
+constexpr qint64 kMaxUnsent = 64 * 1024;
+constexpr qint64 kMaxUnreadAnswers = 256 * 1024;
+constexpr std::chrono::milliseconds kMinStallCheck{10};
+constexpr std::chrono::milliseconds kMaxStallCheck{1000};
 constexpr char kMessageData = 0x01;
+constexpr int kWarning = 1;
+constexpr int kError = 2;
 
 QByteArray toText(const QJsonObject& object) {
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
@@ -36,11 +44,6 @@ QJsonObject describe(const LiveChannel& channel) {
             {"schemaEncoding", "ros2msg"}};
 }
 
-void tell(QWebSocket* socket, int level, const QString& message) {
-    socket->sendTextMessage(
-        QString::fromUtf8(toText({{"op", "status"}, {"level", level}, {"message", message}})));
-}
-
 /// A number that a message may have, or nothing.
 std::optional<std::uint32_t> numberOf(const QJsonValue& value) {
     const double number = value.toDouble(-1);
@@ -52,24 +55,42 @@ std::optional<std::uint32_t> numberOf(const QJsonValue& value) {
 
 }  // namespace
 
-FoxgloveServer::FoxgloveServer(const QString& name)
+FoxgloveServer::FoxgloveServer(const QString& name, AllowedOrigins origins, const LiveLimits& limits)
     : name_(name)
     , session_(QString::number(QDateTime::currentMSecsSinceEpoch()))
-    , server_(name, QWebSocketServer::NonSecureMode) {
-    server_.setSupportedSubprotocols(
+    , origins_(std::move(origins))
+    , limits_(limits)
+    , upgrader_(name, QWebSocketServer::NonSecureMode) {
+    upgrader_.setSupportedSubprotocols(
         {QStringLiteral("foxglove.sdk.v1"), QStringLiteral("foxglove.websocket.v1")});
-    server_.setMaxPendingConnections(kMostViewers);
-    connect(&server_, &QWebSocketServer::newConnection, this, &FoxgloveServer::welcome);
+    // Queued: between two batches the event loop serves the viewers that are connected.
+    listener_.setMaxPendingConnections(kAcceptedAtOnce);
+    connect(&listener_, &QTcpServer::newConnection, this, &FoxgloveServer::accept, Qt::QueuedConnection);
+    connect(&upgrader_, &QWebSocketServer::originAuthenticationRequired, this,
+            [this](QWebSocketCorsAuthenticator* authenticator) {
+                authenticator->setAllowed(origins_.allow(authenticator->origin()));
+                if (!authenticator->allowed()) {
+                    ++refused_;
+                    refusedOrigin_ = authenticator->origin().left(kMaxShownOrigin);
+                }
+            });
+    connect(&upgrader_, &QWebSocketServer::newConnection, this, &FoxgloveServer::welcome);
+    connect(&stallTimer_, &QTimer::timeout, this, &FoxgloveServer::closeStalledClients);
+    stallTimer_.start(std::clamp(limits_.stallTimeout / 10, kMinStallCheck, kMaxStallCheck));
 }
 
 FoxgloveServer::~FoxgloveServer() {
-    server_.close();
+    listener_.close();
     const QList<QWebSocket*> sockets = clients_.keys();
     for (QWebSocket* socket : sockets) {
         socket->disconnect(this);
         socket->close(QWebSocketProtocol::CloseCodeGoingAway);
         socket->flush();
         delete socket;
+    }
+    for (const Handshake& handshake : handshakes_) {
+        handshake.socket->disconnect(this);
+        handshake.socket->abort();
     }
 }
 
@@ -79,47 +100,103 @@ Result<void> FoxgloveServer::listen(const QString& address, std::uint16_t port) 
         return Error{ErrorCode::AddressInvalid, QStringLiteral("listen on %1").arg(address),
                      QStringLiteral("that is not an address, such as 127.0.0.1")};
     }
-    if (!server_.listen(host, port)) {
+    if (!listener_.listen(host, port)) {
         return Error{ErrorCode::Rejected, QStringLiteral("listen on %1 port %2").arg(address).arg(port),
-                     server_.errorString()};
+                     listener_.errorString()};
     }
     return {};
 }
 
 void FoxgloveServer::advertise(const LiveChannel& channel) {
-    QJsonArray gone;
+    QJsonArray removedIds;
     std::erase_if(channels_, [&](const LiveChannel& known) {
         if (known.topic == channel.topic) {
-            gone.append(static_cast<qint64>(known.id));
+            removedIds.append(static_cast<qint64>(known.id));
             return true;
         }
         return false;
     });
     channels_.push_back(channel);
-    const QString removed = QString::fromUtf8(toText({{"op", "unadvertise"}, {"channelIds", gone}}));
+    const QString removed = QString::fromUtf8(toText({{"op", "unadvertise"}, {"channelIds", removedIds}}));
     const QString added =
         QString::fromUtf8(toText({{"op", "advertise"}, {"channels", QJsonArray{describe(channel)}}}));
     for (auto client = clients_.begin(); client != clients_.end(); ++client) {
-        if (!gone.isEmpty()) {
+        if (!removedIds.isEmpty()) {
             client.key()->sendTextMessage(removed);
         }
         client.key()->sendTextMessage(added);
     }
 }
 
+void FoxgloveServer::accept() {
+    while (QTcpSocket* socket = listener_.nextPendingConnection()) {
+        while (handshakes_.size() >= static_cast<std::size_t>(limits_.maxIdleConnections)) {
+            ++disconnected_;
+            QTcpSocket* const oldest = handshakes_.front().socket;
+            handshakes_.pop_front();
+            oldest->abort();
+        }
+        const auto isOfSocket = [socket](const Handshake& each) { return each.socket == socket; };
+        handshakes_.push_back({socket, std::make_shared<Incoming>()});
+        connect(socket, &QTcpSocket::disconnected, this,
+                [this, isOfSocket] { std::erase_if(handshakes_, isOfSocket); });
+        QTimer::singleShot(limits_.handshakeTimeout, socket, [this, socket, isOfSocket] {
+            if (std::any_of(handshakes_.begin(), handshakes_.end(), isOfSocket)) {
+                ++disconnected_;
+                socket->abort();
+            }
+        });
+        connect(socket, &QTcpSocket::readyRead, this,
+                [this, socket, incoming = handshakes_.back().incoming] { countIncoming(socket, *incoming); });
+        // QWebSocketServer keeps up to 800 kB of an unfinished header; this socket never has more than its buffer.
+        socket->setReadBufferSize(limits_.maxHeaderBytes);
+        socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+        socket->setSocketOption(QAbstractSocket::SendBufferSizeSocketOption, kSendBuffer);
+        upgrader_.handleConnection(socket);
+    }
+}
+
+// QWebSocketServer emits newConnection while it handles the handshake of the one socket.
 void FoxgloveServer::welcome() {
-    while (QWebSocket* socket = server_.nextPendingConnection()) {
-        socket->setParent(this);
-        if (clients_.size() >= kMostViewers) {
-            socket->close(QWebSocketProtocol::CloseCodePolicyViolated, QStringLiteral("too many viewers"));
+    while (QWebSocket* socket = upgrader_.nextPendingConnection()) {
+        const auto found =
+            std::find_if(handshakes_.begin(), handshakes_.end(), [socket](const Handshake& each) {
+                return each.socket->peerPort() == socket->peerPort() &&
+                       each.socket->peerAddress() == socket->peerAddress();
+            });
+        if (found == handshakes_.end()) {
+            socket->abort();
             socket->deleteLater();
             continue;
         }
-        socket->setMaxAllowedIncomingMessageSize(kLongestRequest);
-        clients_.insert(socket, {});
+        const auto [tcp, incoming] = *found;
+        handshakes_.erase(found);
+        socket->setParent(this);
+        tcp->setParent(socket);
+        // One frame with its header has to fit in the buffer.
+        constexpr qint64 kMaxFrameHeader = 14;
+        socket->setReadBufferSize(
+            std::max(limits_.maxHeaderBytes, limits_.maxRequestBytes + kMaxFrameHeader));
+        socket->setMaxAllowedIncomingFrameSize(static_cast<quint64>(limits_.maxRequestBytes));
+        socket->setMaxAllowedIncomingMessageSize(static_cast<quint64>(limits_.maxRequestBytes));
+        Client client;
+        client.order = ++accepted_;
+        client.waitingSince = std::chrono::steady_clock::now();
+        clients_.insert(socket, client);
         connect(socket, &QWebSocket::textMessageReceived, this,
-                [this, socket](const QString& text) { hear(socket, text); });
+                [this, socket](const QString& text) { receive(socket, text); });
+        connect(socket, &QWebSocket::bytesWritten, this, [this, socket] {
+            if (const auto it = clients_.find(socket); it != clients_.end()) {
+                it->waitingSince = std::chrono::steady_clock::now();
+                sendQueued(socket, *it);
+            }
+        });
         connect(socket, &QWebSocket::disconnected, this, [this, socket] { forget(socket); });
+        // Connected after Qt's own handler: runs when Qt has read what it can use.
+        connect(tcp, &QTcpSocket::readyRead, this, [this, socket, tcp = tcp, incoming = incoming] {
+            incoming->unread = tcp->bytesAvailable();
+            closeIfUnread(socket);
+        });
         socket->sendTextMessage(QString::fromUtf8(toText({{"op", "serverInfo"},
                                                           {"name", name_},
                                                           {"capabilities", QJsonArray()},
@@ -131,14 +208,42 @@ void FoxgloveServer::welcome() {
             channels.append(describe(channel));
         }
         socket->sendTextMessage(QString::fromUtf8(toText({{"op", "advertise"}, {"channels", channels}})));
+        closeOldestIdleClient();
     }
 }
 
-void FoxgloveServer::hear(QWebSocket* socket, const QString& text) {
+// Runs before Qt reads.
+void FoxgloveServer::countIncoming(QTcpSocket* socket, Incoming& incoming) {
+    const qint64 available = socket->bytesAvailable();
+    const Time now = std::chrono::steady_clock::now();
+    if (now - incoming.windowBegin >= std::chrono::seconds(1)) {
+        incoming.windowBegin = now;
+        incoming.inWindow = 0;
+    }
+    incoming.inWindow += std::max<qint64>(0, available - incoming.unread);
+    incoming.unread = available;
+    if (incoming.inWindow > limits_.maxRequestRate) {
+        if (auto* const viewer = qobject_cast<QWebSocket*>(socket->parent())) {
+            disconnectLater(viewer, QStringLiteral("too many requests"));
+        }
+    }
+}
+
+// Answers and pongs are written to the socket directly.
+void FoxgloveServer::closeIfUnread(QWebSocket* socket) {
+    if (socket->bytesToWrite() > kMaxUnreadAnswers) {
+        disconnectLater(socket, QStringLiteral("the answers are not read"));
+    }
+}
+
+void FoxgloveServer::receive(QWebSocket* socket, const QString& text) {
+    const auto found = clients_.find(socket);
+    if (found == clients_.end() || found->isClosing) {
+        return;
+    }
+    Client& client = *found;
     const QJsonObject request = QJsonDocument::fromJson(text.toUtf8()).object();
     const QString op = request["op"].toString();
-    Client& client = clients_[socket];
-    constexpr int kError = 2;
     if (op == QLatin1String("subscribe")) {
         for (const QJsonValue& each : request["subscriptions"].toArray()) {
             const auto id = numberOf(each["id"]);
@@ -146,7 +251,10 @@ void FoxgloveServer::hear(QWebSocket* socket, const QString& text) {
             if (id && channel) {
                 subscribe(socket, client, *id, *channel);
             } else {
-                tell(socket, kError, QStringLiteral("a subscription needs an id and a channelId"));
+                report(socket, kError, QStringLiteral("a subscription needs an id and a channelId"));
+            }
+            if (client.isClosing) {
+                return;
             }
         }
     } else if (op == QLatin1String("unsubscribe")) {
@@ -156,20 +264,26 @@ void FoxgloveServer::hear(QWebSocket* socket, const QString& text) {
             }
         }
     } else {
-        tell(
-            socket, kError,
-            QStringLiteral("\"%1\" is not served here: data can be subscribed to, no more").arg(op.left(40)));
+        report(socket, kError,
+               QStringLiteral("\"%1\" is not supported: this server only offers subscriptions")
+                   .arg(op.left(40)));
     }
 }
 
 void FoxgloveServer::subscribe(QWebSocket* socket, Client& client, std::uint32_t id, std::uint32_t channel) {
-    constexpr int kError = 2;
     const bool exists = std::any_of(channels_.begin(), channels_.end(),
                                     [&](const LiveChannel& known) { return known.id == channel; });
+    const QList<std::uint32_t> channels = client.subscriptions.values();
     if (!exists) {
-        tell(socket, kError, QStringLiteral("there is no channel %1").arg(channel));
-    } else if (client.subscriptions.contains(id) || client.subscriptions.size() >= kMostSubscriptions) {
-        tell(socket, kError, QStringLiteral("subscription %1 is taken").arg(id));
+        report(socket, kError, QStringLiteral("there is no channel %1").arg(channel));
+    } else if (client.subscriptions.contains(id)) {
+        report(socket, kError, QStringLiteral("subscription %1 is in use").arg(id));
+    } else if (channels.contains(channel)) {
+        // Each subscription of a channel is another copy of each message.
+        report(socket, kError, QStringLiteral("channel %1 is already subscribed to").arg(channel));
+    } else if (channels.isEmpty() && subscribedViewers() >= limits_.maxViewers) {
+        report(socket, kError,
+               QStringLiteral("too many viewers: at most %1 can subscribe").arg(limits_.maxViewers));
     } else {
         client.subscriptions.insert(id, channel);
         ++wanted_[channel];
@@ -182,6 +296,66 @@ void FoxgloveServer::unsubscribe(Client& client, std::uint32_t id) {
         --wanted_[found.value()];
         client.subscriptions.erase(found);
     }
+}
+
+int FoxgloveServer::subscribedViewers() const {
+    return static_cast<int>(std::count_if(clients_.begin(), clients_.end(), [](const Client& client) {
+        return !client.subscriptions.isEmpty();
+    }));
+}
+
+void FoxgloveServer::report(QWebSocket* socket, int level, const QString& message) {
+    socket->sendTextMessage(
+        QString::fromUtf8(toText({{"op", "status"}, {"level", level}, {"message", message}})));
+    closeIfUnread(socket);
+}
+
+void FoxgloveServer::closeOldestIdleClient() {
+    QWebSocket* oldest = nullptr;
+    int idle = 0;
+    std::uint64_t order = 0;
+    for (auto client = clients_.begin(); client != clients_.end(); ++client) {
+        if (client->subscriptions.isEmpty() && !client->isClosing) {
+            ++idle;
+            if (oldest == nullptr || client->order < order) {
+                oldest = client.key();
+                order = client->order;
+            }
+        }
+    }
+    if (idle > limits_.maxIdleConnections) {
+        disconnectLater(oldest, QStringLiteral("too many connections without a subscription"));
+    }
+}
+
+void FoxgloveServer::closeStalledClients() {
+    const Time now = std::chrono::steady_clock::now();
+    for (auto client = clients_.begin(); client != clients_.end(); ++client) {
+        if (client.key()->bytesToWrite() == 0 && client->queue.empty()) {
+            client->waitingSince = now;
+        } else if (now - client->waitingSince > limits_.stallTimeout) {
+            disconnectLater(client.key(), QStringLiteral("the messages are not read"));
+        }
+    }
+}
+
+// Not at once: the caller iterates over the clients, or Qt is reading from the socket.
+void FoxgloveServer::disconnectLater(QWebSocket* socket, const QString& reason) {
+    const auto client = clients_.find(socket);
+    if (client == clients_.end() || std::exchange(client->isClosing, true)) {
+        return;
+    }
+    ++disconnected_;
+    client->queue.clear();
+    client->queuedBytes = 0;
+    QMetaObject::invokeMethod(
+        socket,
+        [socket, reason] {
+            socket->close(QWebSocketProtocol::CloseCodePolicyViolated, reason);
+            // A peer that does not read would keep the connection open.
+            socket->abort();
+        },
+        Qt::QueuedConnection);
 }
 
 void FoxgloveServer::forget(QWebSocket* socket) {
@@ -202,23 +376,41 @@ void FoxgloveServer::send(std::uint32_t channel, std::uint64_t timeNs, const std
     bytes[0] = kMessageData;
     qToLittleEndian(timeNs, bytes.data() + 1 + 4);
     for (auto client = clients_.begin(); client != clients_.end(); ++client) {
-        for (auto each = client->subscriptions.begin(); each != client->subscriptions.end(); ++each) {
-            if (each.value() != channel) {
-                continue;
-            }
-            if (client.key()->bytesToWrite() > kMostUnsent) {
-                ++dropped_;
-                if (!std::exchange(client->isSlow, true)) {
-                    constexpr int kWarning = 1;
-                    tell(client.key(), kWarning,
-                         QStringLiteral("this viewer is too slow: messages are left out"));
-                }
-                continue;
-            }
-            qToLittleEndian(each.key(), bytes.data() + 1);
-            client.key()->sendBinaryMessage(bytes);
-            ++sent_;
+        if (client->isClosing) {
+            continue;
         }
+        for (auto each = client->subscriptions.begin(); each != client->subscriptions.end(); ++each) {
+            if (each.value() == channel) {
+                enqueue(client.key(), *client, {each.key(), bytes});
+            }
+        }
+    }
+}
+
+void FoxgloveServer::enqueue(QWebSocket* socket, Client& client, Queued next) {
+    client.queuedBytes += next.message.size();
+    client.queue.push_back(std::move(next));
+    sendQueued(socket, client);
+    while (client.queuedBytes > limits_.maxQueueBytes) {
+        client.queuedBytes -= client.queue.front().message.size();
+        client.queue.pop_front();
+        ++dropped_;
+        if (!std::exchange(client.isSlow, true)) {
+            report(socket, kWarning,
+                   QStringLiteral("this viewer is too slow: the oldest messages are dropped"));
+        }
+    }
+}
+
+// What the socket has taken can no longer be dropped, so it gets little ahead.
+void FoxgloveServer::sendQueued(QWebSocket* socket, Client& client) {
+    while (!client.queue.empty() && socket->bytesToWrite() < kMaxUnsent) {
+        auto [subscription, message] = std::move(client.queue.front());
+        client.queue.pop_front();
+        client.queuedBytes -= message.size();
+        qToLittleEndian(subscription, message.data() + 1);  // copies what other viewers share
+        socket->sendBinaryMessage(message);
+        ++sent_;
     }
 }
 

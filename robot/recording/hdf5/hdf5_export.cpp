@@ -3,7 +3,9 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "robot/core/atomic_file.h"
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
@@ -51,6 +53,26 @@ struct Field {
     bool hasMissing = false;
 };
 
+/// Names come from a file: one may be there twice, be empty, or mean something else to HDF5.
+void makeNamesUsable(std::vector<Field>& fields) {
+    std::set<std::string> used{"time", "gaps"};  // written besides the fields
+    for (Field& field : fields) {
+        std::string name = field.name;
+        // A slash would make a group of it, dots by themselves mean the group.
+        std::replace(name.begin(), name.end(), '/', '_');
+        if (name.find_first_not_of('.') == std::string::npos) {
+            std::replace(name.begin(), name.end(), '.', '_');
+        }
+        if (name.empty()) {
+            name = "unnamed";
+        }
+        field.name = name;
+        for (int number = 2; !used.insert(field.name).second; ++number) {
+            field.name = name + " (" + std::to_string(number) + ")";
+        }
+    }
+}
+
 /// Numbers of one vector, which stand beside one another, become one field.
 std::vector<Field> fieldsOf(const Recording& recording, const std::vector<std::size_t>& columns) {
     std::vector<Field> fields;
@@ -75,14 +97,13 @@ std::vector<Field> fieldsOf(const Recording& recording, const std::vector<std::s
             field.meaning = known->meaning;
         } else {
             field.name = name;
-            // A slash would make a group of it.
-            std::replace(field.name.begin(), field.name.end(), '/', '_');
             field.unit = described.unit;
             if (described.whole) {
                 field.storage = storageOf(rtde::DataType::UInt64);
             }
         }
     }
+    makeNamesUsable(fields);
     return fields;
 }
 

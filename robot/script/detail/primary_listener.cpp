@@ -26,6 +26,7 @@ void ListenerThread::end() {
 
 Status PrimaryReader::read(native_socket::Descriptor descriptor, std::chrono::milliseconds atMost,
                            const Clock& clock) {
+    lastBytes_ = 0;
     if (!heardNs_) {
         heardNs_ = clock.nowNs();
     }
@@ -36,6 +37,7 @@ Status PrimaryReader::read(native_socket::Descriptor descriptor, std::chrono::mi
     const auto got = native_socket::receive(descriptor, bytes_);
     if (got.status == Status::Ok) {
         heardNs_ = clock.nowNs();
+        lastBytes_ = got.bytes;
         understands_ = parser_.feed(std::span(bytes_).first(got.bytes), clock.nowNs());
     }
     return got.status;

@@ -78,6 +78,7 @@ public:
     native_socket::Status read(native_socket::Descriptor descriptor, std::chrono::milliseconds atMost,
                                const Clock& clock);
     PrimaryParser& parser() { return parser_; }
+    std::size_t lastBytes() const { return lastBytes_; }  ///< taken by the last read()
     /// False once a package had a length that makes no sense: the connection is to be given up.
     bool understands() const { return understands_; }
     /// What it is given up with.
@@ -86,6 +87,7 @@ public:
 private:
     PrimaryParser parser_;
     std::array<std::uint8_t, 8192> bytes_;
+    std::size_t lastBytes_ = 0;
     bool understands_ = true;
     std::optional<std::int64_t> heardNs_;  ///< when bytes came last; at first, when they were waited for
 };

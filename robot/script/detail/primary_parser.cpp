@@ -289,6 +289,10 @@ bool PrimaryParser::robotMessage(std::span<const std::uint8_t> bytes, std::int64
             break;
     }
     if (in.ok()) {
+        // A package may be 128 kB; thousands of messages are kept until they are taken.
+        constexpr qsizetype kMaxText = 4096;
+        message.title.truncate(kMaxText);
+        message.text.truncate(kMaxText);
         messages_.push_back(message);
     }
     return in.ok();

@@ -146,15 +146,26 @@ enum BuiltinFlags : unsigned {
     kClearsInterpreter = 4,
 };
 
-/// First version with the function: 5.x and 10.x; {0, 0} = always. Series 3 got its functions in step with
-/// series 5 (3.14 with 5.9, 3.15 with 5.10) unless it never had them.
 inline constexpr int kNever = 1000;
+/// In the release of series 3 that came out with the one of series 5: 3.10 with 5.4, 3.15 with 5.10.
+inline constexpr int kInStep = -1;
+/// First version with a function in each series; 0: all versions of the series.
 struct Since {
     int minor5 = 0;
     int minor10 = 0;
-    bool series3 = true;
+    int minor3 = kInStep;
+
+    int firstOfSeries3() const;  ///< kNever: no version has it
+    bool availableIn(const SoftwareVersion& version) const;
 };
-inline constexpr Since kPolyScopeX{kNever, 0};
+inline constexpr Since kPolyScopeX{kNever, 0, kNever};
+/// Not in the lists of 2019 (3.11 and 5.5), but in those of 5.15.
+inline constexpr Since kAfter2019{6, 0};
+/// Not in the lists of 5.15, but in those of 5.24 and 10.11.
+inline constexpr Since kAfter515{16, 0, kNever};
+inline constexpr Since kStructSince{0, 0, 6};
+inline constexpr Since kStringsSince{2, 0, 8};
+inline constexpr Since kSeries5{0, 0, kNever};
 
 /// A row as written in the tables.
 struct BuiltinRow {
@@ -174,7 +185,7 @@ struct Builtin {
     unsigned flags = kPlain;
     Since since;
     const char* needs = nullptr;
-    bool availableIn(const SoftwareVersion& version) const;
+    bool availableIn(const SoftwareVersion& version) const { return since.availableIn(version); }
 };
 
 /// All rows, sorted by name.

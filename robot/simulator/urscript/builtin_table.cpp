@@ -78,15 +78,18 @@ std::vector<Builtin> allRows() {
 
 }  // namespace
 
-bool Builtin::availableIn(const SoftwareVersion& version) const {
-    if (version.major >= 10) {
-        return static_cast<int>(version.minor) >= since.minor10;
+int Since::firstOfSeries3() const {
+    if (minor3 != kInStep || minor5 == 0) {
+        return std::max(minor3, 0);
     }
-    if (version.major < 5 && !since.series3) {
-        return false;
-    }
-    const int minor = static_cast<int>(version.minor) - (version.major >= 5 ? 0 : 5);
-    return std::max(minor, 0) >= since.minor5;
+    // 5.0 came out with 3.6, 5.6 with 3.12; then series 3 left out one release.
+    constexpr int kLast = 10;
+    return minor5 > kLast ? kNever : minor5 + (minor5 <= 6 ? 6 : 5);
+}
+
+bool Since::availableIn(const SoftwareVersion& version) const {
+    const int first = version.major >= 10 ? minor10 : version.major >= 5 ? minor5 : firstOfSeries3();
+    return static_cast<int>(version.minor) >= first;
 }
 
 const std::vector<Builtin>& builtins() {

@@ -114,19 +114,19 @@ Status endScrewDriving(Call& c) {
 constexpr BuiltinRow kForceRows[] = {
     {"force_mode(task_frame, selection_vector, wrench, type, limits)", forceMode},
     {"end_force_mode()", endForceMode},
-    {"force_mode_set_damping(damping)", setDamping},
-    {"force_mode_get_damping()", getDamping},
+    {"force_mode_set_damping(damping)", setDamping, kPlain, {0, 0, 5}},
+    {"force_mode_get_damping()", getDamping, kPlain, kAfter515},
     // Series 3 knows the names too: control scripts that run on both call it behind a condition.
-    {"force_mode_set_gain_scaling(scaling)", setGain},
-    {"force_mode_get_gain_scaling()", getGain},
+    {"force_mode_set_gain_scaling(scaling)", setGain, kPlain, kSeries5},
+    {"force_mode_get_gain_scaling()", getGain, kPlain, kAfter515},
     {"freedrive_mode(freeAxes?, feature?)", freedriveMode},
-    {"freedrive_mode_no_incorrect_payload_check()", freedriveUnchecked},
+    {"freedrive_mode_no_incorrect_payload_check()", freedriveUnchecked, kPlain, kAfter515},
     {"end_freedrive_mode()", endFreedrive},
     {"get_freedrive_status()", freedriveStatus, kPlain, {10, 0}},
     {"teach_mode()", teachMode},
     {"end_teach_mode()", endFreedrive},
-    {"screw_driving(f, v_limit)", screwDriving},
-    {"end_screw_driving()", endScrewDriving},
+    {"screw_driving(f, v_limit)", screwDriving, kPlain, kAfter2019},
+    {"end_screw_driving()", endScrewDriving, kPlain, kAfter2019},
 };
 
 }  // namespace

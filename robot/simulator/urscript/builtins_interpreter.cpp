@@ -40,7 +40,7 @@ Status clearInterpreter(Call& c) {
     return Status::Done;
 }
 
-constexpr Since kSince{10, 0, false};
+constexpr Since kSince{10, 0, kNever};
 
 constexpr BuiltinRow kInterpreterRows[] = {
     // As a bare statement it is the program from then on, like one that moves.

@@ -134,14 +134,18 @@ Status runState(Call& c) {
     return Status::Done;
 }
 
-/// Of old software, still sent by clients: these outputs are high while a program runs, the others nobody's.
-Status setRunStateOutputs(Call& c) {
-    constexpr int kOutputs = 8;
-    constexpr int kNobodys = 0, kHighWhileRunning = 3;
+/// The listed outputs are high while a program runs; the others do not depend on the program. Exported programs have
+/// these calls for the outputs of the installation.
+template <RuledOutput output, int last>
+Status runStateOutputs(Call& c) {
+    constexpr int kIndependent = 0, kHighWhileRunning = 3;
     const std::vector<double> high = c.numbers(0);
-    for (int n = 0; n < kOutputs; ++n) {
-        const bool named = std::find(high.begin(), high.end(), n) != high.end();
-        c.host.setRunState(RuledOutput::Standard, n, named ? kHighWhileRunning : kNobodys);
+    if (std::any_of(high.begin(), high.end(), [](double n) { return n < 0 || n > last; })) {
+        c.badArgument(0, "a list of outputs");
+    }
+    for (int n = 0; n <= last; ++n) {
+        const bool isListed = std::find(high.begin(), high.end(), n) != high.end();
+        c.host.setRunState(output, n, isListed ? kHighWhileRunning : kIndependent);
     }
     return Status::Done;
 }
@@ -172,12 +176,15 @@ constexpr BuiltinRow kIoRows[] = {
     {"set_tool_analog_input_domain(port, domain)", setDomain<AnalogPort::ToolInput>},
     {"set_tool_voltage(voltage)", setToolVoltage},
     {"set_tool_communication(enabled, baud_rate, parity, stop_bits, rx_idle_chars, tx_idle_chars)",
-     setToolCommunication,
-     kPlain,
-     {0, 0, false}},
-    {"set_tool_digital_output_mode(n, mode)", setToolDigitalOutputMode},
-    {"set_tool_output_mode(mode)", setToolOutputMode},
-    {"set_runstate_outputs(outputs)", setRunStateOutputs},
+     setToolCommunication, kPlain, kSeries5},
+    {"set_tool_digital_output_mode(n, mode)", setToolDigitalOutputMode, kPlain, kAfter2019},
+    {"set_tool_output_mode(mode)", setToolOutputMode, kPlain, kAfter2019},
+    {"set_runstate_outputs(outputs)", runStateOutputs<RuledOutput::Standard, 7>},
+    {"set_runstate_standard_digital_outputs(outputs)", runStateOutputs<RuledOutput::Standard, 7>},
+    {"set_runstate_configurable_digital_outputs(outputs)", runStateOutputs<RuledOutput::Configurable, 7>},
+    {"set_runstate_tool_digital_outputs(outputs)", runStateOutputs<RuledOutput::Tool, 1>},
+    {"set_runstate_standard_analog_outputs(outputs)", runStateOutputs<RuledOutput::Analog, 1>},
+    {"set_runstate_gp_boolean_outputs(outputs)", runStateOutputs<RuledOutput::Register, 127>},
     {"set_runstate_standard_digital_output_to_value(outputId, state)", runState<RuledOutput::Standard, 7>},
     {"set_runstate_configurable_digital_output_to_value(outputId, state)",
      runState<RuledOutput::Configurable, 7>},

@@ -100,10 +100,10 @@ constexpr BuiltinRow kKinematicsRows[] = {
      kPlain,
      {9, 0}},
     {"is_within_safety_limits(pose)", withinSafetyLimits},
-    {"get_jacobian(q?, tcp?)", jacobian},
-    {"get_jacobian_time_derivative(q?, qd?, tcp?)", jacobianTimeDerivative},
-    {"get_mass_matrix(q?, include_rotors_inertia=False)", massMatrix},
-    {"get_coriolis_and_centrifugal_torques(q?, qd?)", coriolis},
+    {"get_jacobian(q?, tcp?)", jacobian, kPlain, kAfter515},
+    {"get_jacobian_time_derivative(q?, qd?, tcp?)", jacobianTimeDerivative, kPlain, kAfter515},
+    {"get_mass_matrix(q?, include_rotors_inertia=False)", massMatrix, kPlain, kAfter515},
+    {"get_coriolis_and_centrifugal_torques(q?, qd?)", coriolis, kPlain, kAfter515},
 };
 
 }  // namespace

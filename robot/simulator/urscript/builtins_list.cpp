@@ -180,10 +180,10 @@ constexpr BuiltinRow kListRows[] = {
     {"normalize(v)", normalize},
     {"get_list_length(v)", length},
     {"length(v)", length},
-    {"size(v)", size},
+    {"size(v)", size, kPlain, kAfter2019},
     {"make_list(length, initial_value, capacity?)", makeList, kPlain, {15, 0}},
-    {"inv(m)", inv},
-    {"transpose(m)", transpose},
+    {"inv(m)", inv, kPlain, kAfter2019},
+    {"transpose(m)", transpose, kPlain, kAfter2019},
     {"binary_list_to_integer(l)", binaryListToInteger},
     {"integer_to_binary_list(x)", integerToBinaryList},
 };

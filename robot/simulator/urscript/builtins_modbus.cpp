@@ -194,19 +194,19 @@ constexpr BuiltinRow kModbusRows[] = {
      addSignal},
     {"modbus_add_rw_signal(IP, slave_number, read_address, read_register_count, write_address, "
      "write_register_count, signal_name, sequential_mode=False)",
-     addReadWriteSignal},
+     addReadWriteSignal, kPlain, kAfter2019},
     {"modbus_delete_signal(signal_name)", deleteSignal},
     {"modbus_get_signal_status(signal_name, is_secondary_program=False)", getStatus},
-    {"modbus_get_error(signal_name, error_source=0)", getError},
-    {"modbus_get_time_since_signal_invalid(signal_name)", getInvalidTime},
+    {"modbus_get_error(signal_name, error_source=0)", getError, kPlain, kAfter2019},
+    {"modbus_get_time_since_signal_invalid(signal_name)", getInvalidTime, kPlain, kAfter2019},
     {"modbus_set_output_register(signal_name, register_value, is_secondary_program=False)", setRegister},
     {"modbus_set_output_signal(signal_name, digital_value, is_secondary_program=False)", setSignal},
     {"modbus_set_signal_update_frequency(signal_name, update_frequency)", setFrequency},
-    {"modbus_set_signal_watchdog(signal_name, new_timeout_in_sec)", setSignalWatchdog},
+    {"modbus_set_signal_watchdog(signal_name, new_timeout_in_sec)", setSignalWatchdog, kPlain, kAfter2019},
     {"modbus_set_digital_input_action(signal_name, action)", setInputAction},
     {"modbus_set_runstate_dependent_choice(signal_name, runstate_choice)", setRunState},
     {"modbus_send_custom_command(IP, slave_number, function_code, data)", sendCommand},
-    {"modbus_reset_connection(connection_id, is_blocking=True)", resetConnection},
+    {"modbus_reset_connection(connection_id, is_blocking=True)", resetConnection, kPlain, kAfter2019},
 };
 
 }  // namespace

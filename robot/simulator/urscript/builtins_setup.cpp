@@ -193,19 +193,19 @@ Status enableExternalFtSensor(Call& c) {
 }
 
 constexpr BuiltinRow kSetupRows[] = {
-    {"get_tcp_offset()", getTcpOffset},
+    {"get_tcp_offset()", getTcpOffset, kPlain, {0, 0, 6}},
     {"set_tcp(pose, tcp_name=\"\")", setTcp},
-    {"get_target_payload()", targetPayload},
-    {"get_target_payload_cog()", targetPayloadCog},
-    {"get_target_payload_inertia()", targetPayloadInertia},
+    {"get_target_payload()", targetPayload, kPlain, kSeries5},
+    {"get_target_payload_cog()", targetPayloadCog, kPlain, kSeries5},
+    {"get_target_payload_inertia()", targetPayloadInertia, kPlain, kAfter2019},
     {"set_payload(m, cog?)", setPayload},
     {"set_payload_mass(m)", setPayloadMass},
     {"set_payload_cog(cog)", setPayloadCog},
     {"set_target_payload(m, cog, inertia?, transition_time=0)", setTargetPayload, kPlain, {10, 0}},
-    {"estimate_payload(poses, wrenches)", estimatePayload},
+    {"estimate_payload(poses, wrenches)", estimatePayload, kPlain, kAfter2019},
     {"set_gravity(d)", setGravity},
     {"get_gravity()", getGravity, kPlain, {17, 0}},
-    {"set_base_acceleration(a)", setBaseAcceleration},
+    {"set_base_acceleration(a)", setBaseAcceleration, kPlain, kAfter2019},
     {"get_base_acceleration()", getBaseAcceleration, kPlain, {17, 0}},
     {"zero_ftsensor()", zeroFtSensor},
     {"ft_rtde_input_enable(enable, sensor_mass=0.0, sensor_measuring_offset?, sensor_cog?)",
@@ -214,11 +214,11 @@ constexpr BuiltinRow kSetupRows[] = {
      {9, 0}},
     {"enable_external_ft_sensor(enable, sensor_mass=0.0, sensor_measuring_offset?, sensor_cog?)",
      enableExternalFtSensor},
-    {"high_holding_torque_enable()", setting},
-    {"high_holding_torque_disable()", setting},
-    {"set_baselight_off()", setting},
-    {"set_baselight_iec()", setting},
-    {"set_baselight_solid(r, g, b)", setting},
+    {"high_holding_torque_enable()", setting, kPlain, kAfter2019},
+    {"high_holding_torque_disable()", setting, kPlain, kAfter2019},
+    {"set_baselight_off()", setting, kPlain, kAfter2019},
+    {"set_baselight_iec()", setting, kPlain, kAfter2019},
+    {"set_baselight_solid(r, g, b)", setting, kPlain, kAfter2019},
 };
 
 }  // namespace

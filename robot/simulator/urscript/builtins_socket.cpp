@@ -47,8 +47,10 @@ void consume(Call& c, const std::string& socket, std::size_t bytes) {
 
 Status socketOpen(Call& c) {
     const std::string& name = socketName(c, 2);
+    // A connect that fails at once, as without a network, takes a period all the same: a loop around it must not spin.
     if (c.first && !c.host.openSocket(name, c.string(0), c.integerIn(1, 1, 65535))) {
         c.result = false;
+        c.endFrame = true;
         return Status::Done;
     }
     switch (c.host.socketState(name)) {
@@ -57,6 +59,7 @@ Status socketOpen(Call& c) {
             return Status::Done;
         case SocketHost::State::Closed:
             c.result = false;
+            c.endFrame = c.first;
             return Status::Done;
         case SocketHost::State::Connecting:
             break;

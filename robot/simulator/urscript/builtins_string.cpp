@@ -122,10 +122,14 @@ Status toNum(Call& c) {
 }
 
 constexpr BuiltinRow kStringRows[] = {
-    {"str_at(src, index)", strAt}, {"str_cat(op1, op2)", strCat},
-    {"str_empty(str)", strEmpty},  {"str_find(src, target, start_from=0)", strFind},
-    {"str_len(str)", strLen},      {"str_sub(src, index, len?)", strSub},
-    {"to_num(str)", toNum},        {"to_str(val)", toString},
+    {"str_at(src, index)", strAt, kPlain, kStringsSince},
+    {"str_cat(op1, op2)", strCat, kPlain, kStringsSince},
+    {"str_empty(str)", strEmpty, kPlain, kStringsSince},
+    {"str_find(src, target, start_from=0)", strFind, kPlain, kStringsSince},
+    {"str_len(str)", strLen, kPlain, kStringsSince},
+    {"str_sub(src, index, len?)", strSub, kPlain, kStringsSince},
+    {"to_num(str)", toNum},
+    {"to_str(val)", toString},
 };
 
 }  // namespace

@@ -89,12 +89,12 @@ Status encoderUnwind(Call& c) {
 }
 
 constexpr BuiltinRow kSuperpositionRows[] = {
-    {"path_offset_enable()", pathOffsetEnable},
-    {"path_offset_disable(a=20)", stopSuperposition, kMotion},
-    {"path_offset_set(offset, type)", pathOffsetSet},
-    {"path_offset_get(type)", pathOffsetGet},
-    {"path_offset_set_alpha_filter(alpha)", pathOffsetFilter},
-    {"path_offset_set_max_offset(transLimit, rotLimit)", pathOffsetLimits},
+    {"path_offset_enable()", pathOffsetEnable, kPlain, kAfter2019},
+    {"path_offset_disable(a=20)", stopSuperposition, kMotion, kAfter2019},
+    {"path_offset_set(offset, type)", pathOffsetSet, kPlain, kAfter2019},
+    {"path_offset_get(type)", pathOffsetGet, kPlain, kAfter2019},
+    {"path_offset_set_alpha_filter(alpha)", pathOffsetFilter, kPlain, kAfter2019},
+    {"path_offset_set_max_offset(transLimit, rotLimit)", pathOffsetLimits, kPlain, kAfter2019},
     {"track_conveyor_linear(direction, ticks_per_meter, encoder_index=0)", trackLinear},
     {"track_conveyor_circular(center, ticks_per_revolution, rotate_tool=False, encoder_index=0)",
      trackCircular},
@@ -104,7 +104,7 @@ constexpr BuiltinRow kSuperpositionRows[] = {
     {"encoder_enable_set_tick_count(encoder_index, range_id)", encoderRange},
     {"encoder_get_tick_count(encoder_index)", encoderGet},
     {"encoder_set_tick_count(encoder_index, count)", encoderSet},
-    {"encoder_unwind_delta_tick_count(encoder_index, delta_tick_count)", encoderUnwind},
+    {"encoder_unwind_delta_tick_count(encoder_index, delta_tick_count)", encoderUnwind, kPlain, kAfter2019},
     {"get_conveyor_tick_count()", conveyorGet},
     {"set_conveyor_tick_count(tick_count, absolute_encoder_resolution=0)", conveyorSet},
 };

@@ -95,7 +95,20 @@ struct Path {
     int indexValues = 0;  ///< values on the stack for the steps
 };
 
-enum class Method : std::uint8_t { Unknown, Append, Pop, Insert, Clear, Length, Capacity, ToString };
+enum class Method : std::uint8_t {
+    Unknown,
+    Append,
+    Pop,
+    Insert,
+    Extend,
+    Remove,
+    Slice,
+    Clear,
+    Length,
+    Capacity,
+    ExcessCapacity,
+    ToString
+};
 
 struct MethodCall {
     Method method = Method::Unknown;

@@ -17,9 +17,17 @@ namespace {
 
 Method methodOf(std::string_view name) {
     static constexpr std::pair<std::string_view, Method> kMethods[] = {
-        {"append", Method::Append},      {"pop", Method::Pop},       {"insert", Method::Insert},
-        {"clear", Method::Clear},        {"length", Method::Length}, {"capacity", Method::Capacity},
+        {"append", Method::Append},
+        {"pop", Method::Pop},
+        {"insert", Method::Insert},
+        {"clear", Method::Clear},
+        {"length", Method::Length},
+        {"capacity", Method::Capacity},
         {"to_string", Method::ToString},
+        {"extend", Method::Extend},
+        {"remove", Method::Remove},
+        {"slice", Method::Slice},
+        {"excess_capacity", Method::ExcessCapacity},
     };
     for (const auto& [spelling, method] : kMethods) {
         if (spelling == name) {
@@ -132,6 +140,9 @@ void ExpressionCompiler::expression(const Expr* e) {
             emit(Op::MakeList, e->at, count, 0, 1 - count);
             break;
         case ExprKind::StructLiteral:
+            if (options_.version && !kStructSince.availableIn(*options_.version)) {
+                nameNotFound(e->at, "struct");
+            }
             out_->shapes.emplace_back(e->names.begin(), e->names.end());
             emit(Op::MakeStruct, e->at, static_cast<int>(out_->shapes.size()) - 1, 0, 1 - count);
             break;

@@ -57,7 +57,23 @@ protected:
         return take();
     }
     [[noreturn]] void fail(const Token& token) const {
+        // Where an `end` is missing, the last one, in the first column, closed an inner block.
+        if (token.kind == TokenKind::End && tokens_.size() > 1) {
+            const Token& last = tokens_[tokens_.size() - 2];
+            if (last.kind == TokenKind::KwEnd && last.column == 1) {
+                throw ParseFailure{syntaxError(source_, last.line, last.column)};
+            }
+        }
         throw ParseFailure{syntaxError(source_, token.line, token.column)};
+    }
+
+    /// Whether the text assigns to a variable of this name anywhere.
+    bool isAssigned(std::string_view name) const {
+        const auto assigns = [name](const Token& token, const Token& next) {
+            return token.kind == TokenKind::Identifier && token.text == name &&
+                   next.kind == TokenKind::Assign;
+        };
+        return std::adjacent_find(tokens_.begin(), tokens_.end(), assigns) != tokens_.end();
     }
 
     // Recursion of productions is bounded here, and with it the stack.

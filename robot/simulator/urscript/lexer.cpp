@@ -270,8 +270,8 @@ private:
                 length = equals ? 2 : 1;
                 break;
             case '!':
-                token.kind = TokenKind::NotEqual;
-                length = equals ? 2 : 0;
+                token.kind = equals ? TokenKind::NotEqual : TokenKind::KwNot;
+                length = equals ? 2 : 1;
                 break;
             case '<':
                 token.kind = equals ? TokenKind::LessEqual : TokenKind::Less;

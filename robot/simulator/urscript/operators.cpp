@@ -339,6 +339,10 @@ Value indexed(const Value& v, const Value& i) {
             out.numbers.assign(row, row + m.cols);
             return Value::list(std::move(out));
         }
+        case Type::Struct: {
+            const auto& members = v.structure().members;
+            return members[checkedIndex(i, members.size())].second;
+        }
         default:
             fault(std::string("Type error: ") + v.typeName() + " cannot be indexed");
     }

@@ -221,7 +221,7 @@ Stmt* Parser::assignment(const Token& name) {
     return s;
 }
 
-// An assignment, or a call whose result is dropped.
+// An assignment, or an expression whose result is dropped.
 Stmt* Parser::simpleStatement() {
     const Token& first = peek();
     if (first.kind != TokenKind::Identifier && first.kind != TokenKind::KwRun) {
@@ -236,7 +236,9 @@ Stmt* Parser::simpleStatement() {
         s->value = expression();
         return s;
     }
-    if (e->kind != ExprKind::Call && e->kind != ExprKind::Method && e->kind != ExprKind::Run) {
+    // The name of a variable by itself has no effect. Published programs have it behind `else:`.
+    const bool isBareName = e->kind == ExprKind::Variable && peek().line != first.line && isAssigned(e->text);
+    if (!isBareName && e->kind != ExprKind::Call && e->kind != ExprKind::Method && e->kind != ExprKind::Run) {
         fail(first);
     }
     Stmt* s = newStmt(StmtKind::Expression, first);

@@ -114,6 +114,7 @@ void SourceSplitter::takeLine() {
     std::erase(line_, '\0');  // clients in C send the one that ends their string, too
     const LineShape shape = shapeOf(line_);
     const bool blank = shape.text.empty();
+    const bool firstColumn = !blank && line_.front() != ' ' && line_.front() != '\t';
     if (!begun_) {
         if (blank) {
             // Comments before a unit belong to it, so that lines are counted as in the sender's text.
@@ -135,8 +136,9 @@ void SourceSplitter::takeLine() {
         finish();
         emitCommand(shape.text);
         return;
-    } else if (blocks_ == 0 && (shape.firstWord == TokenKind::KwDef || shape.firstWord == TokenKind::KwSec)) {
-        // An open bracket in a bare statement must not swallow the program that follows.
+    } else if ((shape.firstWord == TokenKind::KwDef || shape.firstWord == TokenKind::KwSec) &&
+               (blocks_ == 0 || (firstColumn && (indented_.value_or(false) || misplacedEnd_)))) {
+        // An open bracket in a bare statement, or a missing `end`, must not swallow the program that follows.
         const std::string line = std::move(line_);
         line_.clear();
         finish();
@@ -146,10 +148,26 @@ void SourceSplitter::takeLine() {
     }
     unit_ += line_;
     line_.clear();
+    if (!blank) {
+        followIndentation(firstColumn, shape.blocks, shape.firstWord == TokenKind::KwEnd);
+    }
     blocks_ += shape.blocks;
     brackets_ += shape.brackets;
     if (blocks_ <= 0 && (brackets_ <= 0 || kind_ != Unit::Kind::Statements)) {
         finish();
+    }
+}
+
+void SourceSplitter::followIndentation(bool firstColumn, int blocks, bool beginsWithEnd) {
+    if (blocks_ == 1 && !indented_) {
+        indented_ = !firstColumn;
+    }
+    for (; blocks > 0; --blocks) {
+        openersIndented_.push_back(!firstColumn);
+    }
+    for (; blocks < 0 && !openersIndented_.empty(); ++blocks) {
+        misplacedEnd_ = misplacedEnd_ || (beginsWithEnd && firstColumn && openersIndented_.back());
+        openersIndented_.pop_back();
     }
 }
 
@@ -167,6 +185,9 @@ void SourceSplitter::finish() {
     blocks_ = 0;
     brackets_ = 0;
     begun_ = false;
+    indented_.reset();
+    openersIndented_.clear();
+    misplacedEnd_ = false;
     kind_ = Unit::Kind::Statements;
 }
 

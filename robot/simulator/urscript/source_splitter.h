@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Cuts the text arriving on a script port into units that can be run: a `def ... end` or `sec ... end`, a
+// Splits the text that arrives on a script port into units that can be run: a `def ... end` or `sec ... end`, a
 // line of bare statements, a command word ("stop program", "power on"). Works on any segmentation of the
-// stream; a unit is given out only when its last line is complete.
+// stream; a unit is returned only when its last line is complete. A `def` or `sec` in the first column ends a program
+// with indented lines in which an `end` is missing, so that the next program is not lost.
 
 #include <cstddef>
 #include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tiller::simulator::urscript {
 
@@ -40,12 +42,16 @@ private:
     void takeLine();
     void finish();
     void emitCommand(std::string_view words);
+    void followIndentation(bool firstColumn, int blocks, bool beginsWithEnd);
 
-    std::string line_;    // begun, not ended
-    std::string unit_;    // whole lines of an unfinished unit
-    int blocks_ = 0;      // open def, if, while...
-    int brackets_ = 0;    // open ( and [
-    bool begun_ = false;  // unit_ holds more than comments
+    std::string line_;                   // begun, not ended
+    std::string unit_;                   // whole lines of an unfinished unit
+    int blocks_ = 0;                     // open def, if, while...
+    int brackets_ = 0;                   // open ( and [
+    bool begun_ = false;                 // unit_ holds more than comments
+    std::optional<bool> indented_;       // the first line inside the outermost block
+    std::vector<bool> openersIndented_;  // of each open block
+    bool misplacedEnd_ = false;          // an `end` in the first column closed an indented block
     Unit::Kind kind_ = Unit::Kind::Statements;
     std::deque<Unit> ready_;
 };

@@ -2,6 +2,7 @@
 #include "robot/simulator/urscript/value_access.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "robot/simulator/urscript/builtin.h"
 #include "robot/simulator/urscript/operators.h"
@@ -33,10 +34,27 @@ int family(const Value& v) {
     }
 }
 
+/// The values of a struct as a list; nothing when they are not of one type.
+std::optional<Value> asList(const StructData& structure) {
+    ListData out;
+    for (const auto& [name, value] : structure.members) {
+        if (!out.insert(out.size(), value)) {
+            return std::nullopt;
+        }
+    }
+    out.capacity = out.size();
+    return Value::list(std::move(out));
+}
+
 }  // namespace
 
 void assign(Value& variable, Value v, const std::string& name) {
     if (!variable.isUnset()) {
+        if (variable.is(Type::List) && v.is(Type::Struct)) {
+            if (auto list = asList(v.structure())) {
+                v = std::move(*list);
+            }
+        }
         const int before = family(variable);
         const int after = family(v);
         if (before != after && before != 0 && after != 0) {
@@ -71,6 +89,9 @@ Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& i
                    v->list().kind == ListData::Kind::Other) {
             const std::size_t index = checkedIndex(*indices++, v->list().size());
             v = &v->ownList().values[index];
+        } else if (step == Path::Step::Index && v->is(Type::Struct)) {
+            auto& members = v->ownStructure().members;
+            v = &members[checkedIndex(*indices++, members.size())].second;
         } else {
             fault(std::string("Type error: an element of this ") + v->typeName() + " has no parts to assign");
         }
@@ -89,7 +110,14 @@ void assignElement(Value& holder, const Path::Part& part, const Value* indices, 
     const auto& [step, name] = part;
     switch (step) {
         case Path::Step::Index:
-            assignIndexed(holder, indices[0], element);
+            if (holder.is(Type::Struct)) {
+                auto& [memberName, member] =
+                    holder.ownStructure()
+                        .members[checkedIndex(indices[0], holder.structure().members.size())];
+                assign(member, std::move(element), memberName);
+            } else {
+                assignIndexed(holder, indices[0], element);
+            }
             break;
         case Path::Step::Index2:
             assignIndexed(holder, indices[0], indices[1], element);
@@ -151,6 +179,50 @@ Value applyMethod(Value& object, const MethodCall& call, const Value* arguments)
             object.ownList().erase(size - 1);
             return last;
         }
+        case Method::Extend: {
+            takes(1, 1);
+            if (!arguments[0].is(Type::List)) {
+                fault("Type error: the argument of method 'extend' must be a list, not a " +
+                      std::string(arguments[0].typeName()));
+            }
+            const ListData added = arguments[0].list();  // may be the list itself
+            if (added.size() > object.list().capacity - size) {
+                fault("List is full: its capacity is " + std::to_string(object.list().capacity));
+            }
+            ListData whole = object.list();
+            for (std::size_t i = 0; i < added.size(); ++i) {
+                if (!whole.insert(whole.size(), added.at(i))) {
+                    fault(std::string("Type error: a ") + added.at(i).typeName() +
+                          " cannot be an element of this list");
+                }
+            }
+            whole.count = 1;
+            object = Value::list(std::move(whole));
+            return Value::none();
+        }
+        case Method::Remove:
+            takes(1, 1);
+            object.ownList().erase(checkedIndex(arguments[0], size));
+            return Value::none();
+        case Method::Slice: {
+            takes(1, 2);
+            const std::size_t begin = checkedIndex(arguments[0], size + 1);
+            const std::size_t end = call.arguments == 2 ? checkedIndex(arguments[1], size + 1) : size;
+            if (end < begin) {
+                fault("Index out of bounds: slice from " + std::to_string(begin) + " to " +
+                      std::to_string(end));
+            }
+            ListData part;
+            part.kind = object.list().kind;
+            for (std::size_t i = begin; i < end; ++i) {
+                part.insert(part.size(), object.list().at(i));
+            }
+            part.capacity = part.size();
+            return Value::list(std::move(part));
+        }
+        case Method::ExcessCapacity:
+            takes(0, 0);
+            return static_cast<std::int32_t>(object.list().capacity - size);
         case Method::Clear:
             takes(0, 0);
             object.ownList().clear();

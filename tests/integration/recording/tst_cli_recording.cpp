@@ -58,6 +58,7 @@ private Q_SLOTS:
         QVERIFY(simulator_->start().ok());
     }
     void recordsForATimeAndTellsWhatIsInIt();
+    void namesFilesInAFolder();
     void endsInOrderOnASignal();
     void aKilledRecorderLosesHalfASecondAtMost();
     void exportsAPart();
@@ -99,6 +100,24 @@ void TestCliRecording::recordsForATimeAndTellsWhatIsInIt() {
     QCOMPARE(readCsv(path("a.csv")).value().columns,
              (std::vector<std::string>{"timestamp", "actual_q_0", "actual_q_1", "actual_q_2", "actual_q_3",
                                        "actual_q_4", "actual_q_5", "packages_lost"}));
+}
+
+void TestCliRecording::namesFilesInAFolder() {
+    const QString folder = path("named");
+    QVERIFY(QDir().mkpath(folder));
+    // Within one second most likely: each file is a new one.
+    for (int i = 0; i < 3; ++i) {
+        const Answer recorded = run({"record", "--out-folder", folder, "--duration", "0.1", "--", address_});
+        QCOMPARE(recorded.err, QString());
+        QCOMPARE(recorded.code, 0);
+    }
+    const QStringList files = QDir(folder).entryList(QDir::Files);
+    QCOMPARE(files.size(), 3);
+    for (const QString& file : files) {
+        QVERIFY2(file.startsWith(address_ + QLatin1String("-20")) && file.endsWith(QLatin1String(".mcap")),
+                 qPrintable(file));
+        QVERIFY(openRecording(folder + QLatin1Char('/') + file).ok());
+    }
 }
 
 void TestCliRecording::endsInOrderOnASignal() {

@@ -15,6 +15,9 @@ class TestCsvRecording : public QObject {
 private Q_SLOTS:
     void oursIsReadWithUnitsAndGaps();
     void semicolonsAndDecimalCommas();
+    void blanksBetweenTheCells_data();
+    void blanksBetweenTheCells();
+    void aBlankInTheOnlyHeadingSeparatesNothing();
     void aLineOfUnits();
     void unitsInTheHeading();
     void aClockThatStartsAnewGoesOn();
@@ -61,6 +64,42 @@ void TestCsvRecording::semicolonsAndDecimalCommas() {
     QCOMPARE(column(*recording, "Force")[1], -0.25);
     QVERIFY(std::isnan(column(*recording, "Force")[2]));
     QCOMPARE(recording->times({2, 1}).value().front(), 0.02);
+}
+
+void TestCsvRecording::blanksBetweenTheCells_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("one blank") << QByteArray(
+        "timestamp actual_q_0 actual_q_1\n0.000 1.5 -0.2\n0.008 1.6 -0.3\n0.016 1.7 -0.4\n");
+    QTest::newRow("aligned") << QByteArray(
+        "  timestamp   actual_q_0  actual_q_1 \n      0.000          1.5        -0.2\n      0.008          "
+        "1.6  "
+        "      -0.3\n      0.016          1.7        -0.4\n");
+    QTest::newRow("comment sign and units") << QByteArray(
+        "# timestamp [s] actual_q_0 [rad] actual_q_1 [rad]\n0.000 1.5 -0.2\n0.008 1.6 -0.3\n0.016 1.7 "
+        "-0.4\n");
+    QTest::newRow("Windows") << QByteArray(
+        "timestamp actual_q_0 actual_q_1\r\n0.000 1.5 -0.2 \r\n0.008 1.6 -0.3 \r\n0.016 1.7 -0.4 \r\n");
+    QTest::newRow("vertical bars") << QByteArray(
+        "timestamp | actual_q_0 | actual_q_1\n0.000 | 1.5 | -0.2\n0.008 | 1.6 | -0.3\n0.016 | 1.7 | -0.4\n");
+}
+
+void TestCsvRecording::blanksBetweenTheCells() {
+    QFETCH(QByteArray, text);
+    const auto opened = open(text.toStdString());
+    QVERIFY2(opened.ok(), opened.ok() ? "" : qPrintable(opened.error().toString()));
+    const Recording& recording = **opened;
+    QCOMPARE(recording.rows(), std::uint64_t(3));
+    QCOMPARE(recording.columns().size(), std::size_t(3));
+    QVERIFY(recording.problems().isEmpty());
+    QCOMPARE(column(recording, "actual_q_1"), (std::vector{-0.2, -0.3, -0.4}));
+    QCOMPARE(recording.columns()[*recording.indexOf("actual_q_0")].unit, std::string("rad"));
+}
+
+void TestCsvRecording::aBlankInTheOnlyHeadingSeparatesNothing() {
+    const auto recording = open("Tool force [N]\n1.5\n2.5\n").value();
+    QCOMPARE(recording->columns().size(), std::size_t(1));
+    QCOMPARE(recording->columns()[0].name, std::string("Tool force"));
+    QCOMPARE(recording->rows(), std::uint64_t(2));
 }
 
 void TestCsvRecording::aLineOfUnits() {

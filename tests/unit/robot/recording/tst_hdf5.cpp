@@ -40,6 +40,7 @@ class TestHdf5 : public QObject {
 
 private Q_SLOTS:
     void whatIsExportedIsReadBack();
+    void anyNameOfAColumnIsWritten();
     void aPartOfItIsAsked();
     void givingUpLeavesWhatWasThere();
     void brokenFilesEndInWords();
@@ -75,6 +76,31 @@ void TestHdf5::whatIsExportedIsReadBack() {
     }
     QCOMPARE(back->times({0, kRows}).value(), source->times({0, kRows}).value());
     QCOMPARE(back->rowAt(1.0).value(), std::uint64_t(500));
+}
+
+void TestHdf5::anyNameOfAColumnIsWritten() {
+    QTemporaryDir folder;
+    const QString from = folder.filePath("names.csv");
+    // A name twice, none, names that HDF5 does not take, and one that the file has for something else.
+    test::writeFile(from,
+                    "timestamp,a_0,b,a_0,,.,..,0.0,0.0,time,actual_q_0,b/c,actual_q_0,\n"
+                    "0.002,1.5,2,3.5,4,5,6,7,8,9,10,11,12,13\n0.004,1,2,3,4,5,6,7,8,9,10,11,12,13\n");
+    const auto recording = openRecording(from).value();
+    ExportChoice choice;
+    choice.path = folder.filePath("names.h5");
+    const auto written = exportHdf5(*recording, choice);
+    QVERIFY2(written.ok(), written.ok() ? "" : qPrintable(written.error().toString()));
+    const auto back = openRecording(choice.path).value();
+    QCOMPARE(back->rows(), std::uint64_t(2));
+    // All values of the first row are there, whatever their columns are called.
+    std::vector<double> values;
+    for (std::size_t i = 0; i < back->columns().size(); ++i) {
+        values.push_back(back->read(std::vector{i}, {0, 1}).value().front().front());
+    }
+    for (const double value : {1.5, 2.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0}) {
+        QVERIFY2(std::find(values.begin(), values.end(), value) != values.end(),
+                 qPrintable(QString::number(value)));
+    }
 }
 
 void TestHdf5::aPartOfItIsAsked() {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <QElapsedTimer>
 #include <QTest>
+#include <atomic>
 
 #include "robot/script/primary_client.h"
 #include "tests/support/raw_peer.h"
@@ -116,6 +118,50 @@ private Q_SLOTS:
         QCOMPARE(messages.size(), 10U);
         QCOMPARE(messages.back().text, QStringLiteral("99"));
         QCOMPARE(client.droppedMessages(), 90U);
+    }
+
+    // What is not read stays at the sender. A slow machine reads less, never more.
+    void aFloodIsReadAtABoundedRate() {
+        std::atomic<qint64> sent{0};
+        RawPeer peer([&sent](RawPeer::Link& link) {
+            link.send(robotState(robotModeData(7, false)));
+            const QByteArray many = message(0, "popup after popup").repeated(1000);
+            while (!link.isOver()) {
+                link.send(many);
+                sent += many.size();
+            }
+        });
+        PrimaryClientOptions options = to(peer.port());
+        options.maxMessages = 1000;
+        PrimaryClient client(options);
+        QElapsedTimer time;
+        client.start();
+        QVERIFY(client.waitForState(soon()).ok());
+        time.start();
+        QTest::qWait(1000);
+        constexpr double kBytesPerMs = 2000;
+        constexpr double kBuffers = 16e6;  // of TCP, at both ends
+        const double taken = static_cast<double>(sent);
+        QVERIFY2(taken < kBuffers + kBytesPerMs * static_cast<double>(time.elapsed()),
+                 qPrintable(QString::number(taken)));
+        QVERIFY(client.droppedMessages() > 0);
+        QCOMPARE(client.takeMessages().size(), 1000U);
+    }
+
+    void aLongTextIsCut() {
+        RawPeer peer([](RawPeer::Link& link) {
+            link.send(message(0, QByteArray(60'000, 'x')));
+            link.send(robotState(robotModeData(7, false)));
+            link.beMute();
+        });
+        PrimaryClient client(to(peer.port()));
+        client.start();
+        QVERIFY(client.waitForState(soon()).ok());
+        const auto messages = client.takeMessages();
+        QCOMPARE(messages.size(), 1U);
+        QVERIFY2(messages.front().text.size() <= 4096,
+                 qPrintable(QString::number(messages.front().text.size())));
+        QVERIFY(messages.front().text.startsWith("xxx"));
     }
 
     void stopEndsTheWaitForAPeerThatIsMute() {

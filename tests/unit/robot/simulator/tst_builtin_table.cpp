@@ -27,9 +27,13 @@ QString since(const urscript::Since& s) {
         return QStringLiteral("PolyScope X");
     }
     QStringList parts;
+    const int series3 = s.firstOfSeries3();
+    if (series3 > 0 && series3 != urscript::kNever) {
+        parts << QStringLiteral("3.%1").arg(series3);
+    }
     if (s.minor5 > 0) {
         parts << QStringLiteral("5.%1").arg(s.minor5);
-    } else if (!s.series3) {
+    } else if (series3 == urscript::kNever) {
         parts << QStringLiteral("5.0");
     }
     if (s.minor10 > 0) {
@@ -77,6 +81,7 @@ QString argument(const std::string& name) {
         {"t", "0.01"},
         {"r", "1"},
         {"n", "1"},
+        {"outputs", "[1]"},
         {"m", "1"},
         {"l", "[True,False]"},
         {"v", "[1,2,3]"},
