@@ -309,7 +309,7 @@ void MainWindow::connectParts() {
             [](Severity, const QString& text) { rememberForCrash(text); });
     connectFrames();
     connectTools();
-    followCell(scene_->view(), *document_);
+    followCell(scene_->view(), *session_, *document_);
     for (const auto change : {&ProjectDocument::cellChanged, &ProjectDocument::framesChanged,
                               &ProjectDocument::projectReplaced}) {
         connect(document_.get(), change, this, &MainWindow::simulateCell);

@@ -119,6 +119,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     controllerOptions.clock = d_->clock;
     controllerOptions.limits = d_->limits;
     link->controller = std::make_shared<control::Controller>(controllerOptions);
+    d_->guard.forget();
 
     io::OutputsOptions outputsOptions;
     outputsOptions.host = address.host;
@@ -265,6 +266,19 @@ void RobotSession::releaseControl() {
     });
 }
 
+void RobotSession::setSurroundings(const collision::CellSurroundings& cell) {
+    d_->guard.setSurroundings(cell);
+    refresh();
+}
+
+Result<void> RobotSession::permits(std::span<const MoveRequest> moves) const {
+    return d_->guard.permit(d_->state, moves);
+}
+
+Result<void> RobotSession::permitsPath(std::span<const JointPositions> way) const {
+    return d_->guard.permit(d_->state, way);
+}
+
 // ---- motion
 // --------------------------------------------------------------------------------------------------------
 
@@ -295,6 +309,9 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
     if (!d_->link) {
         return notMovable(d_->state);
     }
+    if (const Result<void> permitted = permits({&request, 1}); !permitted) {
+        return permitted.error();
+    }
     const control::MoveParameters parameters{request.speed, request.acceleration, control::Holding::Held};
     control::Controller& controller = *d_->link->controller;
     control::Motions motions(controller, request.stops.value_or(controller.stops()));
@@ -311,6 +328,9 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
 Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path, std::uint64_t stops) {
     if (!d_->link || !d_->state.canMove()) {
         return notMovable(d_->state);
+    }
+    if (const Result<void> permitted = d_->guard.permit(d_->state, path); !permitted) {
+        return permitted.error();
     }
     PathStart& start = d_->link->path;
     start.ticket = std::max(start.ticket + 1, PathStart::kFirstTicket);

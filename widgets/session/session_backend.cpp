@@ -62,6 +62,7 @@ void SessionBackend::read() {
     }
     readSample();
     readControl();
+    readGuard();
     readRecording();
     state.controlReason = obstacle();
 }
@@ -167,6 +168,14 @@ void SessionBackend::readControl() {
         state.control = refusal.isEmpty() ? ControlState::None : ControlState::Refused;
     }
     lossSeen = status.loss;
+}
+
+void SessionBackend::readGuard() {
+    state.jointLimits = link->controller->jointLimits();
+    if (guard.follow(state)) {
+        link->controller->setCollisionCheck(guard.check());
+    }
+    state.check = guard.check();
 }
 
 void SessionBackend::noteStop(const control::StopMeasurement& stop, std::uint64_t& seen) {

@@ -22,6 +22,7 @@
 #include "widgets/session/foreign_stop.h"
 #include "widgets/session/further_stream.h"
 #include "widgets/session/link_history.h"
+#include "widgets/session/move_guard.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/session_worker.h"
 
@@ -82,6 +83,7 @@ struct SessionBackend {
     bool takingControl = false;
     CancelToken taking;  ///< ends the taking under way
     control::MotionLimits limits;
+    MoveGuard guard;
     QString refusal;  ///< why taking control failed last
     QString linkReason;
 
@@ -115,6 +117,7 @@ private:
     void readLink();
     void readSample();
     void readControl();
+    void readGuard();
     void noteStop(const control::StopMeasurement& stop, std::uint64_t& seen);
     void readRecording();
     QString obstacle() const;

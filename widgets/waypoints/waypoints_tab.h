@@ -29,6 +29,7 @@ class GoThroughBar;
 class GoToButton;
 class NoticeBar;
 class PathControls;
+class PathWatch;
 class ProjectDocument;
 class WaypointDetails;
 class WaypointDialogs;
@@ -147,6 +148,7 @@ private:
     WaypointEditing* editing_ = nullptr;
     WaypointDialogs* dialogs_ = nullptr;
     WaypointSearch* search_ = nullptr;
+    PathWatch* watch_ = nullptr;
 };
 
 }  // namespace tiller
