@@ -3,19 +3,24 @@
 // What the check knows, the arm does not drive into: every bounded motion of the window is refused with the reason, and
 // a jog ends at the distance that its key shows.
 
+#include <QAction>
 #include <QLabel>
 #include <QTest>
 
+#include "app/action_table.h"
 #include "robot/collision/collision_check.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_window_test.h"
 #include "tests/support/pictures.h"
+#include "widgets/common/figure_box.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/travel_watch.h"
 #include "widgets/project/project_document.h"
+#include "widgets/tools/cell_page.h"
+#include "widgets/tools/tools_tab.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -245,6 +250,85 @@ private Q_SLOTS:
                  qPrintable(window().findChild<LimiterLine*>()->limiter().what));
         QVERIFY2(isShown(QStringLiteral("jog Z+")), "and the way out");
         keepPicture(window(), QStringLiteral("collision-limiter"));
+    }
+
+    void theCellIsEditedInTheWindow() {
+        cell_ = &cell();
+        window().findChild<ToolsTab*>()->showPage(ToolsTab::Cell);
+        window().showTab(QStringLiteral("tools"));
+        auto& page = window().findChild<ToolsTab*>()->cell();
+        const auto trigger = [&](const char* name) {
+            auto* action = window().actions().find(QStringLiteral("cell.action.") + QLatin1String(name));
+            QVERIFY2(action != nullptr, name);
+            action->trigger();
+        };
+        const auto enter = [&](const char* name, const QString& text) {
+            auto* box = page.findChild<FigureBox*>(QLatin1String(name));
+            QVERIFY2(box != nullptr && box->isVisible(), name);
+            box->setFocus();
+            box->selectAll();
+            QTest::keyClicks(box, text);
+            QTest::keyClick(box, Qt::Key_Return);
+        };
+        trigger("box");
+        QCOMPARE(document().cell().boxes.size(), std::size_t(1));
+        enter("cell.box.x", QStringLiteral("300"));
+        enter("cell.size.2", QStringLiteral("250"));
+        QVERIFY(std::abs(document().cell().boxes.at(0).pose.position.x() - 0.3) < 1e-9);
+        QVERIFY(std::abs(document().cell().boxes.at(0).size.z() - 0.25) < 1e-9);
+        cell_->advanceMs(40);
+        QCOMPARE(state().check->surroundings().obstacles.size(), std::size_t(1));
+        QVERIFY(std::abs(state().check->surroundings().obstacles[0].size.z() - 0.25) < 1e-9);
+
+        // Left out, it is neither checked nor drawn; undone, it is again.
+        trigger("enable");
+        cell_->advanceMs(40);
+        QVERIFY(state().check->surroundings().obstacles.empty());
+        document().undoStack().undo();
+        cell_->advanceMs(40);
+        QCOMPARE(state().check->surroundings().obstacles.size(), std::size_t(1));
+
+        // A plane through the TCP, across the tool, with the arm on its side.
+        trigger("plane");
+        QCOMPARE(document().cell().planes.size(), std::size_t(1));
+        const Pose plane = document().cell().planes.at(0).pose;
+        QVERIFY((plane.position - state().tcpPose.position).norm() < 1e-9);
+        const Eigen::Vector3d tool = rotationMatrix(state().tcpPose.rotation).col(2);
+        QVERIFY((rotationMatrix(plane.rotation).col(2) + tool).norm() < 1e-9);
+        enter("cell.normal.0", QStringLiteral("1"));
+        QVERIFY(rotationMatrix(document().cell().planes.at(0).pose.rotation).col(2).x() > 0.5);
+        trigger("delete");
+        QVERIFY(document().cell().planes.isEmpty());
+
+        // A box from two corners.
+        const Eigen::Vector3d first = state().tcpPose.position;
+        trigger("corner");
+        for (const char* name : {"jog.X+", "jog.Y+", "jog.Z+"}) {
+            jog(name, 800);
+        }
+        trigger("corner");
+        QCOMPARE(document().cell().boxes.size(), std::size_t(2));
+        const project::CellBox taught = document().cell().boxes.at(1);
+        QVERIFY((taught.pose.position - (first + state().tcpPose.position) / 2).norm() < 0.001);
+        QVERIFY((taught.size - (state().tcpPose.position - first).cwiseAbs()).norm() < 0.001);
+        document().undoStack().undo();
+        QCOMPARE(document().cell().boxes.size(), std::size_t(1));
+
+        trigger("floor");
+        QVERIFY(document().cell().floor.has_value());
+        QVERIFY(std::abs(*document().cell().floor - state().tcpPose.position.z()) < 1e-9);
+        enter("cell.safetyDistance", QStringLiteral("25"));
+        QVERIFY(std::abs(document().cell().safetyDistance - 0.025) < 1e-9);
+        cell_->advanceMs(40);
+        QVERIFY(std::abs(state().check->safetyDistance() - 0.025) < 1e-9);
+        keepPicture(window(), QStringLiteral("cell-page"));
+        // Each edit is a step that can be undone, by its name.
+        QVERIFY(document().undoStack().undoText().contains(QStringLiteral("safety distance")));
+        while (document().undoStack().canUndo()) {
+            document().undoStack().undo();
+        }
+        QVERIFY(document().cell().isEmpty());
+        QCOMPARE(document().cell().safetyDistance, project::kDefaultSafetyDistance);
     }
 };
 

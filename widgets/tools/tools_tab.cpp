@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/common/segmented_control.h"
+#include "widgets/tools/cell_page.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/positions_page.h"
 #include "widgets/tools/tcp_page.h"
@@ -17,17 +18,19 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, QWidget* pa
 ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent)
     : QWidget(parent)
     , state_(session.state())
-    , choice_(new SegmentedControl({tr("TCP"), tr("Payload"), tr("Positions")}))
+    , choice_(new SegmentedControl({tr("TCP"), tr("Payload"), tr("Positions"), tr("Cell")}))
     , pages_(new QStackedWidget)
     , tcps_(new TcpPage(session, document))
     , payloads_(new PayloadPage(session, document, std::move(port)))
-    , positions_(new PositionsPage(session, document)) {
+    , positions_(new PositionsPage(session, document))
+    , cell_(new CellPage(session, document)) {
     setObjectName(QStringLiteral("tools"));
     setAccessibleName(tr("Tools"));
-    choice_->setNames(QStringLiteral("tools.page"), tr("TCP, payload or positions"));
+    choice_->setNames(QStringLiteral("tools.page"), tr("TCP, payload, positions or cell"));
     pages_->addWidget(tcps_);
     pages_->addWidget(payloads_);
     pages_->addWidget(positions_);
+    pages_->addWidget(cell_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 12, 0, 0);
     layout->setSpacing(0);
@@ -52,6 +55,7 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
     connectPage(tcps_, Tcps);
     connectPage(payloads_, Payloads);
     connectPage(positions_, Positions);
+    connectPage(cell_, Cell);
 
     // Figures that change sixty times a second cannot be read; what is weighed needs every state.
     liveTimer_.setSingleShot(true);
@@ -63,6 +67,7 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
     connect(&session, &RobotSession::stateChanged, this, [this](const SessionState& state) {
         state_ = state;
         payloads_->setState(state);
+        cell_->setState(state);
         if (!liveTimer_.isActive()) {
             liveTimer_.start();
         }
@@ -74,7 +79,8 @@ void ToolsTab::showPage(Page page) {
 }
 
 QList<QAction*> ToolsTab::commandActions() const {
-    return tcps_->commandActions() + payloads_->commandActions() + positions_->commandActions();
+    return tcps_->commandActions() + payloads_->commandActions() + positions_->commandActions() +
+           cell_->commandActions();
 }
 
 void ToolsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {
