@@ -314,7 +314,7 @@ void MainWindow::connectParts() {
             [](Severity, const QString& text) { rememberForCrash(text); });
     connectFrames();
     connectTools();
-    followCell(scene_->view(), *document_);
+    followCell(scene_->view(), *session_, *document_);
     for (const auto change : {&ProjectDocument::cellChanged, &ProjectDocument::framesChanged,
                               &ProjectDocument::projectReplaced}) {
         connect(document_.get(), change, this, &MainWindow::simulateCell);
@@ -411,10 +411,9 @@ void MainWindow::showStep(const ProjectStep& step) {
         case ProjectPart::Tcps:
         case ProjectPart::Payloads:
         case ProjectPart::Positions:
+        case ProjectPart::Cell:
             showTab("tools");
             break;
-        case ProjectPart::Cell:
-            break;  // it is shown in the view
     }
 }
 

@@ -6,6 +6,7 @@
 #include "robot/simulator/simulator.h"
 #include "widgets/project/project_document.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/session/robot_session.h"
 
 namespace tiller::app {
 
@@ -23,12 +24,14 @@ collision::Surroundings surroundingsOf(const project::CellGeometry& cell, const 
         result.borders.push_back({{}, Pose(0, 0, *cell.floor, 0, 0, 0)});
     }
     for (const project::CellPlane& plane : cell.planes) {
-        if (const auto pose = inBase(plane.frame, plane.pose)) {
+        const auto pose = inBase(plane.frame, plane.pose);
+        if (pose && plane.enabled) {
             result.borders.push_back({plane.name, *pose});
         }
     }
     for (const project::CellBox& box : cell.boxes) {
-        if (const auto pose = inBase(box.frame, box.pose)) {
+        const auto pose = inBase(box.frame, box.pose);
+        if (pose && box.enabled) {
             result.obstacles.push_back({box.name, *pose, box.size});
         }
     }
@@ -46,20 +49,19 @@ double toolRadius(const project::Tooling& tooling) {
 
 }  // namespace
 
-void followCell(SceneView& view, const ProjectDocument& document) {
-    const auto showCell = [&view, &document] {
-        view.setSurroundings(surroundingsOf(document.cell(), document.frames()));
+void followCell(SceneView& view, RobotSession& session, const ProjectDocument& document) {
+    const auto follow = [&view, &session, &document] {
+        const collision::CellSurroundings cell{surroundingsOf(document.cell(), document.frames()),
+                                               toolRadius(document.tooling()),
+                                               document.cell().safetyDistance};
+        view.setSurroundings(cell);
+        session.setSurroundings(cell);
     };
-    const auto showTool = [&view, &document] { view.setToolRadius(toolRadius(document.tooling())); };
-    QObject::connect(&document, &ProjectDocument::cellChanged, &view, showCell);
-    QObject::connect(&document, &ProjectDocument::framesChanged, &view, showCell);
-    QObject::connect(&document, &ProjectDocument::toolingChanged, &view, showTool);
-    QObject::connect(&document, &ProjectDocument::projectReplaced, &view, [showCell, showTool] {
-        showCell();
-        showTool();
-    });
-    showCell();
-    showTool();
+    for (const auto change : {&ProjectDocument::cellChanged, &ProjectDocument::framesChanged,
+                              &ProjectDocument::toolingChanged, &ProjectDocument::projectReplaced}) {
+        QObject::connect(&document, change, &view, follow);
+    }
+    follow();
 }
 
 int simulateCell(simulator::Simulator& robot, const ProjectDocument& document) {

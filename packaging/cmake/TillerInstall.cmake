@@ -12,7 +12,7 @@ set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.
 # Of the simulated controller, what starts one in a process and steps it.
 set(simulator_headers assumptions.h simulator.h simulator_options.h arm/arm_state.h arm/environment.h box/personality.h)
 
-set(tiller_rooms core realtime rtde receive script dashboard control io kinematics project recording doctor)
+set(tiller_rooms core realtime rtde receive script dashboard control io kinematics collision project recording doctor)
 add_library(tiller_robot INTERFACE)
 add_library(tiller::robot ALIAS tiller_robot)
 set_target_properties(tiller_robot PROPERTIES EXPORT_NAME robot)
@@ -43,7 +43,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot CO
     FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE
     PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE
     # Those need more libraries than the backend has; they are the application's for now.
-    PATTERN "mcap" EXCLUDE PATTERN "hdf5" EXCLUDE PATTERN "formats" EXCLUDE PATTERN "live" EXCLUDE PATTERN "collision" EXCLUDE
+    PATTERN "mcap" EXCLUDE PATTERN "hdf5" EXCLUDE PATTERN "formats" EXCLUDE PATTERN "live" EXCLUDE
     PATTERN "divergence" EXCLUDE)
 foreach(room ur_rtde simulator)
     foreach(header ${${room}_headers})

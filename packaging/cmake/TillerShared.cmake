@@ -42,7 +42,7 @@ target_link_libraries(tiller_shared PUBLIC Qt6::Core Qt6::Network Eigen3::Eigen 
 target_include_directories(tiller_shared PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
 target_compile_features(tiller_shared PUBLIC cxx_std_20)
 tiller_exports(tiller_shared robot/core robot/realtime robot/rtde robot/receive robot/script robot/dashboard robot/control
-    robot/io robot/kinematics robot/project robot/recording robot/doctor ${simulator_header_files}
+    robot/io robot/kinematics robot/collision robot/project robot/recording robot/doctor ${simulator_header_files}
     ARCHIVES ${tiller_archives} DEPENDS ${tiller_archive_targets})
 
 # The face of ur_rtde stands on it, as any other program does.

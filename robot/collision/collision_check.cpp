@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "robot/collision/collision_check.h"
 
-#include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/capsule.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "robot/kinematics/arm_kinematics.h"
@@ -15,182 +11,245 @@
 namespace tiller::collision {
 namespace {
 
-using Frames = std::array<Eigen::Isometry3d, 7>;
+using Eigen::Vector3d;
+
+/// Between two segments [m].
+double segmentDistance(const Capsule& a, const Capsule& b) {
+    constexpr double kPoint2 = 1e-18;  // a segment shorter than that is a point [m2]
+    const Vector3d u = a.to - a.from;
+    const Vector3d v = b.to - b.from;
+    const Vector3d r = a.from - b.from;
+    const double uu = u.squaredNorm();
+    const double vv = v.squaredNorm();
+    const double vr = v.dot(r);
+    double s = 0;
+    double t = 0;
+    if (uu <= kPoint2) {
+        t = vv <= kPoint2 ? 0 : std::clamp(vr / vv, 0.0, 1.0);
+    } else {
+        const double ur = u.dot(r);
+        if (vv <= kPoint2) {
+            s = std::clamp(-ur / uu, 0.0, 1.0);
+        } else {
+            const double uv = u.dot(v);
+            const double parallel = uu * vv - uv * uv;
+            s = parallel > 1e-12 * uu * vv ? std::clamp((uv * vr - ur * vv) / parallel, 0.0, 1.0) : 0;
+            t = (uv * s + vr) / vv;
+            if (t < 0 || t > 1) {
+                t = std::clamp(t, 0.0, 1.0);
+                s = std::clamp((uv * t - ur) / uu, 0.0, 1.0);
+            }
+        }
+    }
+    return (r + s * u - t * v).norm();
+}
+
+/// Of a point from a box, below 0 inside it: a convex function of the point [m].
+double boxDistance(const Vector3d& point, const Vector3d& half) {
+    const Vector3d outside = point.cwiseAbs() - half;
+    const double inside = outside.maxCoeff();
+    return inside > 0 ? outside.cwiseMax(0).norm() : inside;
+}
+
+/// Of a segment from a box [m].
+double boxDistance(const Vector3d& from, const Vector3d& to, const Vector3d& half) {
+    // The golden section finds the smallest value of a convex function.
+    constexpr double kGolden = 0.6180339887498949;
+    constexpr int kSections = 48;  // leave less than a nanometre
+    const Vector3d along = to - from;
+    double low = 0;
+    double high = 1;
+    double a = high - kGolden * (high - low);
+    double b = low + kGolden * (high - low);
+    double atA = boxDistance(from + a * along, half);
+    double atB = boxDistance(from + b * along, half);
+    for (int i = 0; i < kSections; ++i) {
+        if (atA < atB) {
+            high = b;
+            b = a;
+            atB = atA;
+            a = high - kGolden * (high - low);
+            atA = boxDistance(from + a * along, half);
+        } else {
+            low = a;
+            a = b;
+            atA = atB;
+            b = low + kGolden * (high - low);
+            atB = boxDistance(from + b * along, half);
+        }
+    }
+    return std::min({atA, atB, boxDistance(from, half), boxDistance(to, half)});
+}
+
+double halfLength(const Capsule& rod) {
+    return (rod.to - rod.from).norm() / 2;
+}
 
 }  // namespace
 
-struct CollisionCheck::Impl {
-    /// A shape of FCL and where it sits on its link.
-    struct Body {
-        std::shared_ptr<fcl::CollisionGeometryd> shape;
-        Eigen::Isometry3d T_link_shape = Eigen::Isometry3d::Identity();
-        Capsule rod;  ///< in the link's frame
-        int link = 0;
-        bool isTool = false;
-        double extent = 0;  ///< of its farthest point from the link's origin [m]
-    };
-
-    /// Two things that can meet, and how much nearer they can come for each joint that turns.
-    struct Pair {
-        Contact::With with = Contact::With::Arm;
-        std::size_t body = 0;   ///< moves
-        std::size_t other = 0;  ///< a body nearer to the base, or a number in Surroundings
-        Vector6 radius =
-            Vector6::Zero();  ///< of the body about each joint's axis, 0 where it does not matter [m]
-    };
-
-    DhParameters dh;
-    Surroundings surroundings;
-    std::vector<LinkCapsule> capsules;
-    std::vector<Body> bodies;
-    std::vector<std::pair<std::shared_ptr<fcl::Boxd>, Eigen::Isometry3d>> boxes;
-    std::vector<Eigen::Isometry3d> borders;
-    std::vector<Pair> pairs;
-
-    static Body bodyOf(const LinkCapsule& part, bool isTool) {
-        const Eigen::Vector3d way = part.shape.to - part.shape.from;
-        Body body;
-        // A sphere is a rod of no length, which FCL has no figure for.
-        constexpr double kShortest = 1e-6;
-        body.shape = std::make_shared<fcl::Capsuled>(part.shape.radius, std::max(kShortest, way.norm()));
-        body.T_link_shape.translation() = (part.shape.from + part.shape.to) / 2;
-        if (way.norm() > kShortest) {
-            body.T_link_shape.linear() =
-                Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), way).toRotationMatrix();
-        }
-        body.rod = part.shape;
-        body.link = part.link;
-        body.isTool = isTool;
-        body.extent = std::max(part.shape.from.norm(), part.shape.to.norm()) + part.shape.radius;
-        return body;
-    }
-
-    static double distanceOf(const Body& a, const Eigen::Isometry3d& T_a, const fcl::CollisionGeometryd& b,
-                             const Eigen::Isometry3d& T_b) {
-        fcl::DistanceRequestd request;
-        request.enable_nearest_points = false;
-        fcl::DistanceResultd result;
-        return fcl::distance(a.shape.get(), T_a, &b, T_b, request, result);
-    }
-
-    /// How far any point of the body can be from each joint's axis, for the joints between `fromLink` and it.
-    Vector6 radii(const Body& body, int fromLink) const {
-        Vector6 result = Vector6::Zero();
-        double chain = body.extent;
-        for (int joint = body.link; joint > fromLink; --joint) {
-            const auto i = static_cast<std::size_t>(joint - 1);
-            chain += std::hypot(dh.a[i], dh.d[i]);
-            result[joint - 1] = chain;
-        }
-        return result;
-    }
-
-    double distance(const Pair& pair, const JointPositions& q) const {
-        const Frames frames = kinematics::linkFrames(dh, q);
-        const Body& body = bodies[pair.body];
-        const Eigen::Isometry3d& T_base_link = frames[static_cast<std::size_t>(body.link)];
-        switch (pair.with) {
-            case Contact::With::Arm: {
-                const Body& other = bodies[pair.other];
-                return distanceOf(body, T_base_link * body.T_link_shape, *other.shape,
-                                  frames[static_cast<std::size_t>(other.link)] * other.T_link_shape);
-            }
-            case Contact::With::Obstacle:
-                return distanceOf(body, T_base_link * body.T_link_shape, *boxes[pair.other].first,
-                                  boxes[pair.other].second);
-            case Contact::With::Border: {
-                // Of a rod, one of the ends is nearest to a plane.
-                const Eigen::Isometry3d& border = borders[pair.other];
-                const Eigen::Vector3d up = border.linear().col(2);
-                const double height = std::min(up.dot(T_base_link * body.rod.from - border.translation()),
-                                               up.dot(T_base_link * body.rod.to - border.translation()));
-                return height - body.rod.radius;
-            }
-        }
-        return 0;
-    }
-
-    Contact contactOf(const Pair& pair, double at, const JointPositions& q) const {
-        const auto name = [](const Body& body) { return body.isTool ? kToolLink : body.link; };
-        return {pair.with, name(bodies[pair.body]),
-                pair.with == Contact::With::Arm ? name(bodies[pair.other]) : static_cast<int>(pair.other), at,
-                q};
-    }
-};
-
-CollisionCheck::CollisionCheck(const RobotModel& model, const ToolBody& tool, Surroundings surroundings)
-    : d_(std::make_unique<Impl>()) {
-    d_->dh = model.dh;
-    d_->surroundings = std::move(surroundings);
-    d_->capsules = armCapsules(model);
-    for (const LinkCapsule& part : d_->capsules) {
-        d_->bodies.push_back(Impl::bodyOf(part, false));
-    }
+CollisionCheck::CollisionCheck(const RobotModel& model, const ToolBody& tool, Surroundings surroundings,
+                               double safetyDistance)
+    : dh_(model.dh)
+    , surroundings_(std::move(surroundings))
+    , safetyDistance_(safetyDistance)
+    , capsules_(armCapsules(model)) {
+    const std::size_t armBodies = capsules_.size();
     const double length = tool.tcpOffset.position.norm();
     if (tool.radius > 0 && length > 0) {
         // Inside the flange's plane and the TCP, as far as its own roundness lets it.
-        const Eigen::Vector3d along = tool.tcpOffset.position / length;
+        const Vector3d along = tool.tcpOffset.position / length;
         const double inset = std::min(tool.radius, length / 2);
-        d_->capsules.push_back({6, {along * inset, along * (length - inset), tool.radius}, 1, false});
-        d_->bodies.push_back(Impl::bodyOf(d_->capsules.back(), true));
+        capsules_.push_back({6, {along * inset, along * (length - inset), tool.radius}, 1, false});
     }
-    for (const Obstacle& obstacle : d_->surroundings.obstacles) {
-        d_->boxes.emplace_back(
-            std::make_shared<fcl::Boxd>(obstacle.size.x(), obstacle.size.y(), obstacle.size.z()),
-            obstacle.pose.transform());
+    Q_ASSERT(capsules_.size() <= kMaxBodies);
+    for (const Obstacle& obstacle : surroundings_.obstacles) {
+        boxes_.push_back({obstacle.pose.transform().inverse(Eigen::Isometry), obstacle.size / 2});
     }
-    for (const Border& border : d_->surroundings.borders) {
-        d_->borders.push_back(border.pose.transform());
+    for (const Border& border : surroundings_.borders) {
+        const Eigen::Isometry3d T = border.pose.transform();
+        planes_.push_back({T.linear().col(2), T.linear().col(2).dot(T.translation())});
     }
-    for (std::size_t i = 0; i < d_->bodies.size(); ++i) {
-        const Impl::Body& body = d_->bodies[i];
-        for (std::size_t k = 0; k < d_->bodies.size(); ++k) {
-            const Impl::Body& other = d_->bodies[k];
-            if (body.link - other.link > d_->capsules[i].neighbours) {
-                d_->pairs.push_back({Contact::With::Arm, i, k, d_->radii(body, other.link)});
+    for (std::size_t i = 0; i < capsules_.size(); ++i) {
+        addPairs(i, i >= armBodies);
+    }
+    dropPairsThatNeverMeet();
+}
+
+void CollisionCheck::addPairs(std::size_t body, bool isTool) {
+    const LinkCapsule& part = capsules_[body];
+    Pair pair;
+    pair.body = body;
+    pair.link = isTool ? kToolLink : part.link;
+    pair.margin = safetyDistance_;
+    for (std::size_t k = 0; k < capsules_.size(); ++k) {
+        const int link = capsules_[k].link;
+        if (part.link - link > part.neighbours) {
+            pair.other = k;
+            pair.otherLink = link;
+            pair.radius = radii(part, link);
+            pairs_.push_back(pair);
+        }
+    }
+    if (part.atFoot) {
+        return;
+    }
+    pair.radius = radii(part, 0);
+    pair.with = Contact::With::Obstacle;
+    for (std::size_t k = 0; k < boxes_.size(); ++k) {
+        pair.other = k;
+        pair.otherLink = static_cast<int>(k);
+        pairs_.push_back(pair);
+    }
+    pair.with = Contact::With::Border;
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+        pair.other = k;
+        pair.otherLink = static_cast<int>(k);
+        pairs_.push_back(pair);
+    }
+}
+
+/// Bodies with two joints between them pass each other at distances of their own. Where the smallest of these is no
+/// contact, there is nothing to keep away from, however large the safety distance.
+void CollisionCheck::dropPairsThatNeverMeet() {
+    constexpr int kSteps = 36;              // of a whole turn
+    constexpr double kNeverNearer = 0.002;  // between two steps it may be a little less [m]
+    constexpr int kJointsBetween = 2;
+    const auto isJudged = [](const Pair& pair, int base) {
+        return pair.with == Contact::With::Arm && pair.otherLink == base &&
+               std::min(pair.link, 6) - base == kJointsBetween;
+    };
+    std::vector<double> least(pairs_.size(), 0);
+    for (int base = 0; base + kJointsBetween <= kJointCount; ++base) {
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            least[i] = isJudged(pairs_[i], base) ? 1e9 : least[i];
+        }
+        for (int n = 0; n < kSteps * kSteps; ++n) {
+            constexpr double kStep = 2 * std::numbers::pi / kSteps;
+            JointPositions q;
+            q[base] = kStep * (n / kSteps);
+            q[base + 1] = kStep * (n % kSteps);
+            const Placement placement = place(q);
+            for (std::size_t i = 0; i < pairs_.size(); ++i) {
+                if (isJudged(pairs_[i], base) && least[i] > kNeverNearer) {
+                    least[i] = std::min(least[i], distance(pairs_[i], placement, least[i]));
+                }
             }
         }
-        if (d_->capsules[i].atFoot) {
-            continue;
+    }
+    std::size_t i = 0;
+    std::erase_if(pairs_, [&](const Pair&) { return least[i++] > kNeverNearer; });
+}
+
+/// How far any point of the body can be from each joint's axis, for the joints between `fromLink` and it.
+Vector6 CollisionCheck::radii(const LinkCapsule& body, int fromLink) const {
+    Vector6 result = Vector6::Zero();
+    double chain = std::max(body.shape.from.norm(), body.shape.to.norm()) + body.shape.radius;
+    for (int joint = body.link; joint > fromLink; --joint) {
+        const auto i = static_cast<std::size_t>(joint - 1);
+        chain += std::hypot(dh_.a[i], dh_.d[i]);
+        result[joint - 1] = chain;
+    }
+    return result;
+}
+
+CollisionCheck::Placement CollisionCheck::place(const JointPositions& q) const {
+    const auto frames = kinematics::linkFrames(dh_, q);
+    Placement placed;
+    for (std::size_t i = 0; i < capsules_.size(); ++i) {
+        const LinkCapsule& part = capsules_[i];
+        const Eigen::Isometry3d& frame = frames[static_cast<std::size_t>(part.link)];
+        placed[i] = {frame * part.shape.from, frame * part.shape.to, part.shape.radius};
+    }
+    return placed;
+}
+
+double CollisionCheck::distance(const Pair& pair, const Placement& placement, double enough) const {
+    const Capsule& rod = placement[pair.body];
+    switch (pair.with) {
+        case Contact::With::Arm: {
+            const Capsule& other = placement[pair.other];
+            const double radii = rod.radius + other.radius;
+            const double least = (rod.from + rod.to - other.from - other.to).norm() / 2 - halfLength(rod) -
+                                 halfLength(other) - radii;
+            return least > enough ? least : segmentDistance(rod, other) - radii;
         }
-        for (std::size_t k = 0; k < d_->boxes.size(); ++k) {
-            d_->pairs.push_back({Contact::With::Obstacle, i, k, d_->radii(body, 0)});
+        case Contact::With::Obstacle: {
+            const Box& box = boxes_[pair.other];
+            const Vector3d from = box.T_box_base * rod.from;
+            const Vector3d to = box.T_box_base * rod.to;
+            const double least = boxDistance((from + to) / 2, box.half) - halfLength(rod) - rod.radius;
+            return least > enough ? least : boxDistance(from, to, box.half) - rod.radius;
         }
-        for (std::size_t k = 0; k < d_->borders.size(); ++k) {
-            d_->pairs.push_back({Contact::With::Border, i, k, d_->radii(body, 0)});
+        case Contact::With::Border: {
+            // Of a rod, one of the ends is nearest to a plane.
+            const Plane& plane = planes_[pair.other];
+            return std::min(plane.normal.dot(rod.from), plane.normal.dot(rod.to)) - plane.offset - rod.radius;
         }
     }
+    return 0;
 }
 
-CollisionCheck::~CollisionCheck() = default;
-CollisionCheck::CollisionCheck(CollisionCheck&&) noexcept = default;
-CollisionCheck& CollisionCheck::operator=(CollisionCheck&&) noexcept = default;
-
-const Surroundings& CollisionCheck::surroundings() const {
-    return d_->surroundings;
-}
-
-const std::vector<LinkCapsule>& CollisionCheck::capsules() const {
-    return d_->capsules;
-}
-
-std::optional<Contact> CollisionCheck::at(const JointPositions& q) const {
-    return along({&q, 1});
-}
-
-std::optional<Contact> CollisionCheck::along(std::span<const JointPositions> way) const {
-    std::optional<Contact> first;
+template <class Threshold>
+std::optional<Contact> CollisionCheck::first(std::span<const JointPositions> way,
+                                             const Threshold& threshold) const {
+    std::optional<Contact> found;
     if (way.empty()) {
-        return first;
+        return found;
     }
-    for (const Impl::Pair& pair : d_->pairs) {
+    const auto contactOf = [](const Pair& pair, double at, const JointPositions& q, double distance) {
+        return Contact{pair.with, pair.link, pair.otherLink, at, q, distance};
+    };
+    const Placement start = place(way.front());
+    for (const Pair& pair : pairs_) {
+        double here = distance(pair, start);
+        const double least = threshold(pair, here);
         // How much nearer the two may come before they must be looked at again.
-        double clearance = d_->distance(pair, way.front());
+        double clearance = here - least;
         if (clearance <= kTouching) {
-            return d_->contactOf(pair, 0, way.front());
+            return contactOf(pair, 0, way.front(), here);
         }
         for (std::size_t k = 0; k + 1 < way.size(); ++k) {
-            if (first && static_cast<double>(k) >= first->at) {
+            if (found && static_cast<double>(k) >= found->at) {
                 break;
             }
             const Vector6 turn = way[k + 1].values - way[k].values;
@@ -199,11 +258,12 @@ std::optional<Contact> CollisionCheck::along(std::span<const JointPositions> way
             while (clearance < most * (1 - share)) {
                 share += clearance / most;
                 const JointPositions q(way[k].values + share * turn);
-                clearance = d_->distance(pair, q);
+                here = distance(pair, place(q));
+                clearance = here - least;
                 if (clearance <= kTouching) {
                     const double at = static_cast<double>(k) + share;
-                    if (!first || at < first->at) {
-                        first = d_->contactOf(pair, at, q);
+                    if (!found || at < found->at) {
+                        found = contactOf(pair, at, q, here);
                     }
                     break;
                 }
@@ -214,7 +274,29 @@ std::optional<Contact> CollisionCheck::along(std::span<const JointPositions> way
             clearance -= most * (1 - share);
         }
     }
-    return first;
+    return found;
+}
+
+bool CollisionCheck::isInside(const JointPositions& q, const Contact& contact) const {
+    const Placement placement = place(q);
+    return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+        return pair.with == contact.with && pair.link == contact.link && pair.otherLink == contact.other &&
+               distance(pair, placement, pair.margin) < pair.margin;
+    });
+}
+
+std::optional<Contact> CollisionCheck::at(const JointPositions& q) const {
+    return along({&q, 1});
+}
+
+std::optional<Contact> CollisionCheck::along(std::span<const JointPositions> way) const {
+    return first(way, [](const Pair&, double) { return 0.0; });
+}
+
+std::optional<Contact> CollisionCheck::obstruction(std::span<const JointPositions> way) const {
+    return first(way, [](const Pair& pair, double start) {
+        return std::min(pair.margin, start - kSafetyTolerance) - kTouching;
+    });
 }
 
 }  // namespace tiller::collision

@@ -86,6 +86,25 @@ std::optional<MoveLimit> followLine(const RobotModel& model, const Pose& tcpOffs
 
 }  // namespace
 
+std::optional<MoveLimit> collisionOn(const RobotModel& model, const CollisionCheck& check,
+                                     const Pose& tcpOffset, std::span<const JointPositions> way) {
+    const std::optional<Contact> near = check.obstruction(way);
+    if (!near) {
+        return std::nullopt;
+    }
+    MoveLimit limit;
+    limit.kind = MoveLimit::Kind::Collision;
+    limit.isInside = check.isInside(way.front(), *near);
+    // Otherwise a contact later on says more than the place where the safety distance ends.
+    const std::optional<Contact> contact = limit.isInside ? std::nullopt : check.along(way);
+    limit.contact = contact && contact->at > 0 ? *contact : *near;
+    limit.safetyDistance = check.safetyDistance();
+    const double stretches = static_cast<double>(way.size() - 1);
+    limit.share = stretches > 0 ? limit.contact.at / stretches : 0;
+    limit.tcp = kinematics::forwardTcp(model.dh, limit.contact.q, tcpOffset);
+    return limit;
+}
+
 MoveReport examineMove(const RobotModel& model, const CollisionCheck& check, const Pose& tcpOffset,
                        const Move& move, double speedFraction) {
     MoveReport report;
@@ -125,17 +144,11 @@ MoveReport examineMove(const RobotModel& model, const CollisionCheck& check, con
     report.largestTurn = turns[report.largestTurnJoint];
 
     // Of the whole line, so that shares are of what was asked for.
-    const double stretches = static_cast<double>(report.way.size() - 1);
     const bool endsBefore = report.limit && report.limit->ends();
     const double followed = move.linear && endsBefore ? report.limit->share : 1.0;
-    if (const auto contact = check.along(report.way)) {
-        const double share = stretches > 0 ? contact->at / stretches * followed : 0;
-        if (!endsBefore || share <= report.limit->share) {
-            MoveLimit limit;
-            limit.kind = MoveLimit::Kind::Collision;
-            limit.contact = *contact;
-            limit.share = share;
-            limit.tcp = kinematics::forwardTcp(model.dh, contact->q, tcpOffset);
+    if (std::optional<MoveLimit> limit = collisionOn(model, check, tcpOffset, report.way)) {
+        limit->share *= followed;
+        if (!endsBefore || limit->share <= report.limit->share) {
             report.limit = limit;
         }
     }

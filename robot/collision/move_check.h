@@ -5,6 +5,7 @@
 // thing that stands in its way.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "robot/collision/collision_check.h"
@@ -33,10 +34,12 @@ struct MoveLimit {
     enum class Singular { None, Wrist, Elbow, Shoulder };
     Kind kind = Kind::Collision;
     Singular singular = Singular::None;  ///< which
-    Contact contact;                     ///< for Collision
-    int joint = 0;                       ///< for JointRange, 0 ... 5
-    double share = 0;                    ///< of the way, 0 ... 1
-    Pose tcp;                            ///< there, base frame
+    Contact contact;            ///< for Collision, which is a contact or less than the safety distance
+    double safetyDistance = 0;  ///< for Collision: the one that is kept [m]
+    bool isInside = false;      ///< for Collision: the move begins nearer than that to the same thing
+    int joint = 0;              ///< for JointRange, 0 ... 5
+    double share = 0;           ///< of the way, 0 ... 1
+    Pose tcp;                   ///< there, base frame
 
     /// The move ends there; what is only near a singularity is slowed down.
     bool ends() const { return kind != Kind::NearSingularity; }
@@ -51,7 +54,13 @@ struct MoveReport {
     std::optional<MoveLimit> limit;
 };
 
-/// check          of the arm, its tool and what is around it
+/// The first thing that a path comes too near to; joints turn evenly between its positions. Nothing: it is free.
+/// Threads  any. Blocks: never. Real-time: no (a millisecond)
+std::optional<MoveLimit> collisionOn(const RobotModel& model, const CollisionCheck& check,
+                                     const Pose& tcpOffset, std::span<const JointPositions> way);
+
+/// check          of the arm, its tool and what is around it, with the safety distance that is kept
+/// A move that leads out of the safety distance has no collision: see CollisionCheck::obstruction().
 /// tcpOffset      flange to TCP [m, rad]
 /// speedFraction  speed slider, 0 < fraction <= 1
 /// Threads  any. Blocks: never. Real-time: no (a millisecond; a line ten)

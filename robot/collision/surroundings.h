@@ -28,10 +28,20 @@ struct Surroundings {
     std::vector<Border> borders;
 };
 
+/// Distance that is kept from everything the arm can touch, unless the cell has another one [m].
+inline constexpr double kSafetyDistance = 0.010;
+
 /// A round body from the flange to the TCP.
 struct ToolBody {
     Pose tcpOffset;     ///< flange to TCP [m, rad]
     double radius = 0;  ///< [m]; 0: there is none
+};
+
+/// What is known of the cell that an arm works in.
+struct CellSurroundings {
+    Surroundings around;
+    double toolRadius = 0;                    ///< as ToolBody::radius [m]
+    double safetyDistance = kSafetyDistance;  ///< that moves and jogs keep [m]
 };
 
 }  // namespace tiller::collision

@@ -39,6 +39,9 @@ enum class LimiterKind : std::uint8_t {
     JointSpeed,     ///< a joint would turn too fast
     JointLimit,     ///< a joint is near the end of its range
     Singularity,    ///< the arm is near a singularity and would go deeper
+    SelfCollision,  ///< `link` would come too near to the link `other`
+    Obstacle,       ///< `link` would come too near to the box `other` of the surroundings
+    Border,         ///< `link` would come too near to the floor or plane `other` of the surroundings
 };
 
 /// Of a jog: at this moment, and as the arm moves on. Of a move: for all of its way. Of torques: what they were
@@ -46,8 +49,11 @@ enum class LimiterKind : std::uint8_t {
 struct Limiter {
     LimiterKind kind = LimiterKind::None;
     int joint = -1;       ///< 0..5 where a joint is to blame, else -1
-    double distance = 0;  ///< JointLimit: left to the end of the range [rad]
+    double distance = 0;  ///< JointLimit: left to the end of the range [rad]; collisions: between the two [m]
     double scale = 1;     ///< asked-for speed times this is what is sent, 0..1
+    int link = -1;        ///< collisions: as collision::Contact::link, else -1
+    int other = -1;       ///< collisions: as collision::Contact::other, else -1
+    bool brake = false;   ///< the arm moves towards something faster than allowed: it slows down like a stop
 };
 
 enum class MotionPhase : std::uint8_t {

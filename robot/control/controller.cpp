@@ -283,6 +283,10 @@ ControllerStatus Controller::status() const {
     return status;
 }
 
+void Controller::setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check) {
+    d_->loop.setCollisionCheck(std::move(check));
+}
+
 JointLimits Controller::jointLimits() const {
     const ArmLimits arm = d_->program.arm();
     return {arm.minPosition, arm.maxPosition, arm.maxSpeed};

@@ -25,6 +25,10 @@
 #include "robot/core/text.h"
 #include "robot/core/version.h"
 
+namespace tiller::collision {
+class CollisionCheck;
+}
+
 namespace tiller::control {
 
 /// Which general purpose registers the control program talks through.
@@ -144,6 +148,11 @@ public:
     /// on under a cap it was not begun with.
     /// Errors   InvalidArgument (not a number, or none above 0), LimitExceeded (above 3 m/s: millimetres?)
     Result<void> setSpeedCap(double metresPerSecond);
+    /// From now on every jog slows down and ends at the safety distance from whatever this check knows: the arm
+    /// itself, its tool and its surroundings. Motion away from it stays free. Null: there is nothing to keep away from.
+    /// Moves, paths and streams are not checked: see collision::CollisionCheck::obstruction.
+    /// Threads  any; one at a time. Blocks: never
+    void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check);
     /// From the connection of the last takeControl(); zeros before.
     SoftwareVersion version() const;
 

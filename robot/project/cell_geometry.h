@@ -14,7 +14,9 @@
 
 namespace tiller::project {
 
-inline constexpr double kLeastBoxEdge = 0.0001;  ///< [m]
+inline constexpr double kLeastBoxEdge = 0.0001;          ///< [m]
+inline constexpr double kDefaultSafetyDistance = 0.010;  ///< [m]
+inline constexpr double kMaxSafetyDistance = 0.5;        ///< [m]
 
 struct CellBox {
     QUuid id;
@@ -22,6 +24,7 @@ struct CellBox {
     QUuid frame;                                            ///< of `pose`; null is the base frame
     Pose pose;                                              ///< of its centre, edges along its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
+    bool enabled = true;                                    ///< false: neither drawn nor checked
     QJsonObject extra;  ///< fields of the file that this version does not know
     friend bool operator==(const CellBox&, const CellBox&) = default;
 };
@@ -32,6 +35,7 @@ struct CellPlane {
     QString name;
     QUuid frame;  ///< of `pose`; null is the base frame
     Pose pose;    ///< [m, rad]
+    bool enabled = true;
     QJsonObject extra;
     friend bool operator==(const CellPlane&, const CellPlane&) = default;
 };
@@ -43,6 +47,8 @@ struct CellGeometry {
     std::optional<double> floor;  ///< its height in the base frame [m]; nothing: there is none
     CellBoxList boxes;
     CellPlaneList planes;
+    double safetyDistance =
+        kDefaultSafetyDistance;  ///< that the arm keeps from all of it, and from itself [m]
     QJsonObject extra;
 
     bool isEmpty() const { return !floor && boxes.isEmpty() && planes.isEmpty(); }  ///< Nothing is there.

@@ -20,8 +20,10 @@
 //     "patterns"?:  [ { "id", "name", "first": { a waypoint }, "columnEnd": [3], "rowEnd": [3],
 //                       "columns", "rows", "layers", "layerStep", "order": "rows"|"meander",
 //                       "excluded"?: [ { "column", "row" } ], "corners"?: [null|id, null|id, null|id], "note"? } ],
-//     "cell"?:      { "floor"?: height, "boxes"?: [ { "id", "name", "frame", "pose": [6], "size": [3] } ],
-//                     "planes"?: [ { "id", "name", "frame", "pose": [6] } ] },
+//     "cell"?:      { "floor"?: height, "boxes"?: [ { "id", "name", "frame", "pose": [6], "size": [3],
+//                                                              "enabled"?: false } ],
+//                     "planes"?: [ { "id", "name", "frame", "pose": [6], "enabled"?: false } ],
+//                     "safetyDistance"?: 0.01 },
 //     "paths"?:     [ { "id", "name", "tcpOffset": [6], "tolerance", "points": [ { "t", "q": [6] } ], "note"? } ] }
 //
 // Version 1 had frames and waypoints only; what has a question mark is left out where there is nothing to say.

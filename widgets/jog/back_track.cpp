@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace tiller {
 namespace {
@@ -81,6 +82,12 @@ std::optional<JointPositions> BackTrack::nextPlace() const {
     return place == trail_.rend() ? trail_.front() : *place;
 }
 
+/// The cell may be another one than when the arm came: then a jog would end in front of what is there now.
+Result<void> BackTrack::permits() const {
+    return port_.permitsPath ? port_.permitsPath(std::vector<JointPositions>(trail_.rbegin(), trail_.rend()))
+                             : Result<void>();
+}
+
 double BackTrack::speed() const {
     const std::optional<JointPositions> place = nextPlace();
     return place ? speed_(now_, *place) : 0;
@@ -112,6 +119,9 @@ HoldMotion BackTrack::motion() {
             const Result<control::JogTarget> target = next();
             if (!target) {
                 return target.error();
+            }
+            if (const Result<void> permitted = permits(); !permitted) {
+                return permitted.error();
             }
             const Result<HoldMotion::Id> jog = port_.beginJog(*target);
             going_ = jog ? *jog : 0;

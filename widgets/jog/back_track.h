@@ -52,6 +52,7 @@ public:
 
 private:
     Result<control::JogTarget> next();
+    Result<void> permits() const;
     HoldBounds bounds() const;
 
     const MotionPort& port_;

@@ -10,9 +10,11 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/format.h"
 #include "widgets/common/joint_name.h"
+#include "widgets/common/notation.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
 #include "widgets/jog/travel.h"
+#include "widgets/session/move_words.h"
 
 namespace tiller {
 
@@ -60,7 +62,7 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
             if (slowing ? !slowed || kind.joint != state.limiter.joint : !kind.near) {
                 continue;
             }
-            const int key = wayOutOf(dh, state.q, state.tcpOffset, R_base_frame, kind.singularity);
+            const int key = wayOutOf(state, R_base_frame, kind.singularity);
             return {slowing ? kind.slowed.arg(format::percent(state.limiter.scale)) : kind.what,
                     key < 0 ? kind.advice : kind.orElse.arg(travelKeyName(key))};
         }
@@ -68,9 +70,45 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
     return {};
 }
 
+bool isCollision(control::LimiterKind kind) {
+    using control::LimiterKind;
+    return kind == LimiterKind::SelfCollision || kind == LimiterKind::Obstacle || kind == LimiterKind::Border;
+}
+
+/// What is as near as it may be, or nearly; while it slows a jog down, with the share of the speed.
+LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
+    constexpr double kWarnBeyond = 0.010;  // the safety distance [m]
+    const std::optional<NearestBodies> nearest = nearestBodies(state, kWarnBeyond);
+    const control::Limiter& limiter = state.limiter;
+    // After the jog has ended the arm may have been moved by others.
+    const bool slowed =
+        state.check != nullptr && state.motionActive && isCollision(limiter.kind) && limiter.scale < 0.98;
+    if (!nearest && !slowed) {
+        return {};
+    }
+    const collision::Surroundings& around = state.check->surroundings();
+    const int key = nearest ? wayOutOf(state, R_base_frame, nearest->pair) : -1;
+    const QString advice = key < 0 ? LimiterAdviceText::tr("move away from it")
+                                   : LimiterAdviceText::tr("jog %1").arg(travelKeyName(key));
+    if (slowed) {
+        return {LimiterAdviceText::tr("%1 is %2 from %3: %4 of the speed")
+                    .arg(linkText(limiter.link), format::length(limiter.distance, 0),
+                         limiterText(limiter, around), format::percent(limiter.scale)),
+                advice};
+    }
+    return {LimiterAdviceText::tr("%1 is %2 from %3")
+                .arg(linkText(nearest->pair.link), format::length(std::max(0.0, nearest->distance), 0),
+                     surroundingsText(nearest->pair.with, nearest->pair.otherLink, around)),
+            advice};
+}
+
 }  // namespace
 
 LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
+    const LimiterAdvice collision = nearestCollision(state, R_base_frame);
+    if (isCollision(state.limiter.kind) && !collision.what.isEmpty()) {
+        return collision;
+    }
     int nearest = -1;
     double least = kWarnDegrees;
     for (int joint = 0; joint < kJointCount; ++joint) {
@@ -83,7 +121,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
     if (nearest >= 0) {
         const QString name = jointName(nearest);
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
-        const int key = wayOut(state.dh, state.q, state.tcpOffset, R_base_frame, nearest);
+        const int key = wayOut(state, R_base_frame, nearest);
         return {LimiterAdviceText::tr("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
                 key < 0 ? LimiterAdviceText::tr("turn %1 %2").arg(name, back)
                         : LimiterAdviceText::tr("jog %1 or turn %2 %3").arg(travelKeyName(key), name, back)};
@@ -111,7 +149,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
                 break;
         }
     }
-    return nearestSingularity(state, R_base_frame);
+    return collision.what.isEmpty() ? nearestSingularity(state, R_base_frame) : collision;
 }
 
 namespace {

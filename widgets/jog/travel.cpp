@@ -3,159 +3,123 @@
 
 #include <Eigen/LU>
 #include <QString>
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+#include <functional>
 
 #include "robot/kinematics/arm_kinematics.h"
 
 namespace tiller {
 namespace {
 
-using Vector6d = Eigen::Matrix<double, 6, 1>;
+constexpr int kPadKeys = 12;
+/// Which leads out has at least so far to go.
+constexpr double kWayRoom = 0.030;     ///< [m]
+constexpr double kWayTurnRoom = 0.10;  ///< [rad]
 
-constexpr double kStep = 0.010;      ///< [m] along the line
-constexpr double kTurnStep = 0.030;  ///< [rad] about the TCP
-/// A joint that would have to turn more than this for one step is next to a singularity [rad].
-constexpr double kJump = 0.5;
-
-Vector6d twistOf(int key, const Eigen::Matrix3d& R_base_frame) {
+Vector6 twistOf(int key, const Eigen::Matrix3d& R_base_frame) {
     const int axis = key / 2;
     const double sign = key % 2 == 0 ? -1.0 : 1.0;
-    Vector6d twist = Vector6d::Zero();
+    Vector6 twist = Vector6::Zero();
     twist.segment<3>(axis < 3 ? 0 : 3) = sign * R_base_frame.col(axis % 3);
     return twist;
 }
 
-Pose moved(const Pose& pose, const Vector6d& direction, double by) {
-    Pose next = pose;
-    next.position += direction.head<3>() * by;
-    const Eigen::Vector3d axis = direction.tail<3>();
-    if (axis.norm() > 0.5) {
-        next.rotation = rotationVector(Eigen::AngleAxisd(by, axis) * rotationMatrix(pose.rotation));
-    }
-    return next;
+control::JogReach jogFollowed(const SessionState& state, const Vector6& direction, double farthest) {
+    return control::jogReach({state.dh, state.jointLimits, {}, state.check.get()}, state.q, state.tcpOffset,
+                             direction, farthest);
 }
 
-/// Heights over the plane of the base of what can touch it first: elbow, wrists, flange, TCP [m].
-using Heights = std::array<double, 6>;
-
-Heights heightsOf(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset) {
-    const auto frames = kinematics::linkFrames(dh, q);
-    Heights heights{};
-    for (std::size_t i = 0; i < 5; ++i) {
-        heights.at(i) = frames.at(i + 2).translation().z() - kBasePlane;
-    }
-    heights[5] = (frames[6] * tcpOffset.position).z() - kBasePlane;
-    return heights;
+bool hasWayRoom(const SessionState& state, const Vector6& direction, int key) {
+    const double room = key < kPadKeys / 2 ? kWayRoom : kWayTurnRoom;
+    return jogFollowed(state, direction, room).distance >= room;
 }
 
-/// How much of a step is left until the first of them comes down to the plane; 1 when none does.
-double shareAbove(const Heights& before, const Heights& after) {
-    double share = 1;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        if (before.at(i) >= 0 && after.at(i) < 0) {
-            share = std::min(share, before.at(i) / (before.at(i) - after.at(i)));
-        }
-    }
-    return share;
-}
-
-}  // namespace
-
-Travel travelLeft(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset,
-                  const Vector6d& direction) {
-    const bool turns = direction.tail<3>().norm() > 0.5;
-    const double step = turns ? kTurnStep : kStep;
-    const double seen = turns ? kTurnSeen : kTravelSeen;
-    const Pose start = kinematics::forwardTcp(dh, q, tcpOffset);
-    JointPositions at = q;
-    Heights heights = heightsOf(dh, q, tcpOffset);
-    Travel travel;
-    for (double gone = step; gone <= seen; gone += step) {
-        // Without the range of the joints: it is looked at here, with the name of the joint.
-        const auto next = kinematics::inverseNearest(dh, moved(start, direction, gone), tcpOffset, at,
-                                                     4 * kJointPositionLimit);
-        if (!next || (next->values - at.values).cwiseAbs().maxCoeff() > kJump) {
-            travel.end = Travel::End::Singularity;
-            return travel;
-        }
-        for (int joint = 0; joint < kJointCount; ++joint) {
-            if (std::abs((*next)[joint]) > kJointPositionLimit) {
-                const double over = std::abs((*next)[joint]) - kJointPositionLimit;
-                const double turned = std::abs((*next)[joint] - at[joint]);
-                travel.left += turned > 0 ? step * std::max(0.0, 1 - over / turned) : 0;
-                travel.end = Travel::End::JointLimit;
-                travel.joint = joint;
-                return travel;
-            }
-        }
-        const Heights before = std::exchange(heights, heightsOf(dh, *next, tcpOffset));
-        if (const double share = shareAbove(before, heights); share < 1) {
-            travel.left += share * step;
-            travel.end = Travel::End::Floor;
-            return travel;
-        }
-        at = *next;
-        travel.left = gone;
-    }
-    return travel;
-}
-
-std::array<Travel, 12> travelPerKey(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset,
-                                    const Eigen::Matrix3d& R_base_frame) {
-    std::array<Travel, 12> travel;
-    for (int key = 0; key < 12; ++key) {
-        travel[static_cast<std::size_t>(key)] = travelLeft(dh, q, tcpOffset, twistOf(key, R_base_frame));
-    }
-    return travel;
-}
-
-int wayOut(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset,
-           const Eigen::Matrix3d& R_base_frame, int joint) {
-    const double away = q[joint] > 0 ? -1.0 : 1.0;
-    const auto J = kinematics::jacobian(dh, q, tcpOffset).eval();
-    const Eigen::FullPivLU<Eigen::Matrix<double, 6, 6>> solver(J);
+/// The key with the largest gain, of those with room and more than `least`.
+/// gain  of a joint velocity [1/s]
+int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, double least,
+            const std::function<double(const Vector6& qd)>& gain) {
+    const Eigen::FullPivLU<Matrix6> solver(kinematics::jacobian(state.dh, state.q, state.tcpOffset));
     if (!solver.isInvertible()) {
         return -1;
     }
     int best = -1;
-    double most = 0.05;  // [rad/m] less does not lead anywhere
-    for (int key = 0; key < 12; ++key) {
-        const Vector6d twist = twistOf(key, R_base_frame);
+    for (int key = 0; key < kPadKeys; ++key) {
+        const Vector6 twist = twistOf(key, R_base_frame);
         // A metre counts as much as a radian: either is a good second of jogging.
-        const Vector6d qd = solver.solve(twist);
-        const double gain = away * qd[joint];
-        if (gain > most && travelLeft(dh, q, tcpOffset, twist).left > (key < 6 ? 0.03 : 0.1)) {
-            most = gain;
+        const double gained = gain(solver.solve(twist));
+        if (gained > least && hasWayRoom(state, twist, key)) {
+            least = gained;
             best = key;
         }
     }
     return best;
 }
 
-int wayOutOf(const DhParameters& dh, const JointPositions& q, const Pose& tcpOffset,
-             const Eigen::Matrix3d& R_base_frame, Singularity singularity) {
+}  // namespace
+
+control::JogReach travelLeft(const SessionState& state, const Vector6& direction) {
+    return jogFollowed(state, direction, direction.tail<3>().isZero() ? kTravelSeen : kTurnSeen);
+}
+
+std::optional<NearestBodies> nearestBodies(const SessionState& state, double beyond) {
+    std::optional<NearestBodies> nearest;
+    if (state.check == nullptr) {
+        return nearest;
+    }
+    const collision::CollisionCheck::Placement here = state.check->place(state.q);
+    for (const collision::CollisionCheck::Pair& pair : state.check->pairs()) {
+        const double distance = state.check->distance(pair, here, pair.margin + beyond);
+        if (distance - pair.margin < beyond) {
+            beyond = distance - pair.margin;
+            nearest = NearestBodies{pair, distance};
+        }
+    }
+    return nearest;
+}
+
+int wayOut(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint) {
+    const double away = state.q[joint] > 0 ? -1.0 : 1.0;
+    constexpr double kLeast = 0.05;  // [rad/m] less does not lead anywhere
+    return bestKey(state, R_base_frame, kLeast, [&](const Vector6& qd) { return away * qd[joint]; });
+}
+
+int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
+             const collision::CollisionCheck::Pair& pair) {
+    const collision::CollisionCheck& check = *state.check;
+    const double here = check.distance(pair, check.place(state.q));
+    constexpr double kLeast = 0.1;  // [m/m] less does not lead anywhere
+    return bestKey(state, R_base_frame, kLeast, [&](const Vector6& qd) {
+        constexpr double kMoment = 1e-3;  // [s]
+        const JointPositions next(Vector6(state.q.values + kMoment * qd));
+        return (check.distance(pair, check.place(next)) - here) / kMoment;
+    });
+}
+
+int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Singularity singularity) {
     const auto measure = [&](const JointPositions& at) {
-        const auto near = kinematics::singularityMeasure(dh, at);
+        const auto near = kinematics::singularityMeasure(state.dh, at);
         return singularity == Singularity::Wrist   ? near.wrist
                : singularity == Singularity::Elbow ? near.elbow
                                                    : near.shoulder;
     };
-    const double here = measure(q);
-    const Heights heights = heightsOf(dh, q, tcpOffset);
-    const Pose start = kinematics::forwardTcp(dh, q, tcpOffset);
+    constexpr double kJump = 0.5;  // of a joint: another posture [rad]
+    const double here = measure(state.q);
+    const Pose start = kinematics::forwardTcp(state.dh, state.q, state.tcpOffset);
     int best = -1;
     double most = 0.01;  // less does not lead anywhere
-    for (int key = 0; key < 12; ++key) {
-        const auto next = kinematics::inverseNearest(
-            dh, moved(start, twistOf(key, R_base_frame), key < 6 ? 3 * kStep : 3 * kTurnStep), tcpOffset, q);
-        if (!next || (next->values - q.values).cwiseAbs().maxCoeff() > kJump ||
-            shareAbove(heights, heightsOf(dh, *next, tcpOffset)) < 1) {
+    for (int key = 0; key < kPadKeys; ++key) {
+        const Vector6 twist = twistOf(key, R_base_frame);
+        Pose pose = start;
+        pose.position += twist.head<3>() * kWayRoom;
+        if (key >= kPadKeys / 2) {
+            pose.rotation = rotationVector(Eigen::AngleAxisd(kWayTurnRoom, twist.tail<3>()) *
+                                           rotationMatrix(start.rotation));
+        }
+        const auto next = kinematics::inverseNearest(state.dh, pose, state.tcpOffset, state.q);
+        if (!next || (next->values - state.q.values).cwiseAbs().maxCoeff() > kJump) {
             continue;
         }
-        if (const double gain = measure(*next) - here; gain > most) {
+        if (const double gain = measure(*next) - here; gain > most && hasWayRoom(state, twist, key)) {
             most = gain;
             best = key;
         }

@@ -6,6 +6,8 @@
 #include "widgets/common/joint_name.h"
 #include "widgets/common/notation.h"
 #include "widgets/jog/jog_pad.h"
+#include "widgets/jog/travel.h"
+#include "widgets/session/move_words.h"
 
 namespace tiller {
 namespace {
@@ -14,12 +16,16 @@ constexpr int kLookMs = 40;
 constexpr int kTicksMoving = 3;       ///< for one look while the arm moves
 constexpr double kSamePlace = 0.002;  ///< [rad] of the joint that moved most
 
-QString textOf(const Travel& travel, bool turns) {
-    if (travel.end == Travel::End::Open) {
+bool isOpen(const control::JogReach& travel) {
+    return travel.end.kind == control::LimiterKind::None;
+}
+
+QString textOf(const control::JogReach& travel, bool turns) {
+    if (isOpen(travel)) {
         return {};
     }
-    return turns ? format::number(toDegrees(travel.left), 0) + QStringLiteral("°")
-                 : format::length(travel.left, 0);
+    return turns ? format::number(toDegrees(travel.distance), 0) + QStringLiteral("°")
+                 : format::length(travel.distance, 0);
 }
 
 }  // namespace
@@ -66,8 +72,9 @@ void TravelWatch::look() {
     }
     const Eigen::Matrix3d axes = frameAxes(selection_, state_.tcpPose);
     if ((state_.q.values - lookedFrom_.values).cwiseAbs().maxCoeff() > kSamePlace ||
-        !axes.isApprox(lookedIn_, 1e-6)) {
+        !axes.isApprox(lookedIn_, 1e-6) || state_.check != lookedWith_) {
         lookedFrom_ = state_.q;
+        lookedWith_ = state_.check;
         lookedIn_ = axes;
         left_ = static_cast<int>(keys.size());
     }
@@ -84,9 +91,9 @@ void TravelWatch::look() {
     const bool turns = key->key().axis >= 3;
     Vector6 direction = Vector6::Zero();
     direction.segment<3>(turns ? 3 : 0) = axes.col(key->key().axis % 3) * key->key().direction;
-    const Travel travel = travelLeft(state_.dh, state_.q, state_.tcpOffset, direction);
+    const control::JogReach travel = travelLeft(state_, direction);
     travel_.at(static_cast<std::size_t>(index)) = travel;
-    const bool little = travel.end != Travel::End::Open && travel.left < (turns ? toRadians(10) : 0.03);
+    const bool little = !isOpen(travel) && travel.distance < (turns ? toRadians(10) : 0.03);
     key->setTravel(textOf(travel, turns), little);
 }
 
@@ -94,13 +101,17 @@ QString TravelWatch::heldText() const {
     const auto held = heldKey();
     if (held && !pad_.keys()[*held]->travel().isEmpty()) {
         const JogKey* key = pad_.keys()[*held];
-        const Travel& travel = travel_.at(static_cast<std::size_t>(*held));
-        switch (travel.end) {
-            case Travel::End::JointLimit:
+        const control::Limiter& end = travel_.at(static_cast<std::size_t>(*held)).end;
+        switch (end.kind) {
+            case control::LimiterKind::JointLimit:
                 return tr("%1: %2 left, then %3 is at its limit")
-                    .arg(key->text(), key->travel(), jointName(travel.joint));
-            case Travel::End::Floor:
-                return tr("%1: %2 left to the plane the base stands on").arg(key->text(), key->travel());
+                    .arg(key->text(), key->travel(), jointName(end.joint));
+            case control::LimiterKind::SelfCollision:
+            case control::LimiterKind::Obstacle:
+            case control::LimiterKind::Border:
+                return tr("%1: %2 left, then %3 is %4 from %5")
+                    .arg(key->text(), key->travel(), linkText(end.link), format::length(end.distance, 0),
+                         limiterText(end, state_.check->surroundings()));
             default:
                 return tr("%1: %2 left, then the end of the reach or a singularity")
                     .arg(key->text(), key->travel());

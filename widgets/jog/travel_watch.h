@@ -8,10 +8,11 @@
 #include <QObject>
 #include <QTimer>
 #include <array>
+#include <memory>
 #include <optional>
 
+#include "robot/control/jog_reach.h"
 #include "widgets/jog/jog_motion.h"
-#include "widgets/jog/travel.h"
 #include "widgets/session/session_state.h"
 
 namespace tiller {
@@ -43,9 +44,10 @@ private:
     const JogSelection& selection_;
     SessionState state_;
     QTimer timer_;
-    std::array<Travel, 12> travel_;  ///< per key of the pad, in the pad's order
+    std::array<control::JogReach, 12> travel_;  ///< per key of the pad, in the pad's order
     JointPositions lookedFrom_;
     Eigen::Matrix3d lookedIn_ = Eigen::Matrix3d::Zero();
+    std::shared_ptr<const collision::CollisionCheck> lookedWith_;
     int next_ = 0;  ///< the direction looked at next
     int left_ = 0;  ///< how many are still to be looked at
     JointPositions tickedAt_;

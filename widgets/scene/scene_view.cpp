@@ -17,10 +17,10 @@
 #include "widgets/common/format.h"
 #include "widgets/common/joint_name.h"
 #include "widgets/common/theme.h"
-#include "widgets/scene/move_words.h"
 #include "widgets/scene/scene_bodies.h"
 #include "widgets/scene/scene_keys.h"
 #include "widgets/scene/scene_painter.h"
+#include "widgets/session/move_words.h"
 
 namespace tiller {
 
@@ -202,31 +202,22 @@ void SceneView::setFrames(const std::vector<FrameMark>& frames) {
     changed();
 }
 
-void SceneView::setSurroundings(const collision::Surroundings& surroundings) {
-    surroundings_ = surroundings;
-    bodies_->setSurroundings(surroundings);
+void SceneView::setSurroundings(const collision::CellSurroundings& cell) {
+    cell_ = cell;
+    bodies_->setSurroundings(cell.around);
     groundScheme_.reset();
     rebuildCheck();
     updateGhost();
     changed();
 }
 
-void SceneView::setToolRadius(double radius) {
-    if (radius != toolRadius_) {
-        toolRadius_ = radius;
-        rebuildCheck();
-        updateGhost();
-        changed();
-    }
-}
-
 void SceneView::rebuildCheck() {
-    bodies_->setTool({tcpOffset_, toolRadius_});
+    bodies_->setTool({tcpOffset_, cell_.toolRadius});
     check_.reset();
 }
 
 double SceneView::floorHeight() const {
-    for (const collision::Border& border : surroundings_.borders) {
+    for (const collision::Border& border : cell_.around.borders) {
         if (border.name.isEmpty()) {
             return border.pose.position.z();
         }
@@ -285,13 +276,14 @@ void SceneView::updateGhost() {
     report_.reset();
     if (ghost_ && ghost_->reachable && haveJoints_) {
         if (!check_) {
-            check_.emplace(model_, collision::ToolBody{tcpOffset_, toolRadius_}, surroundings_);
+            check_.emplace(model_, collision::ToolBody{tcpOffset_, cell_.toolRadius}, cell_.around,
+                           cell_.safetyDistance);
         }
         report_ = collision::examineMove(model_, *check_, tcpOffset_,
                                          {q_, ghost_->q, ghost_->linear, ghost_->speed, ghost_->acceleration},
                                          speedFraction_);
     }
-    const QString limit = report_ && report_->limit ? limitText(*report_->limit, surroundings_) : QString();
+    const QString limit = report_ && report_->limit ? limitText(*report_->limit, cell_.around) : QString();
     if (limit != limitText_) {
         limitText_ = limit;
         Q_EMIT moveLimitChanged(limit);

@@ -65,9 +65,7 @@ public:
     void setPaths(const std::vector<PathMark>& paths);
     const std::vector<PathMark>& paths() const { return paths_; }
     /// What stands around the arm. It is drawn, and looked at before a move.
-    void setSurroundings(const collision::Surroundings& surroundings);
-    /// Of a round body from the flange to the TCP [m]; 0: none is known.
-    void setToolRadius(double radius);
+    void setSurroundings(const collision::CellSurroundings& cell);
     /// What the move to the ghost would be; nothing without a ghost that can be reached.
     const std::optional<collision::MoveReport>& moveReport() const { return report_; }
     /// What stands in the way to the ghost, as a sentence; empty when nothing does.
@@ -157,8 +155,7 @@ private:
     std::optional<Ghost> ghost_;
     std::optional<Ghost> secondGhost_;
     std::optional<ReplayMark> replay_;
-    collision::Surroundings surroundings_;
-    double toolRadius_ = 0;
+    collision::CellSurroundings cell_;
     std::optional<collision::CollisionCheck> check_;  ///< nothing: to be made anew
     std::optional<collision::MoveReport> report_;
     QString limitText_;

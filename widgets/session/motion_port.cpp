@@ -18,6 +18,8 @@ MotionPort motionPort(RobotSession& session) {
                                 std::uint64_t stops) { return session.beginPath(std::move(path), stops); },
         .stops = [&session] { return session.stops(); },
         .progress = [&session](RobotSession::MotionId id) { return session.motionProgress(id); },
+        .permits = [&session](std::span<const MoveRequest> moves) { return session.permits(moves); },
+        .permitsPath = [&session](std::span<const JointPositions> way) { return session.permitsPath(way); },
     };
 }
 

@@ -31,6 +31,8 @@ struct MotionPort {
     std::function<Result<Id>(std::vector<control::PathEntry>, std::uint64_t stops)> beginPath = {};
     std::function<std::uint64_t()> stops = {};
     std::function<Result<control::MotionProgress>(Id)> progress = {};
+    std::function<Result<void>(std::span<const MoveRequest>)> permits = {};
+    std::function<Result<void>(std::span<const JointPositions>)> permitsPath = {};
 };
 
 /// The port of a session, which must outlive it.

@@ -120,6 +120,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     controllerOptions.clock = d_->clock;
     controllerOptions.limits = d_->limits;
     link->controller = std::make_shared<control::Controller>(controllerOptions);
+    d_->guard.forget();
 
     io::OutputsOptions outputsOptions;
     outputsOptions.host = address.host;
@@ -266,6 +267,19 @@ void RobotSession::releaseControl() {
     });
 }
 
+void RobotSession::setSurroundings(const collision::CellSurroundings& cell) {
+    d_->guard.setSurroundings(cell);
+    refresh();
+}
+
+Result<void> RobotSession::permits(std::span<const MoveRequest> moves) const {
+    return d_->guard.permit(d_->state, moves);
+}
+
+Result<void> RobotSession::permitsPath(std::span<const JointPositions> way) const {
+    return d_->guard.permit(d_->state, way);
+}
+
 // ---- motion
 // --------------------------------------------------------------------------------------------------------
 
@@ -299,6 +313,9 @@ Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& reques
     if (const QString objection = request.toProject ? projectGuard_() : QString(); !objection.isEmpty()) {
         return Error{ErrorCode::Cancelled, objection, {}};
     }
+    if (const Result<void> permitted = permits({&request, 1}); !permitted) {
+        return permitted.error();
+    }
     const control::MoveParameters parameters{request.speed, request.acceleration, control::Holding::Held};
     control::Controller& controller = *d_->link->controller;
     control::Motions motions(controller, request.stops.value_or(controller.stops()));
@@ -318,6 +335,9 @@ Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path,
     }
     if (const QString objection = projectGuard_(); !objection.isEmpty()) {
         return Error{ErrorCode::Cancelled, objection, {}};
+    }
+    if (const Result<void> permitted = d_->guard.permit(d_->state, path); !permitted) {
+        return permitted.error();
     }
     PathStart& start = d_->link->path;
     start.ticket = std::max(start.ticket + 1, PathStart::kFirstTicket);

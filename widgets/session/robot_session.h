@@ -13,8 +13,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "robot/collision/surroundings.h"
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
 #include "robot/script/controller_message.h"
@@ -105,6 +107,14 @@ public:
     /// Ends the control program; the robot is free for others.
     void releaseControl();
 
+    /// Holds at once: jogs slow down and end at the safety distance, moves and paths that would come nearer are refused.
+    void setSurroundings(const collision::CellSurroundings& cell);
+    /// Why these moves, made one after the other from where the arm is, would be refused.
+    /// Errors  NoSolution with a sentence: what would come too near to what, and where
+    Result<void> permits(std::span<const MoveRequest> moves) const;
+    /// The same for a path of joint positions.
+    Result<void> permitsPath(std::span<const JointPositions> way) const;
+
     // Motion. A motion is begun by a press and needs hold() at least every 100 ms until it is ended; whoever
     // begins it keeps the number it was given, and a number that has been stopped never moves the arm again.
     using MotionId = std::uint64_t;
@@ -112,11 +122,13 @@ public:
     ///        begin, as a sentence; empty when it may. Such moves then end with Cancelled and that sentence
     void setProjectGuard(std::function<QString()> guard) { projectGuard_ = std::move(guard); }
     Result<MotionId> beginJog(const control::JogTarget& target);
+    /// Errors  also as permits(): every bounded motion of every key passes here
     Result<MotionId> beginMove(const MoveRequest& request);
     /// Several moves, blended into each other by the controller. They are sent to it first, which takes some tenths
     /// of a second, in which the motion counts as under way: it can be held, ended and stopped, and then nothing
     /// moves. What keeps it from beginning is told by motionProgress().
-    /// stops  as MoveRequest::stops
+    /// stops   as MoveRequest::stops
+    /// Errors  also as permits()
     Result<MotionId> beginPath(std::vector<control::PathEntry> path, std::uint64_t stops);
     /// How many stops there were on this link, by whomever: see MoveRequest::stops.
     std::uint64_t stops() const;

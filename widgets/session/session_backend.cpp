@@ -72,6 +72,7 @@ void SessionBackend::read() {
     }
     readSample();
     readControl();
+    readGuard();
     readRecording();
     state.controlReason = obstacle();
 }
@@ -218,6 +219,14 @@ control::StopEvidence SessionBackend::stopEvidence() const {
     evidence.restingEpoch = sending ? std::numeric_limits<std::uint64_t>::max() : status.restingEpoch;
     evidence.executedEpoch = status.executing ? status.motion : 0;
     return evidence;
+}
+
+void SessionBackend::readGuard() {
+    state.jointLimits = link->controller->jointLimits();
+    if (guard.follow(state)) {
+        link->controller->setCollisionCheck(guard.check());
+    }
+    state.check = guard.check();
 }
 
 void SessionBackend::noteStop(const control::StopMeasurement& stop, std::uint64_t& seen) {

@@ -24,6 +24,7 @@
 #include "widgets/session/foreign_stop.h"
 #include "widgets/session/further_stream.h"
 #include "widgets/session/link_history.h"
+#include "widgets/session/move_guard.h"
 #include "widgets/session/robot_session.h"
 #include "widgets/session/session_worker.h"
 
@@ -85,6 +86,7 @@ struct SessionBackend {
     bool takingControl = false;
     CancelToken taking;  ///< ends the taking under way
     control::MotionLimits limits;
+    MoveGuard guard;
     QString refusal;  ///< why taking control failed last
     QString linkReason;
 
@@ -126,6 +128,7 @@ private:
     void readSample();
     void readControl();
     bool isSendingPath(const control::ControllerStatus& status) const;
+    void readGuard();
     void noteStop(const control::StopMeasurement& stop, std::uint64_t& seen);
     void readRecording();
     QString obstacle() const;

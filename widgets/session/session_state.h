@@ -6,8 +6,10 @@
 #include <QMetaType>
 #include <QString>
 #include <cstdint>
+#include <memory>
 
 #include "robot/control/control_status.h"
+#include "robot/control/jog_reach.h"
 #include "robot/control/motion_types.h"
 #include "robot/core/joints.h"
 #include "robot/core/modes.h"
@@ -72,6 +74,10 @@ struct SessionState {
     RobotModelId model = RobotModelId::UR5e;
     bool modelKnown = false;  ///< the robot has reported it; until then `model` is assumed
     DhParameters dh = robotModel(RobotModelId::UR5e).dh;  ///< the arm's own where it tells its calibration
+    control::JointLimits jointLimits =
+        control::jointLimitsOf(robotModel(RobotModelId::UR5e));  ///< its own where it reports them
+    /// What the arm could touch, itself included, with the distance that jogs and moves keep; null while disconnected.
+    std::shared_ptr<const collision::CollisionCheck> check;
     LinkQuality quality;
 
     // modes

@@ -150,6 +150,9 @@ QString happening(ErrorCode code) {
 }  // namespace
 
 QString errorText(const Error& error) {
+    if (error.context.endsWith(QLatin1Char('.')) && error.controllerMessage.isEmpty()) {
+        return error.context;  // a whole sentence of our own
+    }
     QString text = happening(error.code);
     if (!error.context.isEmpty()) {
         text += QStringLiteral(": ") + error.context;

@@ -6,6 +6,7 @@
 
 #include "widgets/common/segmented_control.h"
 #include "widgets/project/project_document.h"
+#include "widgets/tools/cell_page.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/positions_page.h"
 #include "widgets/tools/tcp_page.h"
@@ -18,17 +19,19 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, QWidget* pa
 ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent)
     : QWidget(parent)
     , state_(session.state())
-    , choice_(new SegmentedControl({tr("TCP"), tr("Payload"), tr("Positions")}))
+    , choice_(new SegmentedControl({tr("TCP"), tr("Payload"), tr("Positions"), tr("Cell")}))
     , pages_(new QStackedWidget)
     , tcps_(new TcpPage(session, document))
     , payloads_(new PayloadPage(session, document, std::move(port)))
-    , positions_(new PositionsPage(session, document)) {
+    , positions_(new PositionsPage(session, document))
+    , cell_(new CellPage(session, document)) {
     setObjectName(QStringLiteral("tools"));
     setAccessibleName(tr("Tools"));
-    choice_->setNames(QStringLiteral("tools.page"), tr("TCP, payload or positions"));
+    choice_->setNames(QStringLiteral("tools.page"), tr("TCP, payload, positions or cell"));
     pages_->addWidget(tcps_);
     pages_->addWidget(payloads_);
     pages_->addWidget(positions_);
+    pages_->addWidget(cell_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 12, 0, 0);
     layout->setSpacing(0);
@@ -53,6 +56,7 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
     connectPage(tcps_, Tcps);
     connectPage(payloads_, Payloads);
     connectPage(positions_, Positions);
+    connectPage(cell_, Cell);
     connect(&document, &ProjectDocument::stepTaken, this, [this](const ProjectStep& step) {
         switch (step.part) {
             case ProjectPart::Tcps:
@@ -66,9 +70,11 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
             case ProjectPart::Positions:
                 showPage(Positions);
                 break;
+            case ProjectPart::Cell:
+                showPage(Cell);
+                break;
             case ProjectPart::Waypoints:
             case ProjectPart::Frames:
-            case ProjectPart::Cell:
                 break;
         }
     });
@@ -83,6 +89,7 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
     connect(&session, &RobotSession::stateChanged, this, [this](const SessionState& state) {
         state_ = state;
         payloads_->setState(state);
+        cell_->setState(state);
         if (!liveTimer_.isActive()) {
             liveTimer_.start();
         }
@@ -94,7 +101,8 @@ void ToolsTab::showPage(Page page) {
 }
 
 QList<QAction*> ToolsTab::commandActions() const {
-    return tcps_->commandActions() + payloads_->commandActions() + positions_->commandActions();
+    return tcps_->commandActions() + payloads_->commandActions() + positions_->commandActions() +
+           cell_->commandActions();
 }
 
 void ToolsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Tools": TCPs, payloads and named positions of the project, a page each.
+// The tab "Tools": TCPs, payloads, named positions and the cell of the project, a page each.
 
 #include <QTimer>
 #include <QWidget>
@@ -15,6 +15,7 @@ class QStackedWidget;
 
 namespace tiller {
 
+class CellPage;
 class PayloadPage;
 class PositionsPage;
 class ProjectDocument;
@@ -30,12 +31,13 @@ public:
     /// For tests: moves go through `port`, states still come from the session.
     ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent = nullptr);
 
-    enum Page { Tcps, Payloads, Positions };
+    enum Page { Tcps, Payloads, Positions, Cell };
     void showPage(Page page);
 
     TcpPage& tcps() { return *tcps_; }
     PayloadPage& payloads() { return *payloads_; }
     PositionsPage& positions() { return *positions_; }
+    CellPage& cell() { return *cell_; }
     /// Every action, for menus, the command palette and the help.
     QList<QAction*> commandActions() const;
     /// The speed that proposed poses keep below, asked at each press; none unless told.
@@ -57,6 +59,7 @@ private:
     TcpPage* tcps_;
     PayloadPage* payloads_;
     PositionsPage* positions_;
+    CellPage* cell_;
 };
 
 }  // namespace tiller

@@ -64,6 +64,9 @@ HoldMotion GoThrough::motion(Way way) {
         if (const QString all = why.isEmpty() ? actionObstacle(way) : why; !all.isEmpty()) {
             return Error{ErrorCode::NoSolution, all, {}};
         }
+        if (const Result<void> permitted = permits(way); !permitted) {
+            return permitted.error();
+        }
         leg_.clear();
         legs_ = 0;
         acting_.reset();
@@ -194,6 +197,22 @@ QString GoThrough::actionObstacle(Way way) const {
         }
     }
     return {};
+}
+
+/// What leads into a collision is not begun. Those that are not looked at are checked when their turn comes.
+Result<void> GoThrough::permits(Way way) const {
+    std::vector<MoveRequest> moves;
+    SessionState from = state_;
+    const int first = *firstPlace(way);
+    for (int place = first; place <= std::min(lastPlace(way), first + kLookedAt); ++place) {
+        const Result<MoveRequest> move = moveTo(place, from);
+        if (!move) {
+            return move.error();
+        }
+        moves.push_back(*move);
+        from = after(*move, from);
+    }
+    return port_.permits ? port_.permits(moves) : Result<void>();
 }
 
 /// The places that are gone to without a stop between them.

@@ -78,6 +78,7 @@ private:
     void fail(const Error& error);
     const project::WaypointAction* nextAction();
     QString actionObstacle(Way way) const;
+    Result<void> permits(Way way) const;
     int lastPlace(Way way) const;
     std::optional<int> firstPlace(Way way) const;
     QVector<int> legFrom(int place, Way way) const;

@@ -108,6 +108,20 @@ void WaypointModel::setComing(const QUuid& id) {
     }
 }
 
+void WaypointModel::setPathLimit(const QUuid& id, const QString& limit) {
+    if (pathLimits_.value(id) == limit) {
+        return;
+    }
+    if (limit.isEmpty()) {
+        pathLimits_.remove(id);
+    } else {
+        pathLimits_.insert(id, limit);
+    }
+    if (const int row = document_.waypoints().indexOf(id); row >= 0) {
+        Q_EMIT dataChanged(index(row, ReachColumn), index(row, ReachColumn));
+    }
+}
+
 QString WaypointModel::reachText(const project::Reach& reach) {
     switch (reach.obstacle) {
         case project::Reach::Obstacle::None:
@@ -177,7 +191,8 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
         case Blend:
             return QString::number(point.blend / format::metresPerUnit(), 'g', 6);
         case ReachColumn:
-            return reachText(document_.reach(row));
+            return document_.reach(row).ok() && !pathLimit(row).isEmpty() ? tr("✕ path")
+                                                                          : reachText(document_.reach(row));
         default:
             return {};
     }
@@ -210,7 +225,9 @@ QString WaypointModel::toolTip(const project::Waypoint& point, int row, int colu
                        ? tr("The joints rule: the arm comes back in the same posture")
                        : tr("The pose rules: it moves with its frame");
         case ReachColumn:
-            return document_.reach(row).ok() ? tr("Can be reached") : reachAdvice(document_.reach(row));
+            return !document_.reach(row).ok() ? reachAdvice(document_.reach(row))
+                   : pathLimit(row).isEmpty() ? tr("Can be reached")
+                                              : pathLimit(row);
         default:
             return {};
     }
@@ -221,7 +238,8 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
         return {};
     }
     const project::Waypoint& point = waypointAt(index.row());
-    const bool unreachable = index.column() == ReachColumn && !document_.reach(index.row()).ok();
+    const bool unreachable = index.column() == ReachColumn &&
+                             (!document_.reach(index.row()).ok() || !pathLimit(index.row()).isEmpty());
     switch (role) {
         case Qt::DisplayRole:
             // A number would be other data after every insertion above it: the view writes it.

@@ -4,6 +4,7 @@
 // The waypoints of the project as a table. What is typed or dragged in it becomes an edit of the document.
 
 #include <QAbstractTableModel>
+#include <QHash>
 
 #include "robot/project/reachability.h"
 #include "widgets/project/project_document.h"
@@ -19,7 +20,8 @@ public:
     /// document  must outlive the model
     explicit WaypointModel(ProjectDocument& document, QObject* parent = nullptr);
 
-    /// What stands in the column Reach: "✓", "✕ reach", "✕ joint", "✕ frame".
+    /// The text of the column Reach: "✓", "✕ reach", "✕ joint", "✕ frame"; "✕ path" where the path from the arm's
+    /// position leads into a collision.
     static QString reachText(const project::Reach& reach);
     /// As a sentence with what to do; empty when it can be reached.
     static QString reachAdvice(const project::Reach& reach);
@@ -34,6 +36,9 @@ public:
 
     /// The waypoint that the arm goes to next, to be seen as such; null for none.
     void setComing(const QUuid& id);
+    /// Why the arm would be refused to go there from where it is, as a sentence; empty: nothing is in the way.
+    void setPathLimit(const QUuid& id, const QString& limit);
+    QString pathLimit(int row) const { return pathLimits_.value(waypointAt(row).id); }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -65,7 +70,8 @@ private:
 
     ProjectDocument& document_;
     QUuid coming_;
-    QVector<QUuid> orderBefore_;  ///< of the persistent indexes, while the order changes
+    QHash<QUuid, QString> pathLimits_;  ///< of those that have one
+    QVector<QUuid> orderBefore_;        ///< of the persistent indexes, while the order changes
 };
 
 }  // namespace tiller

@@ -97,7 +97,7 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
     static constexpr Width kWidths[] = {
         {WaypointModel::Number, 34, 34}, {WaypointModel::Move, 52, 52},
         {WaypointModel::Frame, 70, 66},  {WaypointModel::Speed, 90, 88},
-        {WaypointModel::Blend, 80, 80},  {WaypointModel::ReachColumn, 78, 76}};
+        {WaypointModel::Blend, 80, 80},  {WaypointModel::ReachColumn, 92, 90}};
     // Titles are longer in some languages; what they take is not there for the rest.
     constexpr int kMargins = 12;
     const QFontMetrics metrics = horizontalHeader()->fontMetrics();

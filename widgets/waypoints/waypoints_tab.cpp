@@ -22,6 +22,7 @@
 #include "widgets/waypoints/go_through_bar.h"
 #include "widgets/waypoints/go_to_button.h"
 #include "widgets/waypoints/path_controls.h"
+#include "widgets/waypoints/path_watch.h"
 #include "widgets/waypoints/waypoint_details.h"
 #include "widgets/waypoints/waypoint_dialogs.h"
 #include "widgets/waypoints/waypoint_editing.h"
@@ -44,6 +45,13 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
     , model_(std::make_unique<WaypointModel>(document)) {
     setObjectName(QStringLiteral("waypoints"));
     setAccessibleName(tr("Waypoints"));
+    watch_ = new PathWatch(
+        document_, *model_,
+        [this, permits = port.permits](int row) -> Result<void> {
+            const Result<MoveRequest> move = moveTo(row);
+            return permits && move ? permits({&*move, 1}) : Result<void>();
+        },
+        this);
     buildLayout(std::move(port));
     buildActions();
 
@@ -210,6 +218,7 @@ void WaypointsTab::onState(const SessionState& state) {
     goTo_->setState(state);
     goThrough_->setState(state);
     paths_->setState(state);
+    watch_->setState(state);
     updateAvailability();
 }
 

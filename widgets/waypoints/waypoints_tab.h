@@ -30,6 +30,7 @@ class GoThroughBar;
 class GoToButton;
 class NoticeBar;
 class PathControls;
+class PathWatch;
 class ProjectDocument;
 class WaypointDetails;
 class WaypointDialogs;
@@ -148,6 +149,7 @@ private:
     WaypointEditing* editing_ = nullptr;
     WaypointDialogs* dialogs_ = nullptr;
     WaypointSearch* search_ = nullptr;
+    PathWatch* watch_ = nullptr;
 };
 
 }  // namespace tiller

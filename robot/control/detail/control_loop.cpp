@@ -502,27 +502,28 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
         return;
     }
     limiter_.setSpeedCap(speedCap_.load());
-    status_.limiter = limiter_.limit(target, data.q, data.tcpPose);
+    status_.limiter = limiter_.limit(target, data.q, data.tcpPose, {data.qd, check_.newest().get()});
     const double scale = status_.limiter.scale;
     if (scale <= 0) {
         mailbox_.end(motion.id, StopCause::LimitReached, data.hostNs);
         return;
     }
     // Slowing down must be as brisk as stopping, or the limiter's braking in front of a limit would lag.
+    const bool brake = status_.limiter.brake;
     bool slowing = false;
     if (target.kind == JogTarget::Kind::Cartesian) {
         command.kind = ScriptCommand::JogCartesian;
         const Vector6 twist = target.twist.vector() * scale;
         std::copy_n(twist.data(), command.values.size(), command.values.begin());
-        slowing = data.tcpSpeed.linear.norm() > twist.head<3>().norm() + kStillTcpSpeed;
+        slowing = brake || data.tcpSpeed.linear.norm() > twist.head<3>().norm() + kStillTcpSpeed;
         command.acceleration = slowing ? limits_.jogDeceleration : limits_.jogAcceleration;
-        slowing = data.tcpSpeed.angular.norm() > twist.tail<3>().norm() + kStillJointSpeed;
+        slowing = brake || data.tcpSpeed.angular.norm() > twist.tail<3>().norm() + kStillJointSpeed;
         command.rotationAcceleration = slowing ? limits_.jointDeceleration : limits_.jointAcceleration;
     } else {
         command.kind = ScriptCommand::JogJoints;
         const Vector6 qd = target.qd.values * scale;
         std::copy_n(qd.data(), command.values.size(), command.values.begin());
-        slowing = fastest(data.qd) > qd.cwiseAbs().maxCoeff() + kStillJointSpeed;
+        slowing = brake || fastest(data.qd) > qd.cwiseAbs().maxCoeff() + kStillJointSpeed;
         command.acceleration = slowing ? limits_.jointDeceleration : limits_.jointAcceleration;
     }
     command.choice = static_cast<std::int32_t>(target.frame);

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -126,6 +127,11 @@ public:
     /// From the next tick on TCP and elbow of a jog get no faster than this [m/s].
     void setSpeedCap(double cap) { speedCap_.store(cap); }
     double speedCap() const { return speedCap_.load(); }
+    /// From the next tick on jogs keep the safety distance of this check; null: there is none.
+    /// Threads  any; one at a time
+    void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check) {
+        check_.publish(std::move(check));
+    }
     /// Null takes it away; when the call returns it is not in use any more.
     void setHook(CycleHook* hook);
 
@@ -170,6 +176,8 @@ private:
     MotionLimits limits_;
     std::atomic<double> speedCap_;  ///< in place of limits_.tcpSpeed
     VelocityLimiter limiter_{ArmLimits{}, MotionLimits{}};
+    /// The control thread only looks at the newest; who publishes frees the older ones.
+    realtime::TripleBuffer<std::shared_ptr<const collision::CollisionCheck>> check_;
     StopMeter meter_;
 
     std::int32_t session_ = 0;

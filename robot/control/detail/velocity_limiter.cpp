@@ -22,6 +22,15 @@ constexpr double kLimitDeceleration = 1.0;  // [rad/s2]
 constexpr double kLimitLatency = 0.03;      // [s]
 constexpr double kLimitMargin = 0.01;       // [rad] kept free before the end of the range
 
+// Braking in front of a collision: the same, as a share of the deceleration of a stop.
+constexpr double kClearDeceleration = 0.5;
+// A jog ends so far inside the safety distance at most; less would keep it from sliding along a wall [m].
+constexpr double kClearBand = 0.0003;
+constexpr double kDeepInside = 0.0006;
+// Slower approaches, as a share of the highest speed of the body, are sliding along; deep inside nothing but rounding is.
+constexpr double kSliding = 2e-3;
+constexpr double kSlidingDeepInside = 1e-4;
+
 // Less than this is not worth creeping for: it counts as blocked.
 constexpr double kSmallestScale = 0.02;
 
@@ -72,7 +81,11 @@ Vector6 jointSpeeds(const Matrix6& jacobian, const Vector6& twist) {
 
 void hold(Limiter& limiter, double scale, LimiterKind kind, int joint = -1, double distance = 0) {
     if (scale < limiter.scale) {
-        limiter = {kind, joint, distance, std::max(scale, 0.0)};
+        limiter = {};
+        limiter.kind = kind;
+        limiter.joint = joint;
+        limiter.distance = distance;
+        limiter.scale = std::max(scale, 0.0);
     }
 }
 
@@ -83,12 +96,24 @@ void holdTo(Limiter& limiter, double speed, double cap, LimiterKind kind, int jo
 }
 
 // The speed from which the arm still comes to rest in time.
-double approachSpeed(double distance) {
+double approachSpeed(double distance, double deceleration) {
     if (distance <= 0) {
         return 0;
     }
-    const double a = kLimitDeceleration;
-    return a * (std::sqrt(kLimitLatency * kLimitLatency + 2 * distance / a) - kLimitLatency);
+    return deceleration *
+           (std::sqrt(kLimitLatency * kLimitLatency + 2 * distance / deceleration) - kLimitLatency);
+}
+
+LimiterKind limiterKind(collision::Contact::With with) {
+    switch (with) {
+        case collision::Contact::With::Arm:
+            return LimiterKind::SelfCollision;
+        case collision::Contact::With::Obstacle:
+            return LimiterKind::Obstacle;
+        case collision::Contact::With::Border:
+            break;
+    }
+    return LimiterKind::Border;
 }
 
 void holdAtSingularity(Limiter& limiter, double here, double ahead, const SingularityZone& zone, int joint) {
@@ -142,7 +167,120 @@ Twist twistInBase(const JogTarget& target, const Pose& tcpPose) {
     return target.twist;
 }
 
-Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose) const {
+/// What a jog asks for, at full scale.
+struct VelocityLimiter::Motion {
+    const JogTarget& target;
+    const JointPositions& q;
+    const Matrix6& jacobian;
+    const Vector6& qd;
+    const Vector6& twist;
+    const Pose& tcpPose;
+
+    bool isCartesian() const { return target.kind == JogTarget::Kind::Cartesian; }
+
+    /// Where the arm is after this time at this speed. A straight line of the TCP bends in joint space.
+    JointPositions after(const DhParameters& dh, double seconds) const {
+        Vector6 bend = Vector6::Zero();
+        if (isCartesian()) {
+            constexpr double kInterval = 1e-3;  // [s]
+            const Eigen::Isometry3d T_base_flange = kinematics::forward(dh, q);
+            const JointPositions next(Vector6(q.values + kInterval * qd));
+            const Eigen::Vector3d tcp =
+                kinematics::forward(dh, next) * (T_base_flange.inverse(Eigen::Isometry) * tcpPose.position);
+            bend = (jointSpeeds(geometryAt(dh, next, tcp).jacobian, twist) - qd) / kInterval;
+        }
+        return JointPositions(Vector6(q.values + seconds * qd + seconds * seconds / 2 * bend));
+    }
+};
+
+/// In which a jog comes to rest, gently.
+double VelocityLimiter::brakingTime(bool cartesian, const Twist& twist, const Vector6& qd) const {
+    const double joints = kClearDeceleration * limits_.jointDeceleration;
+    if (!cartesian) {
+        return qd.cwiseAbs().maxCoeff() / joints;
+    }
+    return std::max(twist.linear.norm() / (kClearDeceleration * limits_.jogDeceleration),
+                    twist.angular.norm() / joints);
+}
+
+// The arm shall come to rest at its safety distance from everything. How fast it approaches each thing is measured on
+// the distances themselves, a moment later and where it would come to rest: what is nearest there may be hidden by what
+// is nearest now.
+void VelocityLimiter::keepClear(Limiter& limiter, const Motion& motion, const Situation& situation) const {
+    using collision::CollisionCheck;
+    const CollisionCheck& check = *situation.check;
+    const Vector6& qd = motion.qd;
+    const Vector6& qdNow = situation.qd.values;
+    constexpr double kMoment = 2e-5;  // [rad] of all joints together
+    constexpr double kStandstill = 1e-9;
+    const double sum = qd.cwiseAbs().sum();
+    if (sum < kStandstill) {
+        return;
+    }
+    const double moment = kMoment / sum;
+    const double momentNow = kMoment / std::max(qdNow.cwiseAbs().sum(), kStandstill);
+    const Vector6 twistNow = motion.jacobian * qdNow;
+    const double brake =
+        brakingTime(motion.isCartesian(), {motion.twist.head<3>(), motion.twist.tail<3>()}, qd);
+    const double brakeNow =
+        brakingTime(motion.isCartesian(), {twistNow.head<3>(), twistNow.tail<3>()}, qdNow);
+    const double toRest = limiter.scale * (kLimitLatency + limiter.scale * brake / 2);
+    const double toRestNow = kLimitLatency + brakeNow / 2;
+
+    const CollisionCheck::Placement here = check.place(motion.q);
+    bool isPlaced = false;
+    CollisionCheck::Placement next;
+    CollisionCheck::Placement nextNow;
+    CollisionCheck::Placement atRest;
+    for (const CollisionCheck::Pair& pair : check.pairs()) {
+        const bool isCell = pair.with != collision::Contact::With::Arm;
+        if (motion.target.contactForce > 0 && isCell && pair.link >= kJointCount) {
+            continue;  // that is what it looks for
+        }
+        const double fastest = pair.radius.dot(qd.cwiseAbs());
+        const double fastestNow = pair.radius.dot(qdNow.cwiseAbs());
+        const double farthest = pair.margin + std::max(fastest * toRest, fastestNow * toRestNow);
+        const double distance = check.distance(pair, here, farthest);
+        if (distance > farthest) {
+            continue;
+        }
+        if (!isPlaced) {
+            isPlaced = true;
+            next = check.place(JointPositions(Vector6(motion.q.values + moment * qd)));
+            nextNow = check.place(JointPositions(Vector6(motion.q.values + momentNow * qdNow)));
+            atRest = check.place(motion.after(arm_.dh, toRest));
+        }
+        const double left = distance - pair.margin + kClearBand;
+        const double sliding = left > kClearBand - kDeepInside ? kSliding : kSlidingDeepInside;
+        const auto hold = [&](double approach) {
+            if (approach <= sliding * fastest) {
+                return;
+            }
+            const double allowed = approachSpeed(left, approach / std::max(brake, kLimitLatency));
+            if (approach * limiter.scale > allowed) {
+                limiter.kind = limiterKind(pair.with);
+                limiter.joint = -1;
+                limiter.link = pair.link;
+                limiter.other = pair.otherLink;
+                limiter.distance = distance;
+                limiter.scale = allowed / approach;
+            }
+        };
+        hold((distance - check.distance(pair, next)) / moment);
+        constexpr double kBends = 0.0005;  // so far the arm may be from where it is expected to rest [m]
+        const double rest = check.distance(pair, atRest);
+        if (rest < pair.margin - kBends) {
+            hold((distance - rest - kBends) / toRest);
+        }
+        const double approachNow = (distance - check.distance(pair, nextNow)) / momentNow;
+        limiter.brake = limiter.brake ||
+                        (approachNow > kSliding * fastestNow &&
+                         approachNow > approachSpeed(left, approachNow / std::max(brakeNow, kLimitLatency)));
+    }
+}
+
+Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose,
+                               const Situation& situation) const {
     const bool cartesian = target.kind == JogTarget::Kind::Cartesian;
     const Geometry g = geometryAt(arm_.dh, q, tcpPose.position);
     Vector6 twist;
@@ -178,7 +316,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
             continue;
         }
         const double left = qd[joint] > 0 ? arm_.maxPosition[i] - q[joint] : q[joint] - arm_.minPosition[i];
-        const double allowed = approachSpeed(left - kLimitMargin);
+        const double allowed = approachSpeed(left - kLimitMargin, kLimitDeceleration);
         if (speed > allowed) {
             hold(limiter, allowed / speed, LimiterKind::JointLimit, joint, std::max(left, 0.0));
         }
@@ -193,6 +331,9 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
         holdAtSingularity(limiter, here.wrist, ahead.wrist, kWristZone, kWrist2);
         holdAtSingularity(limiter, here.elbow, ahead.elbow, kElbowZone, kElbow);
         holdAtSingularity(limiter, here.shoulder, ahead.shoulder, kShoulderZone, kBase);
+    }
+    if (situation.check != nullptr) {
+        keepClear(limiter, {target, q, g.jacobian, qd, twist, tcpPose}, situation);
     }
     if (limiter.scale < kSmallestScale * wanted) {
         limiter.scale = 0;

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "robot/collision/collision_check.h"
 #include "robot/control/control_status.h"
 #include "robot/control/motion_types.h"
 #include "robot/core/robot_model.h"
@@ -26,22 +27,37 @@ struct ArmLimits {
     static ArmLimits of(const RobotModel& model, const script::RobotConfiguration& told);
 };
 
-/// Slows down so that joints stop before their limits and the arm before its singularities; motion away from
-/// either is free. Holds TCP, elbow, rotation and joints to their caps.
-/// Threads  one. Real-time: yes (no allocation; a few microseconds)
+/// Slows down so that joints stop before their limits, and the arm before its singularities and at the safety distance
+/// from itself and its surroundings; motion away from any of them is free. Holds TCP, elbow, rotation and joints to
+/// their caps.
+/// Threads  one. Real-time: yes (no allocation; some ten microseconds)
 class VelocityLimiter {
 public:
     VelocityLimiter(const ArmLimits& arm, const MotionLimits& limits) : arm_(arm), limits_(limits) {}
 
+    /// What is known of the arm's motion and of what it could touch.
+    struct Situation {
+        JointVelocities qd = {};                           ///< of the arm now [rad/s]
+        const collision::CollisionCheck* check = nullptr;  ///< null: nothing is known
+    };
     /// q, tcpPose  where the arm is (base frame)
+    /// A jog that looks for contact (contactForce) may touch the surroundings with the tool and wrist 3.
     /// Returns     Limiter::scale to multiply the target with, 0 when it may not move that way at all
-    Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose) const;
+    Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose,
+                  const Situation& situation) const;
+    Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose) const {
+        return limit(target, q, tcpPose, Situation());
+    }
 
     /// Another cap on TCP and elbow [m/s].
     void setSpeedCap(double cap) { limits_.tcpSpeed = cap; }
     const ArmLimits& arm() const { return arm_; }
 
 private:
+    struct Motion;
+    void keepClear(Limiter& limiter, const Motion& motion, const Situation& situation) const;
+    double brakingTime(bool cartesian, const Twist& twist, const Vector6& qd) const;
+
     ArmLimits arm_;
     MotionLimits limits_;
 };

@@ -121,7 +121,8 @@ CellBox PartReader::box(const QString& where, const QJsonObject& object) {
                 QStringLiteral("is %1 m, a box needs at least %2 m").arg(box.size[i]).arg(kLeastBoxEdge));
         }
     }
-    box.extra = without(object, {"id", "name", "frame", "pose", "size"});
+    box.enabled = !object.contains(QLatin1String("enabled")) || fields_.flag(where, object, "enabled");
+    box.extra = without(object, {"id", "name", "frame", "pose", "size", "enabled"});
     return box;
 }
 
@@ -131,7 +132,8 @@ CellPlane PartReader::plane(const QString& where, const QJsonObject& object) {
     plane.name = fields_.text(where, object, "name");
     plane.frame = fields_.frame(where, object, frames_);
     plane.pose = fields_.pose(where, object, "pose");
-    plane.extra = without(object, {"id", "name", "frame", "pose"});
+    plane.enabled = !object.contains(QLatin1String("enabled")) || fields_.flag(where, object, "enabled");
+    plane.extra = without(object, {"id", "name", "frame", "pose", "enabled"});
     return plane;
 }
 

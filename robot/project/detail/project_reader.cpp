@@ -185,9 +185,16 @@ void ProjectReader::readCell(const QJsonValue& value) {
             cell.floor = floor;
         }
     }
+    if (object.contains(QLatin1String("safetyDistance"))) {
+        const qsizetype before = fields_.problemCount();
+        const double distance = fields_.number(where, object, "safetyDistance", 0, kMaxSafetyDistance, "m");
+        if (fields_.problemCount() == before) {
+            cell.safetyDistance = distance;
+        }
+    }
     readList<CellBox>(where, object, "boxes", cell.boxes, &PartReader::box);
     readList<CellPlane>(where, object, "planes", cell.planes, &PartReader::plane);
-    cell.extra = without(object, {"floor", "boxes", "planes"});
+    cell.extra = without(object, {"floor", "boxes", "planes", "safetyDistance"});
 }
 
 RecoveredProject ProjectReader::take() {

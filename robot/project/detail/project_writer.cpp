@@ -179,10 +179,17 @@ QJsonObject entryOf(const Pattern& pattern) {
     return object;
 }
 
+void putDisabled(QJsonObject& object, bool enabled) {
+    if (!enabled) {
+        object["enabled"] = false;
+    }
+}
+
 QJsonObject entryOf(const CellPlane& plane) {
     QJsonObject object = begun(plane);
     object["frame"] = idOrNull(plane.frame);
     object["pose"] = arrayOf(plane.pose.array());
+    putDisabled(object, plane.enabled);
     return object;
 }
 
@@ -191,6 +198,7 @@ QJsonObject entryOf(const CellBox& box) {
     object["frame"] = idOrNull(box.frame);
     object["pose"] = arrayOf(box.pose.array());
     object["size"] = arrayOf(box.size);
+    putDisabled(object, box.enabled);
     return object;
 }
 
@@ -223,6 +231,9 @@ QJsonObject objectOf(const CellGeometry& cell) {
     }
     putList(object, "boxes", entriesOf(cell.boxes));
     putList(object, "planes", entriesOf(cell.planes));
+    if (cell.safetyDistance != kDefaultSafetyDistance) {
+        object["safetyDistance"] = cell.safetyDistance;
+    }
     return object;
 }
 

@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <thread>
 
 #ifdef __linux__
@@ -18,7 +19,9 @@
 #include <unistd.h>
 #endif
 
+#include "robot/collision/collision_check.h"
 #include "robot/control/detail/control_loop.h"
+#include "robot/kinematics/arm_kinematics.h"
 #include "robot/receive/receiver.h"
 #include "robot/rtde/fields.h"
 #include "robot/rtde/values.h"
@@ -109,6 +112,31 @@ struct Ticking {
         data.echo.epoch = command.epoch;
         data.echo.session = command.session;
         return values.size() == control::kCommandSize;
+    }
+};
+
+/// A jog just above a floor: everything that slows it down is worked out in each tick.
+struct Jogging : Ticking {
+    /// boxes  around the arm, near it; below 0: no collision check at all
+    explicit Jogging(int boxes) {
+        const RobotModel& model = robotModel(RobotModelId::UR5e);
+        data.q = JointPositions(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
+        data.tcpPose = kinematics::forwardTcp(model.dh, data.q);
+        if (boxes >= 0) {
+            collision::Surroundings around;
+            around.borders.push_back({{}, Pose(0, 0, data.tcpPose.position.z() - 0.12, 0, 0, 0)});
+            for (int i = 0; i < boxes; ++i) {
+                around.obstacles.push_back(
+                    {QString::number(i), Pose(0.3 * i - 1, -0.8, 0.3, 0, 0, 0.3), {0.2, 0.2, 0.4}});
+            }
+            loop.setCollisionCheck(
+                std::make_shared<collision::CollisionCheck>(model, collision::ToolBody{{}, 0}, around));
+        }
+        control::MotionCommand jog;
+        jog.kind = control::MotionCommand::Kind::Jog;
+        jog.jog.twist.linear = {0.1, 0.02, -0.1};
+        jog.held = false;
+        mailbox.start(jog, clock.nowNs());
     }
 };
 
@@ -265,6 +293,18 @@ void measureCosts(Report& report) {
                nanoseconds(kTimes, tick), QStringLiteral("ns"), 2000);
     if (const auto perTick = instructions(kTimes, tick)) {
         report.add(QStringLiteral("control tick, instructions"), *perTick, QString());
+    }
+    for (const int boxes : {-1, 0, 8}) {
+        Jogging jogging(boxes);
+        report.add(boxes < 0 ? QStringLiteral("control tick with a jog, without a collision check")
+                             : QStringLiteral("the same with the arm, a floor and %1 boxes").arg(boxes),
+                   nanoseconds(kTimes / 10,
+                               [&](int times) {
+                                   for (int i = 0; i < times; ++i) {
+                                       good = jogging.once() && good;
+                                   }
+                               }),
+                   QStringLiteral("ns"));
     }
     report.add(QStringLiteral("decodes or ticks that failed"), good ? 0 : 1, QString(), 0.0);
 

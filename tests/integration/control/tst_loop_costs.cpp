@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Neither loop allocates or locks once it runs: counted over sockets to a simulated robot, in virtual time.
+#include <cmath>
+#include <memory>
+
+#include "robot/collision/collision_check.h"
 #include "robot/control/motions.h"
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/receiver.h"
@@ -74,6 +78,50 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().ticks - ticks > static_cast<std::uint64_t>(seconds) * 450);
         QCOMPARE(hotCounts().allocations - before.allocations, 0U);
         QCOMPARE(hotCounts().locks - before.locks, 0U);
+    }
+
+    // A jog that is slowed down by everything that a cell can hold, tool, floor and boxes.
+    void aJogBesideObstaclesAllocatesAndLocksNothing() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        collision::Surroundings around;
+        around.borders.push_back({{}, Pose(0, 0, -0.05, 0, 0, 0)});
+        for (int i = 0; i < 8; ++i) {
+            around.obstacles.push_back({QString::number(i),
+                                        Pose(0.6 * std::cos(i), 0.6 * std::sin(i), 0.2, 0, 0, 0.3 * i),
+                                        {0.1, 0.2, 0.2}});
+        }
+        cell.controller->setCollisionCheck(std::make_shared<collision::CollisionCheck>(
+            robotModel(RobotModelId::UR5e), collision::ToolBody{{}, 0}, around, 0.03));
+        int slowed = 0;
+        HotCounts counted{};
+        for (int i = 0; i < 12; ++i) {
+            JogTarget target;
+            target.twist.linear =
+                Eigen::Vector3d(std::cos(i * 0.7), std::sin(i * 0.7), i % 3 == 0 ? -0.5 : 0.2) * 0.2;
+            const auto jog = cell.motions().startJog(target);
+            QVERIFY(jog.ok());
+            QVERIFY(cell.step(5));
+            const HotCounts before = hotCounts();
+            countHotThreads(true);
+            for (int tick = 0; tick < 500 && jog->state().phase == MotionPhase::Active; ++tick) {
+                if (tick % 10 == 0) {
+                    (void)jog->refresh();
+                }
+                QVERIFY(cell.step());
+                const LimiterKind kind = cell.controller->status().limiter.kind;
+                slowed += kind == LimiterKind::Obstacle || kind == LimiterKind::Border ||
+                          kind == LimiterKind::SelfCollision;
+            }
+            countHotThreads(false);
+            counted.allocations += hotCounts().allocations - before.allocations;
+            counted.locks += hotCounts().locks - before.locks;
+            jog->cancel(StopCause::Released);
+            QVERIFY(cell.standsWithinMs(1000));
+        }
+        QVERIFY2(slowed > 50, qPrintable(QString::number(slowed)));
+        QCOMPARE(counted.allocations, 0U);
+        QCOMPARE(counted.locks, 0U);
     }
 };
 

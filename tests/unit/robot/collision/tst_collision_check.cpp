@@ -218,6 +218,57 @@ private Q_SLOTS:
         QVERIFY(!check.along({}).has_value());
     }
 
+    // Nearer than the safety distance is refused; from inside it, what leads out is free and what leads deeper is not.
+    void aPathIsObstructedAtTheSafetyDistance() {
+        const RobotModel& model = robotModel(RobotModelId::UR5e);
+        const auto shifted = [&](double z) {
+            Pose pose = kinematics::forwardTcp(model.dh, kStance);
+            pose.position.z() += z;
+            return kinematics::inverseNearest(model.dh, pose, {}, kStance).value();
+        };
+        for (const double safety : {0.0, 0.010, 0.030}) {
+            const CollisionCheck open(model, {}, {});
+            double low = 1e9;
+            for (const LinkCapsule& part : placedCapsules(open.capsules(), model.dh, kStance)) {
+                if (part.link >= 4) {
+                    low = std::min(low, std::min(part.shape.from.z(), part.shape.to.z()) - part.shape.radius);
+                }
+            }
+            const CollisionCheck check(model, {}, {{}, {floorAt(low - 0.05)}}, safety);
+            QVERIFY(!check.obstruction(std::vector{kStance, shifted(safety - 0.05 + 0.002)}));
+            const auto contact = check.obstruction(std::vector{kStance, shifted(safety - 0.05 - 0.002)});
+            QVERIFY(contact && contact->with == Contact::With::Border);
+            QVERIFY2(std::abs(contact->distance - safety) < 0.001,
+                     qPrintable(QString::number(contact->distance)));
+            QVERIFY(!check.isInside(kStance, *contact));
+            // Half way inside, and 5 mm inside the floor itself.
+            for (const double start : {safety / 2 - 0.05, -0.055}) {
+                const JointPositions inside = shifted(start);
+                QVERIFY(!check.obstruction(std::vector{inside, shifted(start + 0.02)}));
+                const auto deeper = check.obstruction(std::vector{inside, shifted(start - 0.004)});
+                QVERIFY(deeper && check.isInside(inside, *deeper));
+            }
+        }
+    }
+
+    // Bodies that no motion brings together have no safety distance that could stop a motion.
+    void largeSafetyDistancesLeaveTheWristFree() {
+        for (const RobotModel& model : robotModels()) {
+            const CollisionCheck check(model, {}, {}, 0.03);
+            const JointPositions from(0, -1.57, 1.57, -1.57, -1.57, 0);
+            for (const int joint : {3, 5}) {
+                JointPositions to = from;
+                to[joint] += joint == 5 ? 6 : 1;
+                const auto contact = check.obstruction(std::vector{from, to});
+                QVERIFY2(!contact, qPrintable(QStringLiteral("%1 joint %2: link %3 and %4")
+                                                  .arg(QLatin1String(model.name))
+                                                  .arg(joint)
+                                                  .arg(contact ? contact->link : 0)
+                                                  .arg(contact ? contact->other : 0)));
+            }
+        }
+    }
+
     // No collision is missed; a false alarm is one of less than a millimetre.
     void agreesWithSamplingEveryMillimetre_data() {
         QTest::addColumn<int>("model");

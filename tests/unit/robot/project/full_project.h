@@ -84,8 +84,8 @@ inline Project fullProject() {
     document.positions.home = document.positions.list.at(0).id;
     document.positions.safeHeight = SafeHeight{tray, 0.35};
     document.cell.floor = -0.01;
-    document.cell.boxes = {{id(), "table", tray, Pose(0, 0, -0.2, 0, 0, 0), {0.8, 0.6, 0.4}, {}}};
-    document.cell.planes = {{id(), "glass", QUuid(), Pose(0, 0.7, 0, 1.57, 0, 0), {}}};
+    document.cell.boxes = {{id(), "table", tray, Pose(0, 0, -0.2, 0, 0, 0), {0.8, 0.6, 0.4}, true, {}}};
+    document.cell.planes = {{id(), "glass", QUuid(), Pose(0, 0.7, 0, 1.57, 0, 0), true, {}}};
     RecordedPath path;
     path.id = id();
     path.name = QStringLiteral("around the rim");

@@ -92,6 +92,22 @@ private Q_SLOTS:
         QCOMPARE(*serializeProject(*read), *bytes);
     }
 
+    void theSafetyDistanceAndWhatIsLeftOutComeBack() {
+        Project document = fullProject();
+        document.cell.safetyDistance = 0.025;
+        CellBox box = document.cell.boxes.at(0);
+        box.enabled = false;
+        document.cell.boxes.replace(0, box);
+        CellPlane plane = document.cell.planes.at(0);
+        plane.enabled = false;
+        document.cell.planes.replace(0, plane);
+        const Result<Project> read = parseProject(*serializeProject(document));
+        QVERIFY2(read.ok(), qPrintable(read.error().toString()));
+        QVERIFY(read->cell == document.cell);
+        QVERIFY(!read->cell.boxes.at(0).enabled && !read->cell.planes.at(0).enabled);
+        QCOMPARE(read->cell.safetyDistance, 0.025);
+    }
+
     void whatIsEmptyIsNotWritten() {
         const QJsonObject root = QJsonDocument::fromJson(*serializeProject(Project())).object();
         QCOMPARE(root.keys(), QStringList({"format", "frames", "version", "waypoints"}));
@@ -190,6 +206,8 @@ private Q_SLOTS:
         row("patterns[0].corners[1]", "x", "patterns[0].corners[1]: is not an id");
         row("cell", QJsonArray(), "cell: is a list, not an object");
         row("cell.floor", "low", "cell.floor: is a text, not a number");
+        row("cell.boxes[0].enabled", 1, "cell.boxes[0].enabled: is a number, not ");
+        row("cell.safetyDistance", -0.01, "cell.safetyDistance: ");
         row("cell.boxes[0].size[1]", 0, "cell.boxes[0].size[1]: is 0 m, a box needs at least");
         row("cell.planes[0].frame", nobody, "cell.planes[0].frame: no frame of this project");
         row("paths[0].points[1].t", -1, "paths[0].points[1].t: is -1 s");

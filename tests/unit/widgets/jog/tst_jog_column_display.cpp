@@ -15,6 +15,7 @@
 #include "widgets/jog/joint_rows.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/pose_view.h"
+#include "widgets/jog/travel.h"
 #include "widgets/jog/travel_watch.h"
 
 using namespace tiller;
@@ -65,20 +66,26 @@ private Q_SLOTS:
         QVERIFY(s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel().isEmpty());
     }
 
-    // The arm could reach further down, were it not for what the base stands on.
-    void theReachDownEndsAtThePlaneOfTheBase() {
+    // The arm could reach further down, were it not for the floor of the cell.
+    void theReachDownEndsAtTheSafetyDistanceFromTheFloor() {
         constexpr double kDeg = std::numbers::pi / 180;
         JogScene s;
         s.state.q = JointPositions(-88 * kDeg, -105 * kDeg, -110 * kDeg, -55 * kDeg, 91 * kDeg, 1 * kDeg);
+        s.state.check = std::make_shared<collision::CollisionCheck>(
+            robotModel(s.state.model), collision::ToolBody{{}, 0},
+            collision::Surroundings{{}, {{{}, Pose(0, 0, 0, 0, 0, 0)}}});
         s.column.applyState(s.state);
         for (int i = 0; i < 12; ++i) {
             s.column.travel().look();
         }
-        const double height =
-            kinematics::forwardTcp(robotModel(s.state.model).dh, s.state.q, s.state.tcpOffset).position.z();
-        QCOMPARE(s.column.findChild<JogKey*>(QStringLiteral("jog.Z-"))->travel(), format::length(height, 0));
+        Vector6 down = Vector6::Zero();
+        down[2] = -1;
+        const control::JogReach reach = travelLeft(s.state, down);
+        QCOMPARE(reach.end.kind, control::LimiterKind::Border);
+        QCOMPARE(s.column.findChild<JogKey*>(QStringLiteral("jog.Z-"))->travel(),
+                 format::length(reach.distance, 0));
         s.press("jog.Z-");
-        QVERIFY2(s.column.travel().heldText().contains(QStringLiteral("plane the base stands on")),
+        QVERIFY2(s.column.travel().heldText().contains(QStringLiteral("is 10 mm from the floor")),
                  qPrintable(s.column.travel().heldText()));
         s.release("jog.Z-");
     }

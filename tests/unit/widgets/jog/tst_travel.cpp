@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is left in each direction, and the way out of a limit, checked with the kinematics alone.
 #include <QTest>
+#include <memory>
 #include <numbers>
+#include <optional>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/kinematics/speed_bounds.h"
@@ -20,8 +22,24 @@ const DhParameters& dh() {
     return robotModel(RobotModelId::UR5e).dh;
 }
 
-Eigen::Matrix<double, 6, 1> along(int axis, int direction) {
-    Eigen::Matrix<double, 6, 1> twist = Eigen::Matrix<double, 6, 1>::Zero();
+/// An arm above a floor, if it has one, with the robot's own model of itself.
+SessionState armAt(const JointPositions& q, const Pose& tcpOffset = {}, std::optional<double> floor = {},
+                   double toolRadius = 0) {
+    SessionState state;
+    state.q = q;
+    state.tcpOffset = tcpOffset;
+    state.tcpPose = kinematics::forwardTcp(dh(), q, tcpOffset);
+    collision::Surroundings around;
+    if (floor) {
+        around.borders.push_back({{}, Pose(0, 0, *floor, 0, 0, 0)});
+    }
+    state.check = std::make_shared<collision::CollisionCheck>(
+        robotModel(RobotModelId::UR5e), collision::ToolBody{tcpOffset, toolRadius}, around);
+    return state;
+}
+
+Vector6 along(int axis, int direction) {
+    Vector6 twist = Vector6::Zero();
     twist[axis] = direction;
     return twist;
 }
@@ -33,44 +51,37 @@ class TestTravel : public QObject {
 
 private Q_SLOTS:
     void theEndOfTheArmsReachIsFound() {
-        // Straight up: the arm is stretched when the wrist centre is as far from the shoulder as the two
-        // links are long.
-        const Travel up = travelLeft(dh(), kMiddle, {}, along(2, 1));
-        QCOMPARE(up.end, Travel::End::Singularity);
+        // Straight up: the jog ends a little before the arm is stretched.
+        const control::JogReach up = travelLeft(armAt(kMiddle), along(2, 1));
+        QCOMPARE(up.end.kind, control::LimiterKind::Singularity);
         const Pose start = kinematics::forwardTcp(dh(), kMiddle);
         Pose there = start;
-        there.position.z() += up.left;
+        there.position.z() += up.distance;
         QVERIFY2(kinematics::inverseNearest(dh(), there, {}, kMiddle).has_value(),
                  "what is promised can be reached");
         Pose beyond = start;
-        beyond.position.z() += up.left + 0.1;
+        beyond.position.z() += up.distance + 0.1;
         QVERIFY2(!kinematics::inverseNearest(dh(), beyond, {}, kMiddle), "and not much more");
     }
 
-    // The plane the base stands on is nearer than the end of the reach below it.
-    void goingDownEndsAtThePlaneOfTheBase() {
-        const Pose tool(0, 0, 0.08, 0, 0, 0);
-        for (const Pose& tcp : {Pose(), tool}) {
-            const double height = kinematics::forwardTcp(dh(), kMiddle, tcp).position.z();
-            QVERIFY(height > 0.05);
-            const Travel down = travelLeft(dh(), kMiddle, tcp, along(2, -1));
-            QCOMPARE(down.end, Travel::End::Floor);
-            QVERIFY2(std::abs(down.left - height) < 1e-6, qPrintable(QString::number(down.left)));
-        }
-        // Upwards and level it is as far as it was.
-        QCOMPARE(travelLeft(dh(), kMiddle, {}, along(2, 1)).end, Travel::End::Singularity);
-        QVERIFY(travelLeft(dh(), kMiddle, {}, along(0, 1)).end != Travel::End::Floor);
-    }
+    // The number is that of a limit: the plane that the base stands on is none, a floor of the cell is.
+    void goingDownEndsAtAFloorOfTheCellOnly() {
+        const control::JogReach open = travelLeft(armAt(kMiddle), along(2, -1));
+        QVERIFY(open.end.kind != control::LimiterKind::Border);
+        const double height = kinematics::forwardTcp(dh(), kMiddle).position.z();
+        QVERIFY2(open.distance > height, "below the base without a stop");
 
-    // On a pedestal the tool may be below the base, where its plane is no floor.
-    void aToolBelowTheBaseHasItsReach() {
-        const Pose start = kinematics::forwardTcp(dh(), kMiddle);
-        const Pose longTool(0, 0, start.position.z() + 0.02, 0, 0, 0);
-        QVERIFY(kinematics::forwardTcp(dh(), kMiddle, longTool).position.z() < 0);
-        const Travel down = travelLeft(dh(), kMiddle, longTool, along(2, -1));
-        // The flange is above the plane still, and comes down to it.
-        QCOMPARE(down.end, Travel::End::Floor);
-        QVERIFY2(std::abs(down.left - start.position.z()) < 1e-6, qPrintable(QString::number(down.left)));
+        const Pose tool(0, 0, 0.08, 0, 0, 0);
+        const double radius = 0.02;
+        const double tip = kinematics::forwardTcp(dh(), kMiddle, tool).position.z();
+        const control::JogReach down = travelLeft(armAt(kMiddle, tool, 0, radius), along(2, -1));
+        QCOMPARE(down.end.kind, control::LimiterKind::Border);
+        QCOMPARE(down.end.link, collision::kToolLink);
+        QVERIFY2(std::abs(down.distance - (tip - collision::kSafetyDistance)) < 0.002,
+                 qPrintable(QString::number(down.distance)));
+        // Upwards it is as far as it was.
+        QCOMPARE(travelLeft(armAt(kMiddle, tool, 0, radius), along(2, 1)).end.kind,
+                 control::LimiterKind::Singularity);
     }
 
     void aTurningTowardsAJointLimitEndsThere() {
@@ -78,32 +89,22 @@ private Q_SLOTS:
         near[5] = kJointPositionLimit - 20 * kDeg;
         const Eigen::Matrix3d R = rotationMatrix(kinematics::forwardTcp(dh(), near).rotation);
         // About the tool's own Z only wrist 3 turns.
-        Eigen::Matrix<double, 6, 1> about = Eigen::Matrix<double, 6, 1>::Zero();
+        Vector6 about = Vector6::Zero();
         about.tail<3>() = R.col(2);
-        const Travel one = travelLeft(dh(), near, {}, about);
-        const Travel other = travelLeft(dh(), near, {}, -about);
-        const Travel& limited = one.end == Travel::End::JointLimit ? one : other;
-        QCOMPARE(limited.end, Travel::End::JointLimit);
-        QCOMPARE(limited.joint, 5);
-        QVERIFY2(std::abs(limited.left - 20 * kDeg) < 0.5 * kDeg,
-                 qPrintable(QString::number(limited.left / kDeg)));
-    }
-
-    void everyKeyIsFollowedAlongItsOwnAxis() {
-        const auto base = travelPerKey(dh(), kMiddle, {}, Eigen::Matrix3d::Identity());
-        QCOMPARE(base[5].left, travelLeft(dh(), kMiddle, {}, along(2, 1)).left);   // Z+
-        QCOMPARE(base[0].left, travelLeft(dh(), kMiddle, {}, along(0, -1)).left);  // X-
-        // Turned by 90 deg about Z, the frame's X is the base's Y.
-        const Eigen::Matrix3d turned =
-            Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()).matrix();
-        const auto other = travelPerKey(dh(), kMiddle, {}, turned);
-        QVERIFY(std::abs(other[1].left - base[3].left) < 1e-6);
+        const control::JogReach one = travelLeft(armAt(near), about);
+        const control::JogReach other = travelLeft(armAt(near), -about);
+        const control::JogReach& limited = one.end.kind == control::LimiterKind::JointLimit ? one : other;
+        QCOMPARE(limited.end.kind, control::LimiterKind::JointLimit);
+        QCOMPARE(limited.end.joint, 5);
+        // The jog ends 0.01 rad before the end of the range.
+        QVERIFY2(std::abs(limited.distance - (20 * kDeg - 0.01)) < 0.1 * kDeg,
+                 qPrintable(QString::number(limited.distance / kDeg)));
     }
 
     void theWayOutTakesTheJointAway() {
         JointPositions near = kMiddle;
         near[2] = -(kJointPositionLimit - 12 * kDeg);
-        const int key = wayOut(dh(), near, {}, Eigen::Matrix3d::Identity(), 2);
+        const int key = wayOut(armAt(near), Eigen::Matrix3d::Identity(), 2);
         QVERIFY(key >= 0);
         // Followed for 20 mm (or 6 deg), the joint is further from its limit than before.
         const int axis = key / 2;
@@ -130,6 +131,38 @@ private Q_SLOTS:
         QVERIFY2(limiter.what.contains("Elbow 12°"), qPrintable(limiter.what));
         QVERIFY2(limiter.advice.startsWith("jog ") && limiter.advice.contains("turn Elbow +"),
                  qPrintable(limiter.advice));
+    }
+
+    void theLimiterLineNamesTheBodiesThatAreNearAndTheKeyThatPartsThem() {
+        // Low enough for a floor below the shoulder, and 15 mm above it.
+        Pose low = kinematics::forwardTcp(dh(), kMiddle);
+        low.position.z() -= 0.2;
+        const JointPositions q = kinematics::inverseNearest(dh(), low, {}, kMiddle).value();
+        const auto heightOver = [&](double floor) {
+            const SessionState above = armAt(q, {}, floor);
+            double height = 1e9;
+            for (const auto& pair : above.check->pairs()) {
+                if (pair.with == collision::Contact::With::Border) {
+                    height = std::min(height, above.check->distance(pair, above.check->place(q)));
+                }
+            }
+            return height;
+        };
+        const double height = heightOver(0);
+        SessionState state = armAt(q, {}, height - 0.015);
+        LimiterAdvice limiter = nearestLimiter(state);
+        QVERIFY2(limiter.what.contains("15 mm from the floor"), qPrintable(limiter.what));
+        QCOMPARE(limiter.advice, QStringLiteral("jog Z+"));
+        // While it slows a jog down, with the share of the speed.
+        state.motionActive = true;
+        state.limiter.kind = control::LimiterKind::Border;
+        state.limiter.link = 6;
+        state.limiter.other = 0;
+        state.limiter.distance = 0.015;
+        state.limiter.scale = 0.4;
+        limiter = nearestLimiter(state);
+        QCOMPARE(limiter.what, QStringLiteral("Wrist 3 is 15 mm from the floor: 40 % of the speed"));
+        QVERIFY(nearestLimiter(armAt(q, {}, height - 0.05)).what.isEmpty());
     }
 
     void theSpeedCapIsNamedWhileItHolds() {

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What stands around the arm: boxes, planes and the floor, each in figures or taught from the TCP, and the distance that
+// the arm keeps from all of it. What is edited here is drawn and checked at once.
+
+#include <array>
+#include <optional>
+
+#include "robot/project/cell_geometry.h"
+#include "widgets/tools/part_page.h"
+
+class QCheckBox;
+class QLabel;
+
+namespace tiller {
+
+class FigureBox;
+class PoseEditor;
+class ProjectDocument;
+
+/// Three figures in a row: a point or a size in the units of the settings, or a direction without a unit.
+class VectorEditor : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Kind { Point, Size, Direction };
+    /// name     its boxes are the objects name.0 ... name.2
+    /// letters  before the boxes: "X", "Y", "Z"
+    VectorEditor(Kind kind, const QString& name, const std::array<QString, 3>& letters,
+                 const std::array<QString, 3>& spoken, QWidget* parent = nullptr);
+
+    void setVector(const Eigen::Vector3d& vector);  ///< [m], or without a unit
+
+Q_SIGNALS:
+    /// A figure was finished; the other two keep the digits that are not shown.
+    void entered(const Eigen::Vector3d& vector);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showFigures();
+    void take(int figure);
+    double unit() const;
+
+    Kind kind_;
+    Eigen::Vector3d vector_ = Eigen::Vector3d::Zero();
+    std::array<FigureBox*, 3> boxes_{};
+    std::array<double, 3> shown_{};
+};
+
+class CellPage : public PartPage {
+    Q_OBJECT
+
+public:
+    /// document  must outlive it
+    CellPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
+
+    void setState(const SessionState& state);
+
+protected:
+    void onSelection() override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    // Boxes come first in the list, planes after them. One of the two is null, both where nothing is selected.
+    const project::CellBox* box() const;
+    const project::CellPlane* plane() const;
+    QString obstacle() const;
+    bool refusedWithoutData();
+    void addBox(const Pose& pose, const Eigen::Vector3d& size);
+    void addPlane(const Pose& pose);
+    void takeCorner();
+    void moveToTcp();
+    void duplicate();
+    void remove();
+    void setEnabledInCell(bool enabled);
+    void change(const project::CellBox& box, const QString& text);
+    void change(const project::CellPlane& plane, const QString& text);
+    void change(const project::CellGeometry& cell, const QString& text);
+    void setFloor(const std::optional<double>& height);
+    void takeFloor();
+    void takeDistance();
+    Pose inBase(const QUuid& frame, const Pose& pose) const;
+    Pose inFrame(const QUuid& frame, const Pose& T_base) const;
+    void refresh();
+
+    ProjectDocument& document_;
+    SessionState state_;
+    std::optional<Eigen::Vector3d> corner_;  ///< the first of a box, base frame [m]
+    QPushButton* cornerKey_ = nullptr;
+    QWidget* selected_;  ///< all that is about the selected one
+    QLabel* facts_;
+    QCheckBox* enabled_;
+    PoseEditor* pose_;
+    VectorEditor* size_;
+    QWidget* planeFigures_;
+    VectorEditor* point_;
+    VectorEditor* normal_;
+    QCheckBox* hasFloor_;
+    FigureBox* floor_;
+    FigureBox* distance_;
+    double shownFloor_ = 0;
+    double shownDistance_ = -1;
+};
+
+}  // namespace tiller
