@@ -14,7 +14,10 @@ import tiller
 
 RUNS = int(os.environ.get("TILLER_EXIT_RUNS", "1"))
 HANG = 60.0  # [s]; for hangs only
-CRASHES = ("Fatal Python error", "terminate called", "exception not rethrown", "Segmentation fault", "Aborted", "Traceback")
+# A machine that stands still for 100 ms ends what moves, and rightly; such a run says nothing about the exit.
+LATE = ("too late", "LinkLost", "DataStale", "EventLoopStalled", "did not come in time")
+ATTEMPTS = 5
+CRASHES = ("Fatal Python error", "terminate called", "exception not rethrown", "Segmentation fault", "Aborted")
 
 BEGIN = """
 import atexit, multiprocessing, os, signal, sys, threading, time
@@ -33,7 +36,7 @@ def until(condition):
     end = time.monotonic() + 30
     while not condition():
         if time.monotonic() > end:
-            sys.exit("nothing happened")
+            sys.exit("too late")
         time.sleep(0.002)
 """
 
@@ -249,7 +252,8 @@ class TestExits(unittest.TestCase):
     def tearDownClass(cls):
         cls.simulator.stop()
 
-    def run_once(self, program, status, output):
+    def result_of(self, program):
+        """(exit status, output, error output, the recording or nothing)"""
         with tempfile.TemporaryDirectory() as folder:
             recording = os.path.join(folder, "recording.csv")
             process = subprocess.Popen([sys.executable, "-B", "-c", BEGIN + program, self.simulator.address, recording],
@@ -260,17 +264,27 @@ class TestExits(unittest.TestCase):
                 os.killpg(process.pid, signal.SIGKILL)  # its children hold the pipes too
                 said, complaint = process.communicate()
                 self.fail(f"hangs\n{said}{complaint}")
-            self.assertEqual(process.returncode, status, said + complaint)
-            self.assertEqual(said.strip(), output, complaint)
-            for word in CRASHES:
-                self.assertNotIn(word, complaint)
-            if "another_thread" not in self.id():
-                self.assertNotIn("Application", complaint)  # Qt's warnings
+            recorded = ""
             if os.path.exists(recording):
                 with open(recording, encoding="utf-8") as file:
-                    text = file.read()
-                self.assertGreater(text.count("\n"), 50)
-                self.assertTrue(text.endswith("\n"))
+                    recorded = file.read()
+            return process.returncode, said.strip(), complaint, recorded
+
+    def run_once(self, program, status, output):
+        for _ in range(ATTEMPTS):
+            code, said, complaint, recorded = self.result_of(program)
+            for word in CRASHES:
+                self.assertNotIn(word, complaint)
+            self.assertGreaterEqual(code, -signal.SIGINT, complaint)  # by no other signal
+            if not any(word in said + complaint for word in LATE):
+                break
+        self.assertEqual((code, said), (status, output), complaint)
+        self.assertNotIn("Traceback", complaint)
+        if "another_thread" not in self.id():
+            self.assertNotIn("Application", complaint)  # Qt's warnings
+        if recorded:
+            self.assertGreater(recorded.count("\n"), 50)
+            self.assertTrue(recorded.endswith("\n"))
         end = time.monotonic() + HANG
         while not at_standstill(self.simulator) and time.monotonic() < end:
             time.sleep(0.01)
