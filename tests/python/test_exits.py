@@ -27,8 +27,10 @@ import tiller
 def connected(in_control=True, **options):
     robot = tiller.Robot(sys.argv[1], timeout=30, **options)
     return robot.take_control(30) if in_control else robot
+def turned(q, angle):  # there and back over many runs
+    return [q[0] + (angle if q[0] < 0 else -angle), *q[1:]]
 def far(robot):
-    return robot.state.q + [1.5, 0, 0, 0, 0, 0]
+    return turned(robot.state.q, 1.5)
 def begin(robot):
     robot.move_j(far(robot), 0.3, 1.0)
     until(lambda: abs(robot.state.qd[0]) > 0.02)
@@ -79,7 +81,7 @@ import rtde_control, rtde_receive
 control = rtde_control.RTDEControlInterface(sys.argv[1])
 receive = rtde_receive.RTDEReceiveInterface(sys.argv[1])
 q = receive.getActualQ()
-threading.Thread(target=lambda: control.moveJ([q[0] + 1.5] + q[1:], 0.3, 1.0), daemon=True).start()
+threading.Thread(target=lambda: control.moveJ(turned(q, 1.5), 0.3, 1.0), daemon=True).start()
 until(lambda: abs(receive.getActualQd()[0]) > 0.02)
 """, 0, ""),
     "another_thread_finishes_its_work_first": ("""
@@ -116,7 +118,7 @@ except ZeroDivisionError:
 """, 5, ""),
     "a_forked_child_exits_while_the_parent_moves": ("""
 robot = connected()
-move = robot.move_j(robot.state.q + [0.3, 0, 0, 0, 0, 0], 0.3, 1.0)
+move = robot.move_j(turned(robot.state.q, 0.3), 0.3, 1.0)
 samples = robot.samples()
 child = os.fork()
 if child == 0:
@@ -159,7 +161,7 @@ if child == 0:
     sys.exit(0)
 status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 q = receive.getActualQ()
-print(status, control.moveJ([q[0] + 0.1] + q[1:], 0.5, 1.0), receive.isConnected(), flush=True)
+print(status, control.moveJ(turned(q, 0.1), 0.5, 1.0), receive.isConnected(), flush=True)
 """, 0, "0 True True"),
     "exit_handlers_of_the_program_use_the_robot": ("""
 robot = connected()
