@@ -30,7 +30,7 @@ std::span<const double> numbersOf(const Vector6& values) {
 Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& deadline) {
     constexpr auto kContext = "set force mode";
     auto& d = ControllerAccess::of(*controller_);
-    const std::uint64_t stops = d.mailbox.epoch().stops();
+    const std::uint64_t stops = stops_.value_or(d.mailbox.epoch().stops());
     ArgumentCheck check = ArgumentCheck(kContext).pose("taskFrame", mode.taskFrame);
     const Vector6 wrench = mode.wrench.vector();
     // No arm of this kind pushes harder; a controller limits it further.

@@ -4,6 +4,8 @@
 // The arm giving way: to a force it shall keep up, to the hand, to what it touches.
 
 #include <array>
+#include <cstdint>
+#include <optional>
 
 #include "robot/control/controller.h"
 #include "robot/control/motion.h"
@@ -44,6 +46,9 @@ struct Freedrive {
 class Compliance {
 public:
     explicit Compliance(Controller& controller) : controller_(&controller) {}
+    /// As Motions(controller, stops): setForceMode() begins nothing once there has been a stop since Controller::stops()
+    /// was this (Stopped).
+    Compliance(Controller& controller, std::uint64_t stops) : controller_(&controller), stops_(stops) {}
 
     /// Begins or changes force mode; it lasts until endForceMode(), a stop of the controller, or 100 ms
     /// without link. Motions may run meanwhile.
@@ -72,6 +77,7 @@ public:
 
 private:
     Controller* controller_;
+    std::optional<std::uint64_t> stops_;
 };
 
 }  // namespace tiller::control

@@ -170,6 +170,36 @@ Result<void> Motion::wait(const Deadline& deadline) const {
     return errorOf(now.cause, kind_);
 }
 
+Result<void> Motion::stop(const Deadline& deadline) const {
+    if (controller_ == nullptr) {
+        return {};
+    }
+    if (kind_ == MotionKind::Stop) {
+        return wait(deadline);
+    }
+    cancel();
+    const Epoch& epoch = ControllerAccess::of(*controller_).mailbox.epoch();
+    ControllerStatus status;
+    const auto isOver = [&] {
+        // In this order: what rests in the status read afterwards rests at least since then.
+        const std::uint64_t now = epoch.current();
+        const bool isReplaced = epoch.activeMotion() != kNoMotion;
+        status = controller_->status();
+        return isReplaced || !status.inControl || status.restingEpoch >= now;
+    };
+    if (!waitUntil(deadline, isOver)) {
+        return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
+                     QStringLiteral("stop a motion"), QStringLiteral("the arm still moves")};
+    }
+    const bool confirmed =
+        status.inControl || status.loss == ControlLoss::Released || status.loss == ControlLoss::NotTaken;
+    if (confirmed) {
+        return {};
+    }
+    return Error{ErrorCode::NotInControl, QStringLiteral("stop a motion"),
+                 QStringLiteral("control was lost; the robot brakes by itself")};
+}
+
 bool Motion::cancel(StopCause cause) const {
     return controller_ != nullptr && kind_ != MotionKind::Stop && controller_->end(id_, cause);
 }

@@ -90,6 +90,12 @@ public:
     /// Returns  false when it had ended already
     bool cancel(StopCause cause = StopCause::ApiCall) const;
 
+    /// Ends it and waits until the arm is at standstill; at once where another motion has taken its place.
+    /// Errors   Timeout, Cancelled (the arm still brakes); NotInControl when control was lost meanwhile: standstill is not
+    ///          confirmed, and the robot brakes by itself
+    /// Blocks   until then; looks every millisecond
+    Result<void> stop(const Deadline& deadline) const;
+
 private:
     friend struct MotionAccess;
     Controller* controller_ = nullptr;

@@ -398,6 +398,12 @@ Result<Jog> Motions::startJog(const JogTarget& target, Holding holding) {
     if (!isFinite(target)) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("target: not a number")};
     }
+    constexpr double kHighestForce = 1000.0;  // [N]; no arm of this kind pushes harder
+    if (const auto check =
+            ArgumentCheck("start a jog").range("contactForce", target.contactForce, 0, kHighestForce, "N");
+        !check.ok()) {
+        return check.error();
+    }
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "robot/control/detail/controller_private.h"
+#include "robot/control/detail/script_body.h"
 #include "robot/core/wait_until.h"
 #include "robot/script/script_client.h"
 #include "robot/script/supervised_program.h"
@@ -130,6 +131,9 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
     if (body.contains(QLatin1String("tiller_"))) {
         return Error{ErrorCode::InvalidArgument, context,
                      QStringLiteral("body: names beginning with tiller_ are the control program's own")};
+    }
+    if (const auto checked = checkBlocks(body, context); !checked) {
+        return checked.error();
     }
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = d.mailbox.epoch().stops();

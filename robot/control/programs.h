@@ -22,7 +22,8 @@ public:
     /// Runs the body of a function under the control program: stop and time-to-live hold for it too. The
     /// handle completes when it returns.
     /// name   of the function in messages: letters, digits and _, not beginning with a digit
-    /// body   script lines without def and end. It must not use names beginning with tiller_
+    /// body   script lines without def and end: each block in it has an `end` of its own (else InvalidArgument). It must not
+    ///        use names beginning with tiller_
     Result<Motion> startFunction(const Text& name, const Text& body, const Deadline& start,
                                  Holding holding = Holding::Free);
 

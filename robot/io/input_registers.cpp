@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <tuple>
 
 #include "robot/core/wait_until.h"
 #include "robot/rtde/connection.h"
@@ -23,9 +24,35 @@ struct InputRegisters::Private {
     std::unique_ptr<rtde::Connection> connection;
     std::atomic<bool> connected{false};
 
+    Result<void> checkNumbers() const {
+        const auto check = [](const char* name, const std::vector<int>& numbers, int first, int last) {
+            const auto wrong = std::find_if(numbers.begin(), numbers.end(),
+                                            [&](int number) { return number < first || number > last; });
+            return wrong == numbers.end()
+                       ? Result<void>()
+                       : Error{ErrorCode::InvalidArgument, QStringLiteral("claim input registers"),
+                               QStringLiteral("%1: there is no %2, the numbers are %3 to %4")
+                                   .arg(QLatin1String(name))
+                                   .arg(*wrong)
+                                   .arg(first)
+                                   .arg(last)};
+        };
+        for (const auto& [name, numbers, first, last] :
+             {std::tuple("ints", options.ints, 0, 47), std::tuple("doubles", options.doubles, 0, 47),
+              std::tuple("bits", options.bits, 64, 127)}) {
+            if (auto checked = check(name, numbers, first, last); !checked) {
+                return checked;
+            }
+        }
+        return {};
+    }
+
     Result<void> open(const Deadline& deadline) {
         connected = false;
         connection.reset();
+        if (auto checked = checkNumbers(); !checked) {
+            return checked;
+        }
         rtde::ConnectionOptions wanted;
         wanted.host = options.host;
         wanted.port = options.port;

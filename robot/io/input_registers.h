@@ -25,9 +25,9 @@ struct InputRegistersOptions {
     std::uint16_t port = rtde::kPort;
     /// The registers this client wants to write, by number: 0-23 are a fieldbus' unless there is none, 24-47
     /// are for clients like this. The control program uses integers 0-9 and doubles 0-17 of its range.
-    std::vector<int> ints = {};
-    std::vector<int> doubles = {};
-    std::vector<int> bits = {};  ///< 64-127
+    std::vector<int> ints = {};     ///< 0-47
+    std::vector<int> doubles = {};  ///< 0-47
+    std::vector<int> bits = {};     ///< 64-127
 };
 
 /// Threads  any; calls are carried out one after the other
@@ -45,7 +45,8 @@ public:
     /// The newest value from a receiver that follows the registers ("input_int_register_24").
     static Newest fromReceiver(const receive::Receiver& receiver);
 
-    /// Errors  as rtde::Connection::open; registers owned by others are no error here
+    /// Errors  as rtde::Connection::open; InvalidArgument naming a number that no register has; registers owned by others
+    ///         are no error here
     Result<void> connect(const Deadline& deadline);
     void disconnect();         ///< Frees the registers.
     bool isConnected() const;  ///< The link stands.

@@ -18,7 +18,7 @@ PYBIND11_MODULE(dashboard_client, module) {
         .value("NONE", UserRole::NONE)
         .value("LOCKED", UserRole::LOCKED)
         .value("RESTRICTED", UserRole::RESTRICTED);
-    py::class_<Dashboard> cls(module, "DashboardClient");
+    py::class_<Dashboard, OwnHolder<Dashboard>> cls(module, "DashboardClient");
     for (const char* host : kHostNames) {
         cls.def(py::init<std::string, int, bool>(), py::arg(host), py::arg("port") = 29999,
                 py::arg("verbose") = false, Unlocked());

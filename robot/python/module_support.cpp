@@ -16,6 +16,9 @@ namespace {
 
 // Python handles signals in its main thread only, and only when asked; what it found is raised already then.
 bool userLostPatience() {
+    if (isParked()) {
+        return true;
+    }
     const py::gil_scoped_acquire locked;
     return PyErr_CheckSignals() != 0;
 }
@@ -92,6 +95,7 @@ void finishFunction(const std::string& className, const std::string& name, py::h
 }  // namespace
 
 void prepareModule() {
+    watchProcess();
     urrtde::setInterruptCheck(&userLostPatience);
     py::register_local_exception_translator([](std::exception_ptr thrown) {
         try {

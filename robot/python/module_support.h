@@ -9,15 +9,16 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 
+#include "robot/python/interpreter.h"
+
 namespace tiller::python {
 
-namespace py = pybind11;
-
 /// For every call that may wait.
-using Unlocked = py::call_guard<py::gil_scoped_release>;
+using Unlocked = py::call_guard<GilReleased>;
 
 /// To be called first by each module.
 void prepareModule();
@@ -28,14 +29,18 @@ void finishModule(py::module_& module);
 /// The robot's address has two names.
 inline constexpr const char* kHostNames[] = {"hostname", "ip"};
 
-/// An interface that knows whom it was made for.
+/// An interface that knows whom it was made for, and in which process. Held by OwnHolder or with the same rule: a forked
+/// child leaves it alone.
 template <class Interface>
-struct Shown : Interface {
+struct Shown : Interface, ProcessOwned {
     template <class... Arguments>
     explicit Shown(std::string hostname, Arguments&&... arguments)
         : Interface(hostname, std::forward<Arguments>(arguments)...), host(std::move(hostname)) {}
     std::string host;
 };
+
+template <class Class>
+using OwnHolder = std::unique_ptr<Class, OwnDeleter>;
 
 /// repr(), and `with`: `begin` is called at its beginning, `end` at its end, whatever happened between.
 template <class Class, class Begin, class End>
@@ -51,13 +56,16 @@ void defineShowing(Class& cls, Begin begin, End end) {
     cls.def("__enter__", [begin](py::object self) {
         auto& interface = self.cast<Interface&>();
         {
-            const py::gil_scoped_release released;
+            const GilReleased released;
             begin(interface);
         }
         return self;
     });
     cls.def("__exit__", [end](Interface& interface, const py::args&) {
-        const py::gil_scoped_release released;
+        if (!interface.isOwn()) {
+            return;
+        }
+        const GilReleased released;
         end(interface);
     });
 }

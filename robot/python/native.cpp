@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Python module tiller._native: the C++ library as it is. What people use, with names, arrays and docstrings,
 // is built upon it in tiller/*.py.
+#include <numeric>
 #include <sstream>
 
 #include "robot/python/native_objects.h"
 #include "robot/realtime/thread_priority.h"
+#include "robot/recording/formats/open_recording.h"
+#include "robot/recording/mcap/mcap_format.h"
 #include "robot/recording/recorder.h"
 
 namespace tiller::python {
@@ -17,8 +20,25 @@ void raise(const Error& error) {
 }
 
 bool isInterrupted() {
+    if (isParked()) {
+        return true;
+    }
     const py::gil_scoped_acquire locked;
     return PyErr_Occurred() != nullptr || PyErr_CheckSignals() != 0;
+}
+
+void refuseInCallback() {
+    if (isInCallback()) {
+        raise({ErrorCode::InvalidArgument, QStringLiteral("wait in a callback of packet_loop()"),
+               QStringLiteral("the loop would wait for itself: return from the callback first")});
+    }
+}
+
+void refuseOfParent(const ProcessOwned& object) {
+    if (!object.isOwn()) {
+        raise({ErrorCode::NotConnected, QStringLiteral("use an object made before fork()"),
+               QStringLiteral("connect again in the child process")});
+    }
 }
 
 namespace {
@@ -38,25 +58,69 @@ struct NativeSubscription {
     Sample sample;
 
     py::tuple next(const Seconds& seconds) {
+        refuseOfParent(*receiver);
         waited(seconds, [this](const Deadline& deadline) { return subscription.next(sample, deadline); });
         return sampleTuple(sample);
     }
     py::object tryNext() { return subscription.next(sample) ? py::object(sampleTuple(sample)) : py::none(); }
 };
 
-struct NativeRecorder {
+struct NativeRecorder : ProcessOwned {
     std::shared_ptr<NativeReceiver> receiver;
     recording::Recorder recorder;
 };
 
+/// The format that the end of a file's name stands for.
+std::shared_ptr<const recording::RecordingFormat> formatFor(const QString& path) {
+    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        return recording::csvFormat();
+    }
+    if (path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive)) {
+        return recording::mcapFormat();
+    }
+    raise({ErrorCode::InvalidArgument, QStringLiteral("record to %1").arg(path),
+           QStringLiteral("path: it ends neither in .csv nor in .mcap")});
+}
+
+/// {column: numbers} of a whole recording.
+py::dict readRecording(const std::string& path) {
+    std::unique_ptr<recording::Recording> file;
+    std::vector<std::vector<double>> values;
+    const auto read = [&]() -> Result<void> {
+        const GilReleased released;
+        auto opened = recording::openRecording(path);
+        if (!opened) {
+            return opened.error();
+        }
+        file = std::move(opened).value();
+        std::vector<std::size_t> all(file->columns().size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        auto numbers = file->read(all, {0, file->rows()});
+        if (!numbers) {
+            return numbers.error();
+        }
+        values = std::move(numbers).value();
+        return {};
+    };
+    taken(read());
+    py::dict columns;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        columns[py::str(file->columns()[i].name)] =
+            py::array_t<double>(static_cast<py::ssize_t>(values[i].size()), values[i].data());
+    }
+    return columns;
+}
+
 void defineRecorder(py::module_& module) {
-    py::class_<NativeRecorder>(module, "Recorder")
+    module.def("read_recording", &readRecording, py::arg("path"));
+    py::class_<NativeRecorder, std::unique_ptr<NativeRecorder, OwnDeleter>>(module, "Recorder")
         .def(py::init([](std::shared_ptr<NativeReceiver> receiver, const std::string& path,
                          std::vector<std::string> fields) {
-                 auto made = std::make_unique<NativeRecorder>();
+                 std::unique_ptr<NativeRecorder, OwnDeleter> made(new NativeRecorder);
                  made->receiver = std::move(receiver);
                  recording::RecorderOptions options;
                  options.path = path;
+                 options.format = formatFor(options.path);
                  options.fields = std::move(fields);
                  taken(made->recorder.start(options, made->receiver->receiver));
                  return made;
@@ -64,8 +128,11 @@ void defineRecorder(py::module_& module) {
              py::arg("receiver"), py::arg("path"), py::arg("fields"))
         .def("stop",
              [](NativeRecorder& self) {
+                 if (!self.isOwn()) {
+                     return;
+                 }
                  {
-                     const py::gil_scoped_release released;
+                     const GilReleased released;
                      self.recorder.stop();
                  }
                  if (const Error error = self.recorder.error(); error.code != ErrorCode::None) {
@@ -106,14 +173,13 @@ void defineReceive(py::module_& module) {
                      options.fields = std::move(fields);
                  }
                  options.priority = priority;
-                 return std::make_shared<NativeReceiver>(std::move(options), std::move(clock));
+                 return sharedOwn<NativeReceiver>(std::move(options), std::move(clock));
              }),
              py::arg("host"), py::arg("port"), py::arg("frequency"), py::arg("fields"), py::arg("priority"),
              py::arg("clock"))
         .def("start", [](NativeReceiver& self) { taken(self.receiver.start()); })
         .def(
-            "stop", [](NativeReceiver& self) { self.receiver.stop(); },
-            py::call_guard<py::gil_scoped_release>())
+            "stop", [](NativeReceiver& self) { self.receiver.stop(); }, py::call_guard<GilReleased>())
         .def(
             "wait_for_data",
             [](NativeReceiver& self, const Seconds& seconds) {
@@ -164,6 +230,8 @@ void defineReceive(py::module_& module) {
 PYBIND11_MODULE(_native, module) {
     namespace own = tiller::python;
     module.attr("__version__") = TILLER_VERSION;
+    module.def("park_other_threads", &own::parkOtherThreads);
+    module.def("forget_parent", &own::forgetParent);
     own::defineReceive(module);
     own::defineControl(module);
     own::defineServices(module);

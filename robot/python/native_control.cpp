@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Of tiller._native: control of the arm, motions, streams, jogs and packet loops.
 //
-// What moves ends with its handle: whoever loses it (an exception, a name used again, the interpreter's end)
-// lets the arm brake. A process that dies takes the heartbeat with it, and the arm brakes by itself.
+// A motion goes on without its handle, as in C++; streams and jogs end with theirs, because nothing can refresh them any
+// more. Everything ends with the controller, which every handle holds, and without the heartbeat of this process.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -23,23 +23,23 @@ namespace {
 using namespace control;
 using SharedController = std::shared_ptr<NativeController>;
 
-/// A motion that ends with this object.
+/// A motion, and the controller that it needs.
 class NativeMotion {
 public:
     NativeMotion(SharedController controller, Motion motion)
         : controller_(std::move(controller)), motion_(std::move(motion)) {}
-    NativeMotion(NativeMotion&&) = default;
-    NativeMotion& operator=(NativeMotion&&) = delete;
-    ~NativeMotion() {
-        if (controller_ && motion_.kind() != MotionKind::Stop) {
-            motion_.cancel(StopCause::ApiCall);
+
+    /// Ends it and waits for standstill. A forked child leaves it to the parent.
+    void stop(const Seconds& seconds) const {
+        if (controller_->isOwn()) {
+            waited(seconds, [this](const Deadline& deadline) { return motion_.stop(deadline); });
         }
     }
-
     void wait(const Seconds& seconds) const {
+        refuseOfParent(*controller_);
         waited(seconds, [this](const Deadline& deadline) { return motion_.wait(deadline); });
     }
-    bool cancel() const { return motion_.cancel(StopCause::ApiCall); }
+    bool cancel() const { return controller_->isOwn() && motion_.cancel(StopCause::ApiCall); }
     bool isActive() const { return motion_.isActive(); }
     std::string kind() const { return toString(motion_.kind()); }
     std::string cause() const { return toString(motion_.state().cause); }
@@ -90,6 +90,9 @@ template <class Setpoints, class Target>
 struct NativeStream {
     NativeStream(const SharedController& controller, Setpoints s)
         : setpoints(std::move(s)), motion(controller, setpoints.motion()) {}
+    ~NativeStream() { motion.cancel(); }
+    NativeStream(const NativeStream&) = delete;
+    NativeStream& operator=(const NativeStream&) = delete;
     Setpoints setpoints;
     NativeMotion motion;
 
@@ -117,42 +120,47 @@ void defineStream(py::module_& module, const char* name) {
         .def("cause", [](const Stream& self) { return self.motion.cause(); })
         .def("cancel", [](const Stream& self) { return self.motion.cancel(); })
         .def(
-            "wait", [](const Stream& self, const Seconds& seconds) { self.motion.wait(seconds); },
+            "stop", [](const Stream& self, const Seconds& seconds) { self.motion.stop(seconds); },
             py::arg("timeout"));
 }
 
 /// A jog that ends with this object, and 100 ms after its last refresh.
 class NativeJog {
 public:
-    NativeJog(SharedController controller, const JogTarget& target)
-        : controller_(std::move(controller))
-        , jog_(taken(Motions(controller_->controller).startJog(target))) {}
+    NativeJog(const SharedController& controller, const JogTarget& target)
+        : jog_(taken(Motions(controller->controller).startJog(target))), motion_(controller, jog_) {}
     NativeJog(const NativeJog&) = delete;
     NativeJog& operator=(const NativeJog&) = delete;
-    ~NativeJog() { end(); }
+    ~NativeJog() { motion_.cancel(); }
 
-    bool refresh(const std::optional<JogTarget>& target) {
-        return target ? jog_.refresh(*target) : jog_.refresh();
-    }
-    bool end() { return jog_.cancel(StopCause::ApiCall); }
-    bool isActive() const { return jog_.isActive(); }
-    std::string cause() const { return toString(jog_.state().cause); }
+    bool refresh() const { return jog_.refresh(); }
+    bool refresh(const JogTarget& target) const { return jog_.refresh(target); }
+    const NativeMotion& motion() const { return motion_; }
 
 private:
-    SharedController controller_;
     Jog jog_;
+    NativeMotion motion_;
 };
+
+enum class JogAxes { Base, Tool, Custom, Joints };
+constexpr std::array<std::pair<const char*, JogAxes>, 4> kJogFrames{{{"base", JogAxes::Base},
+                                                                     {"tool", JogAxes::Tool},
+                                                                     {"custom", JogAxes::Custom},
+                                                                     {"joints", JogAxes::Joints}}};
 
 JogTarget jogTarget(const std::string& frame, const Six& velocity, const Six& customFrame,
                     double contactForce) {
     JogTarget target;
     target.contactForce = contactForce;
-    if (frame == "joints") {
+    const JogAxes axes = named("frame", frame, kJogFrames);
+    if (axes == JogAxes::Joints) {
         target.kind = JogTarget::Kind::Joint;
         target.qd = JointVelocities(velocity);
         return target;
     }
-    target.frame = frame == "tool" ? JogFrame::Tool : frame == "custom" ? JogFrame::Custom : JogFrame::Base;
+    target.frame = axes == JogAxes::Tool     ? JogFrame::Tool
+                   : axes == JogAxes::Custom ? JogFrame::Custom
+                                             : JogFrame::Base;
     target.twist = twistOf(velocity);
     target.T_base_frame = Pose::fromArray(customFrame);
     return target;
@@ -178,18 +186,50 @@ py::dict cycleDict(const CycleState& cycle, double waited) {
     return told;
 }
 
+enum class LoopKind { ServoJ, ServoL, SpeedJ, SpeedL, Torque };
+constexpr std::array<std::pair<const char*, LoopKind>, 5> kLoopKinds{{{"servo_j", LoopKind::ServoJ},
+                                                                      {"servo_l", LoopKind::ServoL},
+                                                                      {"speed_j", LoopKind::SpeedJ},
+                                                                      {"speed_l", LoopKind::SpeedL},
+                                                                      {"torque", LoopKind::Torque}}};
+
+/// Of a controller: that it runs a packet loop. There is one control thread, so there is one loop.
+class LoopClaim {
+public:
+    explicit LoopClaim(const SharedController& controller) : controller_(controller) {
+        if (controller_->runsLoop.exchange(true)) {
+            raise({ErrorCode::InvalidArgument, QStringLiteral("run a packet loop"),
+                   QStringLiteral("another packet_loop() of this robot is under way")});
+        }
+    }
+    ~LoopClaim() { controller_->runsLoop = false; }
+    LoopClaim(const LoopClaim&) = delete;
+    LoopClaim& operator=(const LoopClaim&) = delete;
+
+private:
+    const SharedController& controller_;
+};
+
 /// Runs a loop whose target a Python callable computes. What it raises ends the loop: the arm brakes, and the
 /// caller gets the exception.
-py::dict packetLoop(const SharedController& controller, const std::string& kind, const py::function& callback,
+py::dict packetLoop(const SharedController& controller, const std::string& name, const py::function& callback,
                     bool atOnce, const Seconds& seconds) {
+    refuseInCallback();
+    refuseOfParent(*controller);
+    const LoopKind kind = named("kind", name, kLoopKinds);
+    const LoopClaim claim(controller);
     std::exception_ptr thrown;
     CycleReport report;
     std::chrono::duration<double> longestWait{0};
     const auto ask = [&](const CycleState& cycle) -> std::optional<Six> {
+        if (isParked()) {
+            return std::nullopt;
+        }
         const auto before = std::chrono::steady_clock::now();
         const py::gil_scoped_acquire locked;
         const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - before;
         longestWait = std::max(longestWait, waited);
+        const InCallback callbackRuns;
         try {
             const py::object answer = callback(cycleDict(cycle, waited.count()));
             return answer.is_none() ? std::nullopt : std::optional(answer.cast<Six>());
@@ -203,7 +243,7 @@ py::dict packetLoop(const SharedController& controller, const std::string& kind,
         seconds ? Deadline::after(std::chrono::duration<double>(*seconds), token) : Deadline::never(token);
     Result<void> result;
     {
-        const py::gil_scoped_release released;
+        const GilReleased released;
         PacketLoop loop(controller->controller, atOnce ? Pacing::AtOnce : Pacing::Even);
         const auto as = [&ask](auto make) {
             return [&ask, make](const CycleState& cycle) {
@@ -211,13 +251,13 @@ py::dict packetLoop(const SharedController& controller, const std::string& kind,
                 return six ? std::optional(make(*six)) : std::nullopt;
             };
         };
-        if (kind == "servo_j") {
+        if (kind == LoopKind::ServoJ) {
             result = loop.servoJ(as([](const Six& v) { return JointPositions(v); }), {}, deadline, &report);
-        } else if (kind == "servo_l") {
+        } else if (kind == LoopKind::ServoL) {
             result = loop.servoL(as([](const Six& v) { return Pose::fromArray(v); }), {}, deadline, &report);
-        } else if (kind == "speed_j") {
+        } else if (kind == LoopKind::SpeedJ) {
             result = loop.speedJ(as([](const Six& v) { return JointVelocities(v); }), {}, deadline, &report);
-        } else if (kind == "torque") {
+        } else if (kind == LoopKind::Torque) {
             result = loop.torque(as([](const Six& v) { return JointTorques(v); }), {}, deadline, &report);
         } else {
             result = loop.speedL(as([](const Six& v) { return twistOf(v); }), {}, deadline, &report);
@@ -258,6 +298,7 @@ py::dict statusDict(const NativeController& self) {
     told["robot_mode"] = toString(status.robotMode);
     told["safety_mode"] = toString(status.safetyMode);
     told["moving"] = status.moving;
+    told["force_mode"] = status.forceMode;
     told["executing"] = status.executing;
     told["limiter"] = toString(status.limiter.kind);
     told["limiter_joint"] = status.limiter.joint;
@@ -271,26 +312,35 @@ py::dict statusDict(const NativeController& self) {
     return told;
 }
 
-/// (kind, target is a pose, target, via or None, speed, acceleration, blend)
-using PathRow = std::tuple<std::string, bool, Six, std::optional<Six>, double, double, double>;
+/// (whether it is a pose, the numbers)
+using PathPlace = std::tuple<bool, Six>;
+/// (kind, target, via or None, speed or None, acceleration or None, blend)
+using PathRow = std::tuple<std::string, PathPlace, std::optional<PathPlace>, std::optional<double>,
+                           std::optional<double>, double>;
+constexpr std::array<std::pair<const char*, PathEntry::Kind>, 4> kPathKinds{{{"j", PathEntry::Kind::MoveJ},
+                                                                             {"l", PathEntry::Kind::MoveL},
+                                                                             {"p", PathEntry::Kind::MoveP},
+                                                                             {"c", PathEntry::Kind::MoveC}}};
 
-MotionPath pathOf(const std::vector<PathRow>& rows) {
+/// speedCap  [m/s]: no default is above it
+MotionPath pathOf(const std::vector<PathRow>& rows, double speedCap) {
     MotionPath path;
-    for (const auto& [kind, isPose, target, via, speed, acceleration, blend] : rows) {
+    const auto place = [](const PathPlace& given) {
+        const auto& [isPose, numbers] = given;
+        return isPose ? PathEntry::Target(Pose::fromArray(numbers))
+                      : PathEntry::Target(JointPositions(numbers));
+    };
+    for (const auto& [kind, target, via, speed, acceleration, blend] : rows) {
         PathEntry entry;
-        entry.kind = kind == "l"   ? PathEntry::Kind::MoveL
-                     : kind == "p" ? PathEntry::Kind::MoveP
-                     : kind == "c" ? PathEntry::Kind::MoveC
-                                   : PathEntry::Kind::MoveJ;
-        const auto place = [isPose = isPose](const Six& v) {
-            return isPose ? PathEntry::Target(Pose::fromArray(v)) : PathEntry::Target(JointPositions(v));
-        };
+        entry.kind = named("kind", kind, kPathKinds);
         entry.target = place(target);
         if (via) {
             entry.via = place(*via);
         }
-        entry.speed = speed;
-        entry.acceleration = acceleration;
+        // As MoveParameters.
+        const bool turnsJoints = entry.kind == PathEntry::Kind::MoveJ;
+        entry.speed = speed.value_or(turnsJoints ? 1.05 : std::min(0.25, speedCap));
+        entry.acceleration = acceleration.value_or(turnsJoints ? 1.4 : 1.2);
         entry.blend = blend;
         path.push_back(entry);
     }
@@ -300,7 +350,7 @@ MotionPath pathOf(const std::vector<PathRow>& rows) {
 using ControllerClass = py::class_<NativeController, SharedController>;
 
 void defineMotions(ControllerClass& cls) {
-    const auto parameters = [](double speed, double acceleration, double silence) {
+    const auto parameters = [](std::optional<double> speed, double acceleration, double silence) {
         return MoveParameters{.speed = speed,
                               .acceleration = acceleration,
                               .holding = Holding::Free,
@@ -318,15 +368,21 @@ void defineMotions(ControllerClass& cls) {
                       Motions(self->controller)
                           .moveJToPose(Pose::fromArray(pose), parameters(speed, acceleration, silence)));
     });
-    cls.def("move_l", [parameters](const SharedController& self, const Six& pose, double speed,
+    cls.def("move_l", [parameters](const SharedController& self, const Six& pose, std::optional<double> speed,
                                    double acceleration, double silence) {
         return handle(
             self,
             Motions(self->controller).moveL(Pose::fromArray(pose), parameters(speed, acceleration, silence)));
     });
+    cls.def("move_l_to_joints", [parameters](const SharedController& self, const Six& q,
+                                             std::optional<double> speed, double acceleration,
+                                             double silence) {
+        return handle(self, Motions(self->controller)
+                                .moveLToJoints(JointPositions(q), parameters(speed, acceleration, silence)));
+    });
     cls.def("move_path", [](const SharedController& self, const std::vector<PathRow>& rows,
                             const Seconds& seconds, double silence) {
-        const MotionPath path = pathOf(rows);
+        const MotionPath path = pathOf(rows, self->controller.limits().tcpSpeed);
         return handle(self, waited(seconds, [&](const Deadline& deadline) {
                           return Motions(self->controller)
                               .movePath(path, deadline, Holding::Free, milliseconds(silence));
@@ -424,7 +480,7 @@ void defineQueries(ControllerClass& cls) {
     });
     cls.def("force_mode",
             [](const SharedController& self, const Six& frame, const std::array<bool, 6>& compliant,
-               const Six& wrench, int type, const Six& limits, const Seconds& seconds) {
+               const Six& wrench, int type, const Six& limits, std::uint64_t stops, const Seconds& seconds) {
                 ForceMode mode;
                 mode.taskFrame = Pose::fromArray(frame);
                 mode.compliant = compliant;
@@ -432,7 +488,7 @@ void defineQueries(ControllerClass& cls) {
                 mode.type = static_cast<ForceMode::Type>(type);
                 mode.limits = limits;
                 waited(seconds, [&](const Deadline& deadline) {
-                    return Compliance(self->controller).setForceMode(mode, deadline);
+                    return Compliance(self->controller, stops).setForceMode(mode, deadline);
                 });
             });
     cls.def("end_force_mode", [](const SharedController& self, const Seconds& seconds) {
@@ -466,15 +522,18 @@ void defineControl(py::module_& module) {
         .def("progress", &NativeMotion::progress)
         .def("plan", &NativeMotion::plan);
     py::class_<NativeJog>(module, "Jog")
-        .def("refresh", [](NativeJog& self) { return self.refresh({}); })
+        .def("refresh", [](const NativeJog& self) { return self.refresh(); })
         .def("change",
-             [](NativeJog& self, const std::string& frame, const Six& velocity, const Six& customFrame,
+             [](const NativeJog& self, const std::string& frame, const Six& velocity, const Six& customFrame,
                 double contactForce) {
                  return self.refresh(jogTarget(frame, velocity, customFrame, contactForce));
              })
-        .def("end", &NativeJog::end)
-        .def("is_active", &NativeJog::isActive)
-        .def("cause", &NativeJog::cause);
+        .def("cancel", [](const NativeJog& self) { return self.motion().cancel(); })
+        .def(
+            "stop", [](const NativeJog& self, const Seconds& seconds) { self.motion().stop(seconds); },
+            py::arg("timeout"))
+        .def("is_active", [](const NativeJog& self) { return self.motion().isActive(); })
+        .def("cause", [](const NativeJog& self) { return self.motion().cause(); });
     defineStream<NativeJointServo>(module, "JointServo");
     defineStream<NativePoseServo>(module, "PoseServo");
     defineStream<NativeJointSpeed>(module, "JointSpeed");
@@ -489,7 +548,7 @@ void defineControl(py::module_& module) {
                 options.portOffset = portOffset;
                 options.registers = upperRegisters ? RegisterRange::Upper : RegisterRange::Lower;
                 options.priority = priority;
-                auto made = std::make_shared<NativeController>(options, std::move(clock));
+                auto made = sharedOwn<NativeController>(options, std::move(clock));
                 taken(made->controller.setSpeedCap(speedCap));
                 return made;
             }),
@@ -499,8 +558,12 @@ void defineControl(py::module_& module) {
         waited(seconds, [&](const Deadline& deadline) { return self->controller.takeControl(deadline); });
     });
     cls.def(
-        "release", [](NativeController& self) { self.controller.release(); },
-        py::call_guard<py::gil_scoped_release>());
+        "release", [](NativeController& self) { self.controller.release(); }, py::call_guard<WaitingCall>());
+    cls.def("stops", [](const NativeController& self) { return self.controller.stops(); });
+    cls.def("is_busy", [](const NativeController& self) {
+        const ControllerStatus status = self.controller.status();
+        return status.motion != kNoMotion || status.moving || status.forceMode;
+    });
     cls.def("stop", [](NativeController& self) { self.controller.stop(StopCause::ApiCall); });
     cls.def("status", &statusDict);
     cls.def("speed_cap", [](const NativeController& self) { return self.controller.limits().tcpSpeed; });

@@ -17,7 +17,7 @@ namespace tiller::python {
 
 namespace {
 
-struct NativeOutputs {
+struct NativeOutputs : ProcessOwned {
     NativeOutputs(std::shared_ptr<NativeReceiver> r, const std::string& host, int port)
         : receiver(std::move(r))
         , outputs({.host = host, .port = static_cast<std::uint16_t>(port)},
@@ -26,18 +26,25 @@ struct NativeOutputs {
     io::Outputs outputs;
 };
 
+struct NativeRegisters : ProcessOwned {
+    explicit NativeRegisters(io::InputRegistersOptions options) : registers(std::move(options)) {}
+    io::InputRegisters registers;
+};
+
 void defineOutputs(py::module_& module) {
-    py::class_<NativeOutputs>(module, "Outputs")
+    py::class_<NativeOutputs, std::unique_ptr<NativeOutputs, OwnDeleter>>(module, "Outputs")
         .def(py::init<std::shared_ptr<NativeReceiver>, const std::string&, int>(), py::arg("receiver"),
              py::arg("host"), py::arg("port"))
         .def("set_digital",
              [](NativeOutputs& self, int output, bool on, const Seconds& seconds) {
+                 refuseOfParent(self);
                  waited(seconds, [&](const Deadline& deadline) {
                      return self.outputs.setDigitalOutput(output, on, deadline);
                  });
              })
         .def("set_analog",
              [](NativeOutputs& self, int output, bool volts, double level, const Seconds& seconds) {
+                 refuseOfParent(self);
                  waited(seconds, [&](const Deadline& deadline) {
                      return self.outputs.setAnalogOutput(
                          output, volts ? io::AnalogDomain::Voltage : io::AnalogDomain::Current, level,
@@ -46,40 +53,46 @@ void defineOutputs(py::module_& module) {
              })
         .def("set_speed_slider",
              [](NativeOutputs& self, double fraction, const Seconds& seconds) {
+                 refuseOfParent(self);
                  waited(seconds, [&](const Deadline& deadline) {
                      return self.outputs.setSpeedSlider(fraction, deadline);
                  });
              })
         .def(
             "disconnect", [](NativeOutputs& self) { self.outputs.disconnect(); },
-            py::call_guard<py::gil_scoped_release>());
-    using io::InputRegisters;
-    py::class_<InputRegisters>(module, "InputRegisters")
+            py::call_guard<GilReleased>());
+    py::class_<NativeRegisters, std::unique_ptr<NativeRegisters, OwnDeleter>>(module, "InputRegisters")
         .def(py::init([](const std::string& host, int port, std::vector<int> ints, std::vector<int> doubles,
                          std::vector<int> bits, const Seconds& seconds) {
-                 auto made = std::make_unique<InputRegisters>(
-                     io::InputRegistersOptions{.host = host,
-                                               .port = static_cast<std::uint16_t>(port),
-                                               .ints = std::move(ints),
-                                               .doubles = std::move(doubles),
-                                               .bits = std::move(bits)});
-                 waited(seconds, [&](const Deadline& deadline) { return made->connect(deadline); });
+                 std::unique_ptr<NativeRegisters, OwnDeleter> made(
+                     new NativeRegisters(io::InputRegistersOptions{.host = host,
+                                                                   .port = static_cast<std::uint16_t>(port),
+                                                                   .ints = std::move(ints),
+                                                                   .doubles = std::move(doubles),
+                                                                   .bits = std::move(bits)}));
+                 waited(seconds, [&](const Deadline& deadline) { return made->registers.connect(deadline); });
                  return made;
              }),
              py::arg("host"), py::arg("port"), py::arg("ints"), py::arg("doubles"), py::arg("bits"),
              py::arg("timeout"))
         .def("set_int",
-             [](InputRegisters& self, int number, std::int32_t value, const Seconds& seconds) {
-                 waited(seconds,
-                        [&](const Deadline& deadline) { return self.setInt(number, value, deadline); });
+             [](NativeRegisters& self, int number, std::int32_t value, const Seconds& seconds) {
+                 refuseOfParent(self);
+                 waited(seconds, [&](const Deadline& deadline) {
+                     return self.registers.setInt(number, value, deadline);
+                 });
              })
         .def("set_double",
-             [](InputRegisters& self, int number, double value, const Seconds& seconds) {
-                 waited(seconds,
-                        [&](const Deadline& deadline) { return self.setDouble(number, value, deadline); });
+             [](NativeRegisters& self, int number, double value, const Seconds& seconds) {
+                 refuseOfParent(self);
+                 waited(seconds, [&](const Deadline& deadline) {
+                     return self.registers.setDouble(number, value, deadline);
+                 });
              })
-        .def("set_bit", [](InputRegisters& self, int number, bool value, const Seconds& seconds) {
-            waited(seconds, [&](const Deadline& deadline) { return self.setBit(number, value, deadline); });
+        .def("set_bit", [](NativeRegisters& self, int number, bool value, const Seconds& seconds) {
+            refuseOfParent(self);
+            waited(seconds,
+                   [&](const Deadline& deadline) { return self.registers.setBit(number, value, deadline); });
         });
 }
 
@@ -94,7 +107,8 @@ RobotCommand commandOf(const std::string& name) {
             return command;
         }
     }
-    throw py::value_error("there is no command " + name);
+    raise({ErrorCode::InvalidArgument, QStringLiteral("command"),
+           QStringLiteral("\"%1\" is none").arg(QString::fromStdString(name))});
 }
 
 void defineDashboard(py::module_& module) {
@@ -137,6 +151,9 @@ void defineDashboard(py::module_& module) {
            bool releaseBrakes, const py::object& progress, const Seconds& seconds) {
             const dashboard::RecoveryConsent consent{causeInspected, restartSafety, powerOn, releaseBrakes};
             const dashboard::RecoveryProgress tell = [&](dashboard::RecoveryStep step) {
+                if (isParked()) {
+                    return;
+                }
                 const py::gil_scoped_acquire locked;
                 if (!progress.is_none() && PyErr_Occurred() == nullptr) {
                     try {
@@ -191,12 +208,7 @@ void defineDoctor(py::module_& module) {
 }
 
 const RobotModel& modelOf(const std::string& name) {
-    const auto id = robotModelByName(name);
-    if (!id) {
-        raise({ErrorCode::InvalidArgument, QStringLiteral("look up a robot model"),
-               QStringLiteral("there is no model \"%1\"").arg(QString::fromStdString(name))});
-    }
-    return robotModel(*id);
+    return robotModel(modelNamed(name));
 }
 
 void defineKinematics(py::module_& module) {
@@ -247,6 +259,20 @@ void defineKinematics(py::module_& module) {
 }
 
 }  // namespace
+
+RobotModelId modelNamed(const std::string& name) {
+    const auto id = robotModelByName(name);
+    if (!id) {
+        QStringList known;
+        for (const RobotModel& model : robotModels()) {
+            known.append(QString::fromLatin1(model.name));
+        }
+        raise({ErrorCode::InvalidArgument, QStringLiteral("model"),
+               QStringLiteral("\"%1\" is not one of %2")
+                   .arg(QString::fromStdString(name), known.join(QStringLiteral(", ")))});
+    }
+    return *id;
+}
 
 void defineServices(py::module_& module) {
     defineOutputs(module);

@@ -12,7 +12,7 @@ namespace tiller::python {
 namespace {
 
 /// The robot and, in virtual time, the clock that it shares with its clients.
-class NativeSimulator {
+class NativeSimulator : public ProcessOwned {
 public:
     explicit NativeSimulator(const simulator::SimulatorOptions& options)
         : clock_(options.time == simulator::Time::Virtual ? std::make_shared<VirtualClock>() : nullptr)
@@ -118,18 +118,13 @@ py::dict truthDict(const NativeSimulator& self) {
 }  // namespace
 
 void defineSimulator(py::module_& module) {
-    using Released = py::call_guard<py::gil_scoped_release>;
+    using Released = py::call_guard<WaitingCall>;
     py::class_<NativeSimulator, std::shared_ptr<NativeSimulator>>(module, "Simulator")
         .def(py::init([](const std::string& model, const std::string& software, const std::string& address,
                          bool inVirtualTime, bool poweredOn, const std::optional<Six>& start,
                          bool remoteControl, const std::string& programs, int priority) {
                  simulator::SimulatorOptions options;
-                 const auto id = robotModelByName(model);
-                 if (!id) {
-                     raise({ErrorCode::InvalidArgument, QStringLiteral("make a simulator"),
-                            QStringLiteral("there is no model \"%1\"").arg(QString::fromStdString(model))});
-                 }
-                 options.model = *id;
+                 options.model = modelNamed(model);
                  if (!software.empty()) {
                      options.software = taken(simulator::parseSoftware(QString::fromStdString(software)));
                  }
@@ -146,7 +141,7 @@ void defineSimulator(py::module_& module) {
                  options.remoteControl = remoteControl;
                  options.gateLocalControl = !remoteControl;
                  options.programsFolder = programs;
-                 return std::make_shared<NativeSimulator>(options);
+                 return sharedOwn<NativeSimulator>(options);
              }),
              py::arg("model"), py::arg("software"), py::arg("address"), py::arg("virtual"),
              py::arg("powered_on"), py::arg("start"), py::arg("remote_control"), py::arg("programs"),
@@ -154,7 +149,7 @@ void defineSimulator(py::module_& module) {
         .def("start",
              [](NativeSimulator& self) {
                  const auto started = [&] {
-                     const py::gil_scoped_release released;
+                     const GilReleased released;
                      return self.robot.start();
                  }();
                  taken(started);
@@ -162,23 +157,38 @@ void defineSimulator(py::module_& module) {
         .def(
             "stop",
             [](NativeSimulator& self) {
-                self.isEnding = true;
-                self.robot.stop();
+                if (self.isOwn()) {
+                    self.isEnding = true;
+                    self.robot.stop();
+                }
             },
             Released())
         .def("is_running", [](const NativeSimulator& self) { return self.robot.isRunning(); })
         .def("clock", &NativeSimulator::clock)
         .def("follow", py::overload_cast<const std::shared_ptr<NativeReceiver>&>(&NativeSimulator::follow))
         .def("follow", py::overload_cast<const std::shared_ptr<NativeController>&>(&NativeSimulator::follow))
-        .def("step", &NativeSimulator::step, py::arg("seconds"), Released())
-        .def("tick", &NativeSimulator::tick, Released())
+        .def(
+            "step",
+            [](NativeSimulator& self, double seconds) {
+                refuseOfParent(self);
+                const WaitingCall released;
+                self.step(seconds);
+            },
+            py::arg("seconds"))
+        .def("tick",
+             [](NativeSimulator& self) {
+                 refuseOfParent(self);
+                 const WaitingCall released;
+                 self.tick();
+             })
         .def("step_time", [](const NativeSimulator& self) { return self.robot.stepTime(); })
         .def("truth", &truthDict)
         .def(
             "inject",
             [](NativeSimulator& self, const std::string& words) {
+                refuseOfParent(self);
                 const auto answer = [&] {
-                    const py::gil_scoped_release released;
+                    const GilReleased released;
                     return self.robot.inject(words);
                 }();
                 return string(taken(answer));

@@ -22,10 +22,9 @@
 #include "robot/core/joints.h"
 #include "robot/core/result.h"
 #include "robot/core/spatial.h"
+#include "robot/python/interpreter.h"
 
 namespace tiller::python {
-
-namespace py = pybind11;
 
 using Six = std::array<double, 6>;
 using Seconds = std::optional<double>;  ///< None: without a limit
@@ -33,18 +32,51 @@ using Seconds = std::optional<double>;  ///< None: without a limit
 /// Throws the exception of tiller.errors that stands for this error.
 [[noreturn]] void raise(const Error& error);
 
-/// Whether Python has something to tell this thread (Ctrl-C); the exception is set then.
+/// Whether a wait of this thread has to end: on Ctrl-C (the exception is set then), and at the end of the process.
 bool isInterrupted();
+
+/// Raises InvalidArgument in a callback of a packet loop, for calls that may wait.
+void refuseInCallback();
+/// Raises NotConnected for an object of the parent process.
+void refuseOfParent(const ProcessOwned& object);
+
+/// The guard of calls that wait without a deadline.
+struct WaitingCall {
+    WaitingCall() {
+        refuseInCallback();
+        released_.emplace();
+    }
+
+private:
+    std::optional<GilReleased> released_;
+};
+
+/// value, if it is one of the names of the table; InvalidArgument that lists them otherwise.
+template <class Value, std::size_t count>
+Value named(const char* argument, const std::string& name,
+            const std::array<std::pair<const char*, Value>, count>& table) {
+    std::string names;
+    for (const auto& [known, value] : table) {
+        if (name == known) {
+            return value;
+        }
+        names += std::string(names.empty() ? "" : ", ") + '"' + known + '"';
+    }
+    raise({ErrorCode::InvalidArgument, QString::fromLatin1(argument),
+           QStringLiteral("\"%1\" is not one of %2")
+               .arg(QString::fromStdString(name), QString::fromStdString(names))});
+}
 
 /// The value of a call that gets a deadline and runs without the interpreter's lock; its error, or Ctrl-C, is
 /// thrown.
 template <class Call>
 auto waited(const Seconds& seconds, Call call) {
+    refuseInCallback();
     const CancelToken token([] { return isInterrupted(); });
     const Deadline deadline =
         seconds ? Deadline::after(std::chrono::duration<double>(*seconds), token) : Deadline::never(token);
     auto result = [&] {
-        const py::gil_scoped_release released;
+        const GilReleased released;
         return call(deadline);
     }();
     if (PyErr_Occurred() != nullptr) {

@@ -11,7 +11,7 @@ using Gripper = Shown<RobotiqGripper>;
 PYBIND11_MODULE(robotiq_gripper, module) {
     prepareModule();
     module.doc() = "A Robotiq gripper at the wrist of a Universal Robots arm.";
-    py::class_<Gripper> cls(module, "RobotiqGripper");
+    py::class_<Gripper, OwnHolder<Gripper>> cls(module, "RobotiqGripper");
     py::enum_<RobotiqGripper::eStatus>(cls, "eStatus", py::arithmetic())
         .value("RESET", RobotiqGripper::RESET)
         .value("ACTIVATING", RobotiqGripper::ACTIVATING)

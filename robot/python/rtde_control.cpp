@@ -67,8 +67,7 @@ std::vector<const ShownControl*>& living() {
 struct Deleter {
     void operator()(ShownControl* control) const {
         std::erase(living(), control);
-        const py::gil_scoped_release released;
-        delete control;
+        OwnDeleter()(control);
     }
 };
 
@@ -79,7 +78,7 @@ Holder makeControl(const std::string& hostname, double frequency, uint16_t flags
                    int priority) {
     Holder made;
     try {
-        const py::gil_scoped_release released;
+        const GilReleased released;
         made.reset(new ShownControl(hostname, frequency, flags, urCapPort, priority));
     } catch (const std::exception& error) {
         for (const ShownControl* other : living()) {

@@ -26,7 +26,7 @@ struct Io : Shown<RTDEIOInterface> {
 PYBIND11_MODULE(rtde_io, module) {
     prepareModule();
     module.doc() = "Sets outputs, the speed slider and registers of a Universal Robots arm over RTDE.";
-    py::class_<Io> cls(module, "RTDEIOInterface");
+    py::class_<Io, OwnHolder<Io>> cls(module, "RTDEIOInterface");
     for (const char* host : kHostNames) {
         cls.def(py::init<std::string, bool, bool>(), py::arg(host), py::arg("verbose") = false,
                 py::arg("use_upper_range_registers") = false, Unlocked());

@@ -11,7 +11,7 @@ using Receive = Shown<RTDEReceiveInterface>;
 PYBIND11_MODULE(rtde_receive, module) {
     prepareModule();
     module.doc() = "Reads and records what a Universal Robots arm sends over RTDE.";
-    py::class_<Receive> cls(module, "RTDEReceiveInterface");
+    py::class_<Receive, OwnHolder<Receive>> cls(module, "RTDEReceiveInterface");
     for (const char* host : kHostNames) {
         cls.def(py::init<std::string, double, std::vector<std::string>, bool, bool, int>(), py::arg(host),
                 py::arg("frequency") = -1.0, py::arg("variables") = std::vector<std::string>(),

@@ -11,7 +11,7 @@ using Script = Shown<ScriptClient>;
 PYBIND11_MODULE(script_client, module) {
     prepareModule();
     module.doc() = "Sends URScript to a Universal Robots controller.";
-    py::class_<Script> cls(module, "ScriptClient");
+    py::class_<Script, OwnHolder<Script>> cls(module, "ScriptClient");
     for (const char* host : kHostNames) {
         cls.def(py::init<std::string, uint32_t, uint32_t, int, bool>(), py::arg(host),
                 py::arg("major_control_version"), py::arg("minor_control_version"), py::arg("port") = 30002,

@@ -83,7 +83,7 @@ public:
     Recorder& operator=(const Recorder&) = delete;
 
     /// Creates the file (an existing one is replaced), writes the header and begins with the next package.
-    /// Errors   FileNotWritable, DiskFull; FieldUnknown, naming each field that the receiver does not follow
+    /// Errors   FileNotWritable (also while another recording writes to the file), DiskFull; FieldUnknown, naming each field that the receiver does not follow
     /// (no
     ///          file is made, an existing one is left as it is); InvalidArgument (a recording is under way)
     /// Blocks   as long as the file system takes to create a file

@@ -3,11 +3,13 @@
 
 #include <QTcpSocket>
 
+#include "robot/core/qt_main_thread.h"
 #include "robot/core/tcp_connect.h"
 
 namespace tiller::script {
 
 Result<std::unique_ptr<QTcpSocket>> openTcpSocket(const QString& host, int port, const Deadline& deadline) {
+    adoptMainThread();
     const auto descriptor = tiller::connectTcp(host, port, deadline);
     if (!descriptor) {
         return descriptor.error();

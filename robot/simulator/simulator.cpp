@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "robot/core/qt_main_thread.h"
 #include "robot/realtime/periodic_timer.h"
 #include "robot/realtime/thread_priority.h"
 #include "robot/simulator/box/personality.h"
@@ -253,6 +254,7 @@ Simulator::~Simulator() {
 }
 
 Result<void> Simulator::start() {
+    adoptMainThread();
     makeApplication();
     return d_->start();
 }

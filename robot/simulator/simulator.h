@@ -73,8 +73,9 @@ public:
     /// Errors   AddressInvalid; Rejected when a port is in use, naming port and address and what to do
     /// Threads  any, not at once with stop(). Blocks: until all ports accept
     ///
-    /// Qt's sockets want an application object. Where there is none, this makes one that lives as long as the
-    /// process; a program with one of its own makes it before.
+    /// Qt's sockets need an application object. Where there is none, this makes one that exists until the process exits; a
+    /// program that makes its own has to make it before. In another thread than the one that loaded the library Qt prints a
+    /// warning about that, which concerns only widgets.
     Result<void> start();
     /// Ends the thread and closes every connection. Harmless when not running.
     void stop();

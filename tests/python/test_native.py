@@ -12,7 +12,7 @@ import tempfile
 import threading
 import time
 import unittest
-import warnings
+import weakref
 
 import numpy as np
 import tiller
@@ -20,6 +20,7 @@ from tiller import errors
 
 PATIENCE = 60.0  # for hangs only
 FAR = [1.5, 0, 0, 0, 0, 0]
+SOFT = {"compliant": [False, False, True, False, False, False], "wrench": [0.0] * 6, "limits": [0.1] * 3 + [0.5] * 3}
 
 
 def stands(simulator):
@@ -113,6 +114,112 @@ class TestReceive(VirtualCase):
             self.assertEqual(int(frame.packages_lost.sum()), 0)
 
 
+    def test_the_end_of_the_name_chooses_the_format(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, begin in (("a.mcap", b"\x89MCAP"), ("a.csv", b"timestamp,"), ("B.CSV", b"timestamp,")):
+                path = os.path.join(folder, name)
+                with self.robot.record(path) as recording:
+                    self.simulator.step(0.2)
+                with open(path, "rb") as file:
+                    self.assertTrue(file.read().startswith(begin))
+                try:
+                    frame = recording.frame()
+                except ImportError:
+                    continue
+                self.assertGreaterEqual(len(frame), 100)
+                for column in ("actual_q_5", "target_moment_0", "timestamp"):
+                    self.assertIn(column, frame.columns)
+            for name in ("a.txt", "a", "mcap"):
+                with self.assertRaisesRegex(errors.InvalidArgument, ".mcap"):
+                    self.robot.record(os.path.join(folder, name))
+            self.assertEqual(sorted(os.listdir(folder)), ["B.CSV", "a.csv", "a.mcap"])
+
+    def test_one_file_is_recorded_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.csv")
+            with self.robot.record(path, ["actual_q"]) as recording:
+                self.simulator.step(0.2)
+                other = os.path.join(folder, "link.csv")
+                os.symlink(path, other)
+                for name in (path, other):
+                    with self.assertRaisesRegex(errors.FileNotWritable, "another recording"):
+                        self.robot.record(name)
+                self.simulator.step(0.2)
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(len(file.read().splitlines()), recording.rows + 1)
+            self.assertGreaterEqual(recording.rows, 200)
+            with self.robot.record(path, ["actual_q"]) as recording:
+                self.simulator.step(0.1)
+            self.assertLess(recording.rows, 100)
+
+
+def resident():
+    """Memory of this process [MB]."""
+    with open("/proc/self/statm", encoding="utf-8") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+class TestLife(VirtualCase):
+    def test_a_closed_robot_refuses_by_name(self):
+        self.take_control()
+        q = self.robot.state.q
+        samples = self.robot.samples()
+        move = self.robot.move_j(q + FAR)
+        self.robot.close()
+        self.robot.close()
+        self.assertFalse(self.robot.in_control)
+        self.assertEqual(self.robot.data_age, math.inf)
+        self.assertLess(float(np.abs(self.robot.state.q - q).max()), 1e-2)
+        self.assertIn("closed", repr(self.robot))
+        self.assertFalse(move.active)
+        self.assertLess(len(list(samples)), 500)
+        for call in (self.robot.take_control, self.robot.release, self.robot.stop, lambda: self.robot.move_j(q),
+                     self.robot.samples, lambda: self.robot.outputs, lambda: self.robot.status, self.robot.wait_for_data,
+                     lambda: self.robot.record("never.csv"), lambda: self.robot.registers(ints=[40]), self.robot.freedrive):
+            with self.subTest(call), self.assertRaisesRegex(errors.NotConnected, "closed"):
+                call()
+        self.assertFalse(os.path.exists("never.csv"))
+
+    def test_nothing_keeps_a_robot_alive(self):
+        robot = self.simulator.robot(timeout=PATIENCE)
+        robot.outputs.set_digital(1, True, PATIENCE)
+        gone = weakref.ref(robot)
+        gc.disable()
+        try:
+            del robot
+            self.assertIsNone(gone())
+        finally:
+            gc.enable()
+
+    def test_a_notebook_cell_runs_again(self):
+        self.robot.close()
+        kept = []  # as a notebook keeps the value of a cell
+        for _ in range(3):
+            robot = self.simulator.robot(timeout=PATIENCE)
+            kept.append(robot.take_control(PATIENCE))
+        self.assertEqual([one.in_control for one in kept], [False, False, True])
+        move = robot.move_j(robot.state.q + FAR)
+        self.simulator.step(0.2)
+        with self.assertRaisesRegex(errors.RegisterInUse, "another Robot object of this program"):
+            kept[0].take_control(PATIENCE)
+        self.assertTrue(move.active)
+        for one in kept:
+            one.close()
+
+    def test_connecting_again_and_again_takes_no_memory(self):
+        self.robot.close()
+        for kept in ([], None):
+            for _ in range(3):
+                self.simulator.robot(timeout=PATIENCE).close()
+            before = resident()
+            for _ in range(20):
+                robot = self.simulator.robot(timeout=PATIENCE)
+                if kept is not None:
+                    robot.close()
+                    kept.append(robot)
+            self.assertLess(resident() - before, 20)  # 120 MB when each stays
+
+
 class TestErrors(unittest.TestCase):
     def test_nobody_there_is_said(self):
         with self.assertRaises(errors.ConnectionRefused) as caught:
@@ -198,14 +305,34 @@ class TestMotion(VirtualCase):
         self.assert_brakes()
         self.assertFalse(move.active)
 
-    def test_a_lost_handle_brakes(self):
-        move = self.begin()
-        with warnings.catch_warnings(record=True) as said:
-            warnings.simplefilter("always")
-            del move
-            gc.collect()
-        self.assertTrue(any(issubclass(one.category, ResourceWarning) for one in said))
+    def test_a_move_without_its_handle_goes_on(self):
+        target = self.robot.state.q + [0, 0, 0, 0, 0, 0.3]
+        self.robot.move_j(target)
+        gc.collect()
+        self.simulator.step(3.0)
+        self.assertLess(float(np.abs(self.simulator.truth["q"] - target).max()), 1e-3)
+
+    def test_stop_ends_a_move_without_its_handle(self):
+        for stop in (self.robot.stop, self.robot.release):
+            self.take_control()
+            self.robot.move_j(self.robot.state.q + FAR, 0.5, 1.0)
+            self.simulator.step(0.5)
+            self.assertFalse(stands(self.simulator))
+            stop()
+            self.assert_brakes()
+
+    def test_closing_ends_a_move_without_its_handle(self):
+        with self.assertRaises(ZeroDivisionError), self.robot:
+            self.begin()
+            1 / 0
         self.assert_brakes()
+
+    def test_a_robot_without_references_ends(self):
+        self.begin()
+        gone = weakref.ref(self.robot)
+        self.robot = None
+        self.doCleanups()  # without it: a clean-up holds the robot
+        self.assertIsNone(gone())
 
     def test_ctrl_c_in_wait_brakes(self):
         move = self.begin()
@@ -257,6 +384,78 @@ class TestMotion(VirtualCase):
         with self.assertRaises(errors.Stopped):
             stream.send([0, 0, 0.05, 0, 0, 0])
 
+    def test_leaving_a_stream_or_a_jog_waits_for_standstill(self):
+        for begin in (self.robot.speed_l, lambda: self.robot.jog([0, 0, 0.2, 0, 0, 0])):
+            with self.subTest(begin), begin() as motion:
+                for _ in range(20):
+                    if isinstance(motion, tiller.Jog):
+                        self.assertTrue(motion.refresh())
+                    else:
+                        motion.send([0, 0, 0.2, 0, 0, 0])
+                    self.simulator.step(0.02)
+                self.assertFalse(stands(self.simulator))
+            self.assertTrue(stands(self.simulator))
+
+    def test_stopping_a_stream_leaves_the_next_motion_alone(self):
+        stream = self.robot.speed_j()
+        move = self.begin()
+        stream.stop()
+        self.assertTrue(move.active)
+        self.assertFalse(stands(self.simulator))
+
+    def test_the_exception_of_a_block_is_never_replaced(self):
+        def force():
+            return self.robot.force_mode(**SOFT, timeout=PATIENCE)
+
+        for begin in (self.robot.speed_l, lambda: self.robot.jog([0, 0, 0.05, 0, 0, 0]), force):
+            self.take_control()
+            with self.subTest(begin), self.assertRaises(ZeroDivisionError), begin():
+                self.robot.release()
+                1 / 0
+
+    def in_force_mode(self):
+        self.simulator.step(0.02)  # the status is as old as the newest packet
+        return self.robot.status["force_mode"]
+
+    def test_force_mode_begins_at_the_call(self):
+        mode = self.robot.force_mode(**SOFT, timeout=PATIENCE)
+        self.assertTrue(self.in_force_mode())
+        mode.stop()
+        self.assertFalse(self.in_force_mode())
+        mode.stop()
+        self.robot.force_mode(**SOFT, timeout=PATIENCE)
+        gc.collect()
+        self.assertTrue(self.in_force_mode())
+        self.robot.end_force_mode(PATIENCE)
+        self.assertFalse(self.in_force_mode())
+
+    def test_force_modes_nest(self):
+        """Pushed down the arm goes down: by which of the two is in force."""
+        down, rest = dict(SOFT, wrench=[0, 0, -20, 0, 0, 0]), dict(SOFT, compliant=[False] * 6)
+
+        def sinks():
+            self.simulator.step(0.3)
+            before = self.simulator.truth["tcp_pose"][2]
+            self.simulator.step(0.3)
+            return before - self.simulator.truth["tcp_pose"][2] > 1e-4
+
+        with self.robot.force_mode(**down, timeout=PATIENCE):
+            self.assertTrue(sinks())
+            with self.robot.force_mode(**rest, timeout=PATIENCE):
+                self.assertFalse(sinks())
+            self.assertTrue(sinks())
+            with self.robot.force_mode(**rest, timeout=PATIENCE):
+                self.robot.stop()
+            self.assertFalse(sinks())
+            self.assertFalse(self.in_force_mode())
+        self.assertFalse(self.in_force_mode())
+
+    def test_wrong_force_modes_are_refused_by_name(self):
+        for name, value in (("compliant", [True] * 5), ("compliant", [2] * 6), ("wrench", [math.nan] * 6), ("kind", 4),
+                            ("limits", [0.1] * 3), ("frame", self.robot.state.q)):
+            with self.subTest(name), self.assertRaisesRegex(errors.InvalidArgument, name):
+                self.robot.force_mode(**dict(SOFT, **{name: value}))
+
     def test_streams_that_fall_silent_end(self):
         stream = self.robot.speed_j()
         stream.send([0.2, 0, 0, 0, 0, 0])
@@ -281,6 +480,106 @@ class TestMotion(VirtualCase):
         del jog
         gc.collect()
         self.assert_brakes()
+
+    def test_a_refreshed_jog_keeps_its_frame_and_its_contact_force(self):
+        quarter = [0, 0, 0, 0, 0, math.pi / 2]  # its X is the Y of the base
+        start = self.simulator.truth["tcp_pose"]
+        with self.robot.jog([0.05, 0, 0, 0, 0, 0], "custom", custom_frame=quarter, contact_force=60) as jog:
+            for _ in range(20):
+                self.assertTrue(jog.refresh([0.05, 0, 0, 0, 0, 0]))
+                self.simulator.step(0.02)
+            way = self.simulator.truth["tcp_pose"] - start
+            self.assertGreater(way[1], 0.005)
+            self.assertLess(abs(way[0]), 0.001)
+            self.simulator.press_hand([0, 150, 0, 0, 0, 0])
+            for _ in range(10):
+                jog.refresh([0.05, 0, 0, 0, 0, 0])
+                self.simulator.step(0.02)
+            self.assertEqual(jog.cause, "Contact")
+        with self.assertRaisesRegex(errors.Error, "contactForce"):
+            self.robot.jog([0, 0, 0.05, 0, 0, 0], contact_force=-5)
+
+    def test_unknown_words_are_refused_with_the_list(self):
+        q = self.robot.state.q
+        self.assertTrue(issubclass(errors.InvalidArgument, ValueError))
+        for call, listed in ((lambda: tiller.PathMove(q, kind="L"), '"j", "l", "p", "c"'),
+                             (lambda: tiller.PathMove(q, kind=None), '"j", "l", "p", "c"'),
+                             (lambda: tiller.PathMove(q, kind=""), '"j", "l", "p", "c"'),
+                             (lambda: self.robot.jog([0] * 6, "Base"), '"base", "tool", "custom", "joints"'),
+                             (lambda: self.robot.jog_while(lambda sample: [0] * 6, "base "), '"base", "tool", "custom"'),
+                             (lambda: self.robot.packet_loop("servoj", lambda cycle: None), '"servo_j", "servo_l"'),
+                             (lambda: self.robot._controller.jog("up", [0.0] * 6, [0.0] * 6, 0.0), '"base", "tool"'),
+                             (lambda: self.robot._controller.packet_loop("up", lambda cycle: None, False, 1.0), '"servo_j"'),
+                             (lambda: self.robot._controller.move_path([("L", (False, list(q)), None, 1, 1, 0)], 1.0, 0.1),
+                              '"j", "l", "p", "c"'),
+                             (lambda: tiller.Simulator("ur5"[::-1]), "UR5e, "),
+                             (lambda: tiller.Kinematics("UR6"), "UR5e, "),
+                             (lambda: self.robot.state.digital_input(99), "16, 17"),
+                             (lambda: self.robot.state.digital_output(-1), "16, 17"),
+                             (lambda: self.simulator.set_digital_input(18, True), "16, 17"),
+                             (lambda: self.simulator.set_analog_input(4, 1.0), "0, 1, 2, 3"),
+                             (lambda: self.robot.force_mode(**dict(SOFT, kind=0)), "1, 2, 3"),
+                             (lambda: self.robot.registers(ints=[999]), "0 to 47"),
+                             (lambda: self.robot.registers(doubles=[48]), "0 to 47"),
+                             (lambda: self.robot.registers(bits=[63]), "64 to 127")):
+            with self.subTest(listed), self.assertRaisesRegex(errors.InvalidArgument, listed):
+                call()
+        self.simulator.step(0.5)
+        self.assertTrue(stands(self.simulator))
+
+    def test_six_numbers_of_a_path_move_mean_what_its_kind_moves_to(self):
+        start = self.robot.state
+        near = start.tcp_pose + [0, 0, 0.05, 0, 0, 0]
+        for place in (list(near), np.array(near), near):
+            self.robot.move_path([tiller.PathMove(place, kind="l", speed=0.2)], PATIENCE).wait(PATIENCE)
+            self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"] - near).max()), 1e-3)
+            self.robot.move_path([tiller.PathMove(list(start.q))], PATIENCE).wait(PATIENCE)
+            self.assertLess(float(np.abs(self.simulator.truth["q"] - start.q).max()), 1e-3)
+        there = self.robot.inverse_kinematics(near, start.q, PATIENCE)
+        for move in (tiller.PathMove(near), tiller.PathMove(list(near), pose=True), tiller.PathMove(there, kind="l"),
+                     tiller.PathMove(list(there), kind="l", pose=False)):
+            self.robot.move_path([move], PATIENCE).wait(PATIENCE)
+            self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"] - near).max()), 1e-3)
+            self.robot.move_path([tiller.PathMove(list(start.q))], PATIENCE).wait(PATIENCE)
+        for wrong in ({"target": near, "pose": False}, {"target": start.q, "pose": True}, {"target": [0.1] * 5},
+                      {"target": start.q, "kind": "c", "pose": False, "via": near}, {"target": start.q, "pose": 1}):
+            with self.subTest(wrong), self.assertRaises(errors.InvalidArgument):
+                tiller.PathMove(**wrong)
+
+    def test_a_pose_is_never_taken_for_joint_positions(self):
+        q, pose = self.robot.state.q, self.robot.state.tcp_pose
+        arm = tiller.Kinematics("UR5e")
+        self.assertIsInstance(q, tiller.Joints)
+        self.assertIsInstance(pose + [0, 0, 0.1, 0, 0, 0], tiller.Pose)
+        self.assertIsInstance(arm.forward(q), tiller.Pose)
+        for call in (lambda: self.robot.move_j(pose), lambda: self.robot.move_j(pose + [0, 0, 0.01, 0, 0, 0]),
+                     lambda: self.robot.move_j_to_pose(q), lambda: self.robot.move_l(q), lambda: self.robot.move_l(q + 0.01),
+                     lambda: self.robot.move_l_to_joints(pose), lambda: self.robot.servo_j().send(pose),
+                     lambda: self.robot.servo_l().send(q), lambda: self.robot.set_tcp(q), lambda: arm.forward(pose),
+                     lambda: self.robot.forward_kinematics(pose), lambda: self.robot.inverse_kinematics(q),
+                     lambda: self.robot.packet_loop("servo_l", lambda cycle: cycle["q"], timeout=PATIENCE),
+                     lambda: self.robot.packet_loop("servo_j", lambda cycle: cycle["tcp_pose"], timeout=PATIENCE)):
+            with self.subTest(call), self.assertRaisesRegex(errors.InvalidArgument, "needed"):
+                call()
+        self.simulator.step(0.5)
+        self.assertTrue(stands(self.simulator))
+        # Only sums with plain numbers keep the meaning.
+        for plain in (pose[:3], 2 * pose, pose - pose, pose + q, -q, np.round(pose @ np.eye(6), 3)):
+            self.assertIs(type(plain), np.ndarray)
+        up = pose.copy()
+        up += [0, 0, 0.05, 0, 0, 0]
+        up[2] -= 0.02
+        self.robot.move_l(up).wait(PATIENCE)
+        self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"] - up).max()), 1e-3)
+        self.robot.move_l_to_joints(q).wait(PATIENCE)
+        self.assertLess(float(np.abs(self.simulator.truth["q"] - q).max()), 1e-3)
+
+    def test_defaults_keep_to_the_speed_cap(self):
+        self.robot.speed_cap = 0.1
+        pose = self.robot.state.tcp_pose + [0, 0, 0.03, 0, 0, 0]
+        self.assertAlmostEqual(self.robot.move_l(pose).plan.speed, 0.1)
+        self.robot.stop_j().wait(PATIENCE)
+        self.robot.move_path([tiller.PathMove(pose, "l")], PATIENCE).wait(PATIENCE)
 
     def test_an_exception_in_a_jog_callback_brakes(self):
         calls = []
@@ -321,6 +620,53 @@ class TestMotion(VirtualCase):
         self.assert_brakes()
         with self.assertRaisesRegex(errors.InvalidArgument, "callback"):
             self.robot.packet_loop("speed_j", lambda cycle: [1, 2], timeout=PATIENCE)
+
+    def test_a_packet_loop_in_a_packet_loop_is_refused(self):
+        def inner(cycle):
+            return None
+
+        before = self.begin()
+        before.cancel()
+
+        def callback(cycle):
+            for wait in (lambda: self.robot.packet_loop("speed_j", inner), self.robot.close, self.robot.release,
+                         lambda: self.robot.set_payload(1.0), self.robot.wait_for_data,
+                         before.wait):
+                with self.assertRaisesRegex(errors.InvalidArgument, "callback"):
+                    wait()
+            return None
+
+        self.robot.packet_loop("speed_j", callback, timeout=PATIENCE)
+        self.assertTrue(self.robot.in_control)
+
+    def test_a_second_packet_loop_is_refused(self):
+        refused = []
+
+        def other():
+            try:
+                self.robot.packet_loop("speed_j", lambda cycle: None, timeout=PATIENCE)
+            except errors.InvalidArgument as error:
+                refused.append(error)
+
+        def callback(cycle):
+            if cycle["cycle"] == 10:
+                thread = threading.Thread(target=other)
+                thread.start()
+                thread.join()
+            return None if cycle["time"] > 0.3 else [0.1, 0, 0, 0, 0, 0]
+
+        report = self.robot.packet_loop("speed_j", callback, timeout=PATIENCE)
+        self.assertEqual(len(refused), 1)
+        self.assertGreater(report.cycles, 100)
+
+    def test_a_function_cannot_leave_its_body(self):
+        for body in ("end\ndef other():\n  sync()", "if True:\n  sync()", "sync() end", 'x = "if" end',
+                     "thread other():\n sync()"):
+            with self.subTest(body), self.assertRaisesRegex(errors.InvalidArgument, "end"):
+                self.robot.run_function(body, timeout=PATIENCE)
+        self.robot.run_function('# the end\nif True:\n  textmsg("end")\nend\nset_standard_digital_out(3, True)\nsync()',
+                                timeout=PATIENCE).wait(PATIENCE)
+        self.assertTrue(self.simulator.truth["digital_outputs"] & 8)
 
     def test_questions_settings_functions(self):
         pose = self.robot.forward_kinematics(self.robot.state.q, PATIENCE)
@@ -426,7 +772,7 @@ class TestWithoutARobot(unittest.TestCase):
         self.assertLess(float(np.abs(arm.jacobian(q)[:3, 0] - numeric).max()), 1e-4)
         with self.assertRaises(errors.NoSolution):
             arm.inverse_nearest([9, 0, 0, 0, 0, 0], q)
-        with self.assertRaises(errors.InvalidArgument):
+        with self.assertRaisesRegex(errors.InvalidArgument, "UR5e"):
             tiller.Kinematics("UR5000")
         self.assertIn("UR5e", tiller.kinematics.models())
         back = tiller.kinematics.pose_product(pose, tiller.kinematics.pose_inverse(pose))

@@ -8,20 +8,22 @@
         robot.take_control()
         robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
 
-SI units throughout: m, rad, s, N, Nm, A, kg; poses are position and rotation vector, in the base frame. Without a robot:
+SI units throughout: m, rad, s, N, Nm, A, kg; poses are position and rotation vector, in the base frame. Samples carry joint
+positions and poses as Joints and Pose, arrays that calls for the other kind refuse. Without a robot:
 `with tiller.Simulator() as simulator: robot = tiller.Robot(simulator.address)`.
 """
 from . import doctor, errors, kinematics
 from ._native import __version__
+from ._values import Joints, Pose
 from .doctor import examine
 from .errors import Error
 from .kinematics import Kinematics
-from .motions import Jog, Move, PathMove, Plan, Progress, Stream
+from .motions import ForceMode, Jog, Move, PathMove, Plan, Progress, Stream
 from .receive import Recording, Sample, Samples, read_recording
 from .robot import LoopReport, Robot
 from .services import Consent, Dashboard, Outputs, Registers, Service
 from .simulator import Simulator
 
-__all__ = ["Consent", "Dashboard", "Error", "Jog", "Kinematics", "LoopReport", "Move", "Outputs", "PathMove", "Plan",
-           "Progress", "Recording", "Registers", "Robot", "Sample", "Samples", "Service", "Simulator", "Stream", "__version__",
-           "doctor", "errors", "examine", "kinematics", "read_recording"]
+__all__ = ["Consent", "Dashboard", "Error", "ForceMode", "Jog", "Joints", "Kinematics", "LoopReport", "Move", "Outputs",
+           "PathMove", "Plan", "Pose", "Progress", "Recording", "Registers", "Robot", "Sample", "Samples", "Service",
+           "Simulator", "Stream", "__version__", "doctor", "errors", "examine", "kinematics", "read_recording"]

@@ -2,8 +2,8 @@
 """Numbers on their way into the C++ library."""
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, Union
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,11 @@ from .errors import InvalidArgument
 
 Array = NDArray[np.float64]
 Floats = Union[Sequence[float], NDArray[Any]]
+
+if TYPE_CHECKING:
+    _Base = np.ndarray[Any, np.dtype[np.float64]]
+else:
+    _Base = np.ndarray
 
 
 def floats(values: Floats, name: str, count: int = 6) -> list[float]:
@@ -25,6 +30,74 @@ def floats(values: Floats, name: str, count: int = 6) -> list[float]:
     if not np.isfinite(array).all():
         raise InvalidArgument(name, "not a number: is it from a sample that was not there?")
     return [float(value) for value in array]
+
+
+class _SixNumbers(_Base):
+    """An array of six numbers with a meaning. Adding or subtracting plain numbers keeps the meaning; the result of every
+    other operation, slices included, is a plain array."""
+
+    def __new__(cls: type[_Meaning], values: Floats) -> _Meaning:
+        return np.array(floats(values, cls.__name__)).view(cls)
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.view(np.ndarray)[index]
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: Any, *inputs: Any, **options: Any) -> Any:
+        def plain(values: Any) -> Any:
+            return values.view(np.ndarray) if isinstance(values, _SixNumbers) else values
+
+        out = options.get("out")
+        if out is not None:
+            options["out"] = tuple(plain(one) for one in out)
+        result = getattr(ufunc, method)(*(plain(one) for one in inputs), **options)
+        if out is not None:
+            return out[0] if len(out) == 1 else out
+        meanings = [type(one) for one in inputs if isinstance(one, _SixNumbers)]
+        keeps = method == "__call__" and ufunc in (np.add, np.subtract) and len(meanings) == 1
+        return result.view(meanings[0]) if keeps and result.shape == (6,) else result
+
+
+_Meaning = TypeVar("_Meaning", bound=_SixNumbers)
+
+
+class Pose(_SixNumbers):
+    """A pose in the base frame: position and rotation vector [m, rad], shape (6,).
+
+    Sample.tcp_pose and forward kinematics are of this type. Calls that take joint positions refuse it, so a pose is
+    never read as joint angles; a plain sequence of six numbers has the meaning that the argument documents.
+    """
+
+
+class Joints(_SixNumbers):
+    """Joint positions, base to wrist 3 [rad], shape (6,).
+
+    Sample.q and inverse kinematics are of this type. Calls that take a pose refuse it.
+    """
+
+
+def joint_positions(values: Floats, name: str, other: str = "") -> list[float]:
+    """Six joint positions [rad]; InvalidArgument for a Pose. other: the call that takes a pose."""
+    if isinstance(values, Pose):
+        hint = f"; {other} takes a pose" if other else ""
+        raise InvalidArgument(name, "a Pose is given, joint positions are needed" + hint)
+    return floats(values, name)
+
+
+def pose_numbers(values: Floats, name: str, other: str = "") -> list[float]:
+    """Six numbers of a pose [m, rad]; InvalidArgument for Joints. other: the call that takes joint positions."""
+    if isinstance(values, Joints):
+        hint = f"; {other} takes joint positions" if other else ""
+        raise InvalidArgument(name, "Joints are given, a pose is needed" + hint)
+    return floats(values, name)
+
+
+def one_of(value: Any, name: str, allowed: Iterable[Any]) -> Any:
+    """The value, if it is one of those allowed; otherwise InvalidArgument that lists them."""
+    values = list(allowed)
+    if isinstance(value, bool) or value not in values:
+        words = ", ".join(f'"{one}"' if isinstance(one, str) else str(one) for one in values)
+        raise InvalidArgument(name, f"{value!r} is not one of {words}")
+    return value
 
 
 ZEROS = [0.0] * 6

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import _native
-from ._values import ZEROS, Array, Floats, floats
+from ._values import ZEROS, Array, Floats, Joints, Pose, joint_positions, pose_numbers
 from .errors import NoSolution
 
 
@@ -26,37 +26,37 @@ class Kinematics:
         self.reach: float = facts["reach"]  #: [m]
         self.max_payload: float = facts["max_payload"]  #: [kg]
         self.max_joint_speed: Array = np.array(facts["max_joint_speed"])  #: [rad/s]
-        self.tcp = floats(tcp, "tcp")
+        self.tcp = pose_numbers(tcp, "tcp")
 
-    def forward(self, q: Floats) -> Array:
+    def forward(self, q: Floats) -> Pose:
         """Pose of the TCP in the base frame [m, rad] for joint positions [rad]."""
-        return np.array(_native.forward(self.model, floats(q, "q"), self.tcp))
+        return Pose(_native.forward(self.model, joint_positions(q, "q"), self.tcp))
 
     def inverse(self, pose: Floats) -> Array:
         """All joint positions [rad] that give this pose of the TCP, one a row (0 to 8), each joint in (-pi, pi]."""
-        solutions = _native.inverse(self.model, floats(pose, "pose"), self.tcp)
+        solutions = _native.inverse(self.model, pose_numbers(pose, "pose"), self.tcp)
         return np.array(solutions).reshape(len(solutions), 6)
 
-    def inverse_nearest(self, pose: Floats, near: Floats) -> Array:
+    def inverse_nearest(self, pose: Floats, near: Floats) -> Joints:
         """The joint positions [rad] nearest to these that give this pose of the TCP. Raises NoSolution."""
-        q = _native.inverse_nearest(self.model, floats(pose, "pose"), self.tcp, floats(near, "near"))
+        q = _native.inverse_nearest(self.model, pose_numbers(pose, "pose"), self.tcp, joint_positions(near, "near"))
         if q is None:
             raise NoSolution("inverse kinematics", "the pose cannot be reached")
-        return np.array(q)
+        return Joints(q)
 
     def jacobian(self, q: Floats) -> Array:
         """6 x 6: tool speed in the base frame [m/s, rad/s] from joint velocities [rad/s]."""
-        return _native.jacobian(self.model, floats(q, "q"), self.tcp)
+        return _native.jacobian(self.model, joint_positions(q, "q"), self.tcp)
 
     def __repr__(self) -> str:
         return f"<tiller.Kinematics {self.model}, tcp {self.tcp}>"
 
 
-def pose_product(a: Floats, b: Floats) -> Array:
+def pose_product(a: Floats, b: Floats) -> Pose:
     """T_a_c of the poses T_a_b and T_b_c [m, rad]."""
-    return np.array(_native.pose_product(floats(a, "a"), floats(b, "b")))
+    return Pose(_native.pose_product(pose_numbers(a, "a"), pose_numbers(b, "b")))
 
 
-def pose_inverse(pose: Floats) -> Array:
+def pose_inverse(pose: Floats) -> Pose:
     """T_b_a of the pose T_a_b [m, rad]."""
-    return np.array(_native.pose_inverse(floats(pose, "pose")))
+    return Pose(_native.pose_inverse(pose_numbers(pose, "pose")))

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Handles of what moves the arm. Whoever loses the handle lets the arm brake: keep it, or wait for it."""
+"""Handles of motions. A Move goes on without its handle; a Stream or a Jog ends with it."""
 from __future__ import annotations
 
 import asyncio
 import contextlib
-import warnings
 from collections.abc import Callable, Generator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
@@ -12,8 +11,8 @@ from types import TracebackType
 from typing import Any, Union
 
 from . import _native
-from ._values import ZEROS, Floats, floats
-from .errors import Error
+from ._values import Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
+from .errors import Error, InvalidArgument
 
 Waiting = Callable[[], AbstractContextManager[Any]]
 
@@ -54,11 +53,12 @@ class Plan:
 
 
 class Move:
-    """A motion with an end. `move.wait()` or `await move` returns when it is done and raises when it was stopped.
+    """A motion under way. `move.wait()` or `await move` returns at its end and raises when it was stopped.
 
-    Keep it: `robot.move_j(q)` alone starts and brakes at once. The arm brakes when the handle of the motion under way is
-    dropped (one whose motion has ended, or gave way to a newer one, ends nothing), on Ctrl-C in wait(), when the task that
-    awaits it is cancelled, and when the process dies.
+    The motion does not depend on this object: `robot.move_j(q)` alone runs to its target too. The arm brakes on cancel(),
+    Robot.stop(), the next motion, Robot.close() or the end of the robot's `with` block, on Ctrl-C or any other exception
+    in wait(), when the task that awaits it is cancelled, on an exception that nothing catches (in a script, a thread, an
+    interactive session or a notebook cell), and when the process ends.
     """
 
     def __init__(self, native: _native.Motion, waiting: Waiting) -> None:
@@ -94,7 +94,8 @@ class Move:
         self._native.wait(1.0)
 
     def cancel(self) -> bool:
-        """Brakes the arm. Returns False when the motion had ended already; one that took its place goes on."""
+        """Brakes the arm and returns at once. Returns False when the motion had ended already; a motion that took its
+        place goes on."""
         return self._native.cancel()
 
     @property
@@ -124,13 +125,6 @@ class Move:
         told = self._native.plan()
         return None if told is None else Plan(**told)
 
-    def __del__(self) -> None:
-        native = getattr(self, "_native", None)
-        if native is not None and native.kind() != "Stop" and native.is_active():
-            native.cancel()
-            warnings.warn("the handle of a move was dropped while the arm moved, so the arm brakes: keep the handle, "
-                          "or call wait() on it", ResourceWarning, stacklevel=2)
-
     def __repr__(self) -> str:
         state = "active" if self.active else f"ended: {self.cause}"
         return f"<tiller.Move {self._native.kind()}, {state}>"
@@ -140,29 +134,48 @@ NativeStream = Union[_native.JointServo, _native.PoseServo, _native.JointSpeed, 
                      _native.JointTorque]
 
 
+def _at_standstill(native: NativeStream | _native.Jog, waiting: Waiting) -> None:
+    with waiting():
+        native.stop(5.0)
+
+
+def _leave(native: NativeStream | _native.Jog, waiting: Waiting, error: BaseException | None) -> None:
+    """The end of a `with` block; an exception on its way out of the block is never replaced."""
+    if error is None:
+        _at_standstill(native, waiting)
+        return
+    native.cancel()
+    with contextlib.suppress(Error):
+        _at_standstill(native, waiting)
+
+
 class Stream:
     """A stream of targets: send() a new one at least every 100 ms, or the arm brakes and the stream ends.
 
     It does not keep time for you: send one target, wait for the next control period (`for sample in robot.samples():`
     gives you one each), send the next. Robot.packet_loop() does that by itself, in step with the robot.
-    Use it in a `with` block: at its end, whatever happened in it, the arm brakes.
+    Use it in a `with` block: whatever happens in the block, the arm brakes at its end and is at standstill afterwards.
+    The stream also ends when this object is dropped.
     """
 
-    def __init__(self, native: NativeStream, waiting: Waiting) -> None:
+    def __init__(self, native: NativeStream, waiting: Waiting, check: Callable[[Floats, str], list[float]]) -> None:
         self._native = native
         self._waiting = waiting
+        self._check = check
 
     def send(self, target: Floats) -> None:
         """The next target. Returns at once and keeps only the newest: targets sent faster than one a period are never
         seen. Raises Stopped when the stream has ended, LimitExceeded for a target too far from the one
         before; a target that is refused has not been sent."""
-        self._native.send(floats(target, "target"))
+        self._native.send(self._check(target, "target"))
 
     def stop(self) -> None:
-        """Brakes the arm and returns when it stands."""
-        self._native.cancel()
-        with self._waiting(), contextlib.suppress(Error):  # it was stopped: what else
-            self._native.wait(5.0)
+        """Brakes the arm and returns when it is at standstill; at once when another motion has taken over.
+
+        Raises Timeout when the arm still moves after 5 s, NotInControl when control was lost and standstill is not
+        confirmed: then the robot brakes by itself.
+        """
+        _at_standstill(self._native, self._waiting)
 
     @property
     def active(self) -> bool:
@@ -179,7 +192,7 @@ class Stream:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
                  trace: TracebackType | None) -> None:
-        self.stop()
+        _leave(self._native, self._waiting, error)
 
     def __repr__(self) -> str:
         return f"<tiller.Stream, {'active' if self.active else 'ended: ' + self.cause}>"
@@ -188,22 +201,27 @@ class Stream:
 class Jog:
     """A velocity the arm has while this is refreshed: at least every 100 ms, or the arm brakes and the jog ends.
 
-    Use it in a `with` block: at its end, whatever happened in it, the arm brakes. A jog that ended takes a new one.
+    Use it in a `with` block: whatever happens in the block, the arm brakes at its end and is at standstill afterwards.
+    The jog also ends when this object is dropped. A jog that has ended cannot be refreshed: begin a new one.
     """
 
-    def __init__(self, native: _native.Jog, frame: str) -> None:
+    def __init__(self, native: _native.Jog, frame: str, custom_frame: list[float], contact_force: float,
+                 waiting: Waiting) -> None:
         self._native = native
         self._frame = frame
+        self._custom_frame = custom_frame
+        self._contact_force = contact_force
+        self._waiting = waiting
 
     def refresh(self, velocity: Floats | None = None) -> bool:
         """Keeps the jog alive, with another velocity if one is given. Returns False when it has ended."""
         if velocity is None:
             return self._native.refresh()
-        return self._native.change(self._frame, floats(velocity, "velocity"), ZEROS, 0.0)
+        return self._native.change(self._frame, floats(velocity, "velocity"), self._custom_frame, self._contact_force)
 
     def stop(self) -> None:
-        """Brakes the arm and returns at once; it stands some 0.1 s later (robot.status["moving"])."""
-        self._native.end()
+        """Brakes the arm and returns when it is at standstill, as Stream.stop()."""
+        _at_standstill(self._native, self._waiting)
 
     @property
     def active(self) -> bool:
@@ -220,25 +238,97 @@ class Jog:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
                  trace: TracebackType | None) -> None:
-        self.stop()
+        _leave(self._native, self._waiting, error)
 
     def __repr__(self) -> str:
         return f"<tiller.Jog, {'active' if self.active else 'ended: ' + self.cause}>"
 
 
+class ForceMode:
+    """Force mode, on since Robot.force_mode() returned: motions may run meanwhile.
+
+    In a `with` block it ends with the block, whatever happens in the block; a block inside another one restores the
+    settings of the outer block at its end. Without `with` it lasts until stop(), Robot.end_force_mode(), Robot.stop(),
+    Robot.close(), other settings or 100 ms without a connection, also when this object is dropped. What a stop has ended
+    does not begin again at the end of a block.
+    """
+
+    def __init__(self, blocks: list[ForceMode], stops: Callable[[], int], begin: Callable[[int], None],
+                 end: Callable[[], None]) -> None:
+        self._blocks = blocks
+        self._stops = stops
+        self._begin = begin
+        self._end = end
+        self._begun_at = stops()
+        self._ended = False
+        begin(self._begun_at)
+
+    def stop(self) -> None:
+        """Ends force mode, or restores the settings of the enclosing `with` block. Harmless when it has ended.
+
+        Raises NotInControl, LinkLost or Timeout when the robot does not confirm it; force mode does not outlive control.
+        """
+        if self._ended:
+            return
+        self._ended = True
+        outermost_first = [block for block in self._blocks if block is not self]
+        inner_goes_on = self in self._blocks and self._blocks[-1] is not self
+        self._blocks[:] = outermost_first
+        if inner_goes_on or self._stops() != self._begun_at:
+            return
+        if outermost_first and outermost_first[-1]._begun_at == self._begun_at:
+            outermost_first[-1]._begin(self._begun_at)
+        else:
+            self._end()
+
+    def __enter__(self) -> ForceMode:
+        self._blocks.append(self)
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        try:
+            self.stop()
+        except Error:
+            if error is None:
+                raise
+
+
+PATH_KINDS = ("j", "l", "p", "c")
+
+
 @dataclass(frozen=True)
 class PathMove:
-    """One move of a path. target and via: joint positions [rad], or with `pose` a pose in the base frame [m, rad]."""
+    """One move of a path.
+
+    target, via: Joints [rad] or a Pose in the base frame [m, rad]. Six plain numbers are joint positions for kind "j" and
+    a pose for all other kinds; `pose` says otherwise: True for a pose, False for joint positions.
+    Raises InvalidArgument for an unknown kind, for a `pose` that contradicts the type of target or via, and for what is
+    not six numbers.
+    """
 
     target: Floats
     kind: str = "j"  #: "j" in joint space, "l" a line, "p" a line at constant speed, "c" an arc through `via`
-    pose: bool = False
-    via: Floats | None = None
-    speed: float = 1.0  #: "j" [rad/s], others [m/s]
-    acceleration: float = 1.4  #: "j" [rad/s2], others [m/s2]
+    pose: bool | None = None  #: what target and via are; None: by their type, or by the kind
+    via: Floats | None = None  #: "c": a point on the arc; only its position counts
+    speed: float | None = None  #: "j" [rad/s], others [m/s]; None: 1.05 and 0.25, or the speed cap where that is lower
+    acceleration: float | None = None  #: "j" [rad/s2], others [m/s2]; None: 1.4 and 1.2
     blend: float = 0.0  #: radius around the target [m]
 
-    def row(self) -> tuple[str, bool, list[float], list[float] | None, float, float, float]:
+    def __post_init__(self) -> None:
+        one_of(self.kind, "kind", PATH_KINDS)
+        self.row()
+
+    def _place(self, values: Floats, name: str) -> tuple[bool, list[float]]:
+        """(whether it is a pose, the numbers)"""
+        pose = self.pose
+        if pose is None:
+            pose = isinstance(values, Pose) or (self.kind != "j" and not isinstance(values, Joints))
+        if not isinstance(pose, bool):
+            raise InvalidArgument("pose", "True, False or None")
+        return pose, pose_numbers(values, name) if pose else joint_positions(values, name)
+
+    def row(self) -> _native.PathRow:
         """As the C++ library takes it."""
-        via = None if self.via is None else floats(self.via, "via")
-        return (self.kind, self.pose, floats(self.target, "target"), via, self.speed, self.acceleration, self.blend)
+        via = None if self.via is None else self._place(self.via, "via")
+        return (self.kind, self._place(self.target, "target"), via, self.speed, self.acceleration, self.blend)

@@ -2,6 +2,7 @@
 """What the robot sends: samples with names, arrays, and recordings."""
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
 from types import TracebackType
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _native
-from ._values import Array
+from ._values import Array, Joints, Pose, one_of
 from .errors import NotConnected
 
 if TYPE_CHECKING:
@@ -24,12 +25,15 @@ SAFETY_MODES = {1: "NORMAL", 2: "REDUCED", 3: "PROTECTIVE_STOP", 4: "RECOVERY", 
 RUNTIME_STATES = {0: "STOPPING", 1: "STOPPED", 2: "PLAYING", 3: "PAUSING", 4: "PAUSED", 5: "RESUMING"}
 
 Layout = dict[str, tuple[int, int]]
+_TYPES: dict[str, Any] = {"actual_q": Joints, "target_q": Joints, "actual_TCP_pose": Pose, "target_TCP_pose": Pose}
+DIGITAL_PINS = range(18)
 
 
 class Sample:
     """All values of one data packet. What the robot does not send is NaN: no data is never a number.
 
-    sample["actual_q"] gives any field by its RTDE name: an array of its numbers, a float where it has one.
+    sample["actual_q"] gives any field by its RTDE name: an array of its numbers, a float where it has one; Joints and
+    Pose for joint positions and TCP poses.
     """
 
     __slots__ = ("sequence", "host_time", "connection", "lost_before", "values", "_layout")
@@ -47,7 +51,9 @@ class Sample:
         if place is None:
             raise KeyError(f"{field} is not followed: name it in Robot(..., fields=[...])")
         first, count = place
-        return float(self.values[first]) if count == 1 else self.values[first:first + count]
+        if count == 1:
+            return float(self.values[first])
+        return self.values[first:first + count].view(_TYPES.get(field, np.ndarray))
 
     def __contains__(self, field: str) -> bool:
         place = self._layout.get(field)
@@ -79,9 +85,9 @@ class Sample:
         return self._number("timestamp")
 
     @property
-    def q(self) -> Array:
+    def q(self) -> Joints:
         """Actual joint positions [rad]."""
-        return self._vector("actual_q")
+        return self._vector("actual_q").view(Joints)
 
     @property
     def qd(self) -> Array:
@@ -89,14 +95,14 @@ class Sample:
         return self._vector("actual_qd")
 
     @property
-    def target_q(self) -> Array:
+    def target_q(self) -> Joints:
         """Target joint positions [rad]."""
-        return self._vector("target_q")
+        return self._vector("target_q").view(Joints)
 
     @property
-    def tcp_pose(self) -> Array:
+    def tcp_pose(self) -> Pose:
         """Actual pose of the TCP in the base frame: position and rotation vector [m, rad]."""
-        return self._vector("actual_TCP_pose")
+        return self._vector("actual_TCP_pose").view(Pose)
 
     @property
     def tcp_speed(self) -> Array:
@@ -134,14 +140,17 @@ class Sample:
         return self._name("runtime_state", RUNTIME_STATES, "STOPPED")
 
     def digital_input(self, number: int) -> bool | None:
-        """One digital input: 0-7 standard, 8-15 configurable, 16-17 tool; None when it is not known."""
+        """One digital input: 0-7 standard, 8-15 configurable, 16-17 tool; None when it is not known. Raises
+        InvalidArgument for another number."""
         return self._bit("actual_digital_input_bits", number)
 
     def digital_output(self, number: int) -> bool | None:
-        """One digital output: 0-7 standard, 8-15 configurable, 16-17 tool; None when it is not known."""
+        """One digital output: 0-7 standard, 8-15 configurable, 16-17 tool; None when it is not known. Raises
+        InvalidArgument for another number."""
         return self._bit("actual_digital_output_bits", number)
 
     def _bit(self, field: str, number: int) -> bool | None:
+        one_of(number, "number", DIGITAL_PINS)
         bits = self._number(field)
         return None if np.isnan(bits) else bool(int(bits) >> number & 1)
 
@@ -187,7 +196,7 @@ class Samples(Iterator[Sample]):
 
 
 class Recording:
-    """A CSV file that grows by one row for each packet until stop(); ends with its `with` block too."""
+    """A file that grows by one row for each packet until stop(); ends with its `with` block too, and with the program."""
 
     def __init__(self, native: _native.Recorder, path: str) -> None:
         self._native = native
@@ -222,9 +231,17 @@ class Recording:
         return f"<tiller.Recording {self.path}, {self.rows} rows>"
 
 
-def read_recording(path: str) -> pandas.DataFrame:
-    """A recording as a pandas frame, one row a packet: timestamp, a column for each number (actual_q_0 ...), and
-    packages_lost, how many are missing before the row."""
+def read_recording(path: str | os.PathLike[str]) -> pandas.DataFrame:
+    """A recording (CSV, MCAP or HDF5, by its first bytes) as a pandas frame, one row a packet: a column for each number
+    (timestamp, actual_q_0 ...), and in CSV recordings packages_lost, how many are missing before the row.
+
+    Raises OSError (FileNotReadable is one) and FileCorrupt.
+    """
     import pandas
 
-    return pandas.read_csv(path)
+    name = os.fspath(path)
+    with open(name, "rb") as file:
+        is_text = not file.read(8).startswith((b"\x89MCAP", b"\x89HDF"))
+    if is_text:
+        return pandas.read_csv(name)
+    return pandas.DataFrame(_native.read_recording(name))

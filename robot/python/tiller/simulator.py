@@ -6,17 +6,34 @@ import contextlib
 import itertools
 import os
 import threading
+import weakref
 from collections.abc import Iterator
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._values import Floats, floats
+from ._values import Floats, floats, joint_positions, one_of
+from .receive import DIGITAL_PINS
 
 if TYPE_CHECKING:
     from .robot import Robot
 
 _numbers = itertools.count(1)
+_simulators: weakref.WeakSet[Simulator] = weakref.WeakSet()
+
+
+def stop_all() -> None:
+    """For the end of the process, where no other thread runs Python any more."""
+    for simulator in list(_simulators):
+        simulator._forget_threads()
+        simulator.stop()
+
+
+def forget_all() -> None:
+    """For a forked child: the simulators run in the parent process."""
+    for simulator in list(_simulators):
+        simulator._forget_threads()
+    _simulators.clear()
 
 
 def _own_address() -> str:
@@ -45,12 +62,18 @@ class Simulator:
         self.address = _own_address() if address is None else address
         self.virtual = virtual
         self._native = _native.Simulator(model, software, self.address, virtual, powered_on,
-                                         None if start is None else floats(start, "start"), remote_control, programs,
+                                         None if start is None else joint_positions(start, "start"), remote_control, programs,
                                          0 if virtual else priority)
+        self._thread: threading.Thread | None = None
+        self._forget_threads()
+        _simulators.add(self)
+
+    def _forget_threads(self) -> None:
+        """Locks as new: threads that have gone cannot give theirs back."""
         self._lock = threading.Lock()
         self._stepping = threading.Lock()
         self._wanted = 0
-        self._thread: threading.Thread | None = None
+        self._thread = None
 
     def start(self) -> Simulator:
         """Opens the ports. Raises Rejected when one is in use, naming it and what to do."""
@@ -118,11 +141,13 @@ class Simulator:
         return self._native.inject(words)
 
     def set_digital_input(self, number: int, on: bool) -> None:
-        """0-7 standard, 8-15 configurable, 16-17 tool."""
+        """0-7 standard, 8-15 configurable, 16-17 tool. Raises InvalidArgument for another number."""
+        one_of(number, "number", DIGITAL_PINS)
         self._native.set_digital_input(number, on)
 
     def set_analog_input(self, number: int, value: float) -> None:
-        """0, 1 [A or V]; 2, 3 are the tool's."""
+        """0, 1 [A or V]; 2, 3 are the tool's. Raises InvalidArgument for another number."""
+        one_of(number, "number", range(4))
         self._native.set_analog_input(number, value)
 
     def press_hand(self, wrench: Floats) -> None:

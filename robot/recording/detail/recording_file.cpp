@@ -11,6 +11,7 @@
 #include <io.h>
 #else
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 #endif
 
@@ -44,7 +45,18 @@ public:
     Result<void> open(const QString& path) override {
         file_.setFileName(path);
         errno = 0;
-        if (!file_.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered)) {
+        // Emptied only once it is ours.
+        if (!file_.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered)) {
+            return fileError(file_, errno, file_.errorString());
+        }
+        if (!claim()) {
+            const Error taken =
+                fileError(file_, 0, QStringLiteral("another recording is writing to this file"));
+            file_.close();
+            return taken;
+        }
+        errno = 0;
+        if (file_.size() > 0 && !file_.resize(0)) {
             return fileError(file_, errno, file_.errorString());
         }
         return syncFolder();
@@ -82,6 +94,15 @@ public:
     }
 
 private:
+    /// False when another recording, of this or another process, has the file. Ends with the file.
+    bool claim() {
+#ifdef _WIN32
+        return true;
+#else
+        return ::flock(file_.handle(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+#endif
+    }
+
     /// Without this a power failure can leave the rows on the disk and no name to find them by.
     Result<void> syncFolder() {
 #ifndef _WIN32

@@ -385,11 +385,18 @@ private Q_SLOTS:
         QVERIFY(with([&](const Deadline& d) { return compliance.setForceMode(mode, d); }).ok());
         QVERIFY(cell.stepMs(400));
         QVERIFY(!cell.isStanding());
+        const std::uint64_t before = cell.controller->stops();
         cell.controller->stop(StopCause::StopButton);
         QVERIFY(cell.ticksToStandstill(500) >= 0);
         const Pose stands = cell.tcp();
         QVERIFY(cell.stepMs(400));
         QVERIFY((cell.tcp().position - stands.position).norm() < 1e-4);
+
+        // What was decided before the stop does not begin after it.
+        Compliance early(*cell.controller, before);
+        QCOMPARE(with([&](const Deadline& d) { return early.setForceMode(mode, d); }).error().code,
+                 ErrorCode::Stopped);
+        QVERIFY(!cell.controller->status().forceMode);
     }
 
     void freedriveLastsUntilItIsCancelled() {
@@ -438,6 +445,9 @@ private Q_SLOTS:
         row("twist of nothing", ErrorCode::InvalidArgument, "twist");
         row("function name", ErrorCode::InvalidArgument, "name");
         row("function body", ErrorCode::InvalidArgument, "body");
+        row("function body that ends the function", ErrorCode::InvalidArgument, "\"end\" in line 2");
+        row("function body without an end", ErrorCode::InvalidArgument, "\"while\" in line 1");
+        row("negative contact force", ErrorCode::LimitExceeded, "contactForce");
     }
     void wrongArgumentsAreRefusedByName() {
         QFETCH(int, which);
@@ -498,6 +508,21 @@ private Q_SLOTS:
                 return Programs(c)
                     .startFunction(QStringLiteral("f"), QStringLiteral("tiller_x = 1"), d)
                     .error();
+            },
+            [&] {
+                return Programs(c)
+                    .startFunction(QStringLiteral("f"), QStringLiteral("sync()\nend\ndef g():\n  sync()"), d)
+                    .error();
+            },
+            [&] {
+                return Programs(c)
+                    .startFunction(QStringLiteral("f"), QStringLiteral("while True:\n  sync() # end"), d)
+                    .error();
+            },
+            [&] {
+                JogTarget target;
+                target.contactForce = -1;
+                return m.startJog(target).error();
             },
         };
         const Error error = calls.at(static_cast<std::size_t>(which))();

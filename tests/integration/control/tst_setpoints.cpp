@@ -218,6 +218,40 @@ private Q_SLOTS:
     }
 
     // STOP during a soft stop of a program brakes as hard as ever.
+    void stoppingAMotionWaitsForStandstill() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        Motions motions(*cell.controller);
+        const Twist up{{0, 0, 0.2}, {}};
+        const auto speed = motions.startSpeedL({0.5, 0}, Holding::Free);
+        QVERIFY(speed.ok());
+        QVERIFY(ToolSpeed(*speed).send(up).ok());
+        QVERIFY(cell.stepMs(400));
+        QVERIFY(!cell.isStanding());
+        QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
+        QVERIFY(cell.isStanding());
+        QCOMPARE(speed->motion().state().cause, StopCause::ApiCall);
+        // Again, and after others: at once.
+        QVERIFY(speed->motion().stop(patience()).ok());
+        cell.controller->stop();
+        QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
+
+        // Another motion is not waited for, and goes on.
+        const auto jogged = motions.startSpeedL({0.5, 0}, Holding::Free);
+        QVERIFY(jogged.ok());
+        QVERIFY(speed->motion().stop(patience()).ok());
+        QVERIFY(jogged->isActive());
+        // A stop that came in between is waited for as well.
+        QVERIFY(ToolSpeed(*jogged).send(up).ok());
+        QVERIFY(cell.stepMs(400));
+        cell.controller->stop();
+        QCOMPARE(jogged->motion().stop(Deadline::after(std::chrono::milliseconds(0))).error().code,
+                 ErrorCode::Timeout);
+        QVERIFY(cell.during([&] { return jogged->motion().stop(patience()); }).ok());
+        QVERIFY(cell.isStanding());
+        QVERIFY(Motion().stop(patience()).ok());
+    }
+
     void theStopKeyOverrulesASoftStop() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
