@@ -67,6 +67,7 @@ Preferences readPreferences(const QString& file) {
         // A file cannot raise it: only a hand on the settings page can.
         preferences.speedCap = std::clamp(cap, Preferences::kLowestCap, Preferences::kOrdinaryCap);
     }
+    preferences.monitorOnly = settings.value("motion/monitorOnly", false).toBool();
     bool isNumber = false;
     const int hold = settings.value("motion/longestHold", Preferences::kUsualLongestHold).toInt(&isNumber);
     if (isNumber) {
@@ -112,6 +113,7 @@ void writePreferences(const QString& file, const Preferences& preferences) {
     settings.setValue("look/lengths", kLengths[static_cast<int>(preferences.notation.length)]);
     settings.setValue("look/rotations", kRotations[static_cast<int>(preferences.notation.rotation)]);
     settings.setValue("motion/speedCap", std::min(preferences.speedCap, Preferences::kOrdinaryCap));
+    settings.setValue("motion/monitorOnly", preferences.monitorOnly);
     settings.setValue("motion/longestHold", preferences.longestHold);
     for (auto it = preferences.devices.constBegin(); it != preferences.devices.constEnd(); ++it) {
         settings.beginGroup("devices/" + it.key());

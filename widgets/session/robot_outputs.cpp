@@ -86,6 +86,14 @@ const OutputHolders& RobotOutputs::holders() const {
 }
 
 void RobotOutputs::connect() {
+    if (d_.monitorOnly) {
+        // Another client may need the inputs that an open connection occupies.
+        d_.worker.post(&session_, [outputs = d_.link->outputs](const CancelToken&) {
+            outputs->disconnect();
+            return std::function<void()>();
+        });
+        return;
+    }
     const std::uint64_t generation = d_.generation;
     d_.worker.post(&session_, [this, generation, outputs = d_.link->outputs](const CancelToken& token) {
         const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));
@@ -114,7 +122,7 @@ void RobotOutputs::forget() {
 }
 
 void RobotOutputs::setDigitalOutput(int output, bool on) {
-    if (!d_.link) {
+    if (session_.refusesCommand(terminalText(ioTerminal(true, output))) || !d_.link) {
         return;
     }
     const QString done =
@@ -139,9 +147,9 @@ QString RobotOutputs::changeText(int output, bool on, const std::optional<Output
 
 void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
                                      const OutputOrder& order) {
-    if (!d_.link) {
+    if (const bool refused = session_.refusesCommand(what); refused || !d_.link) {
         if (order.done) {
-            order.done(Error{ErrorCode::NotConnected, what, {}});
+            order.done(Error{refused ? ErrorCode::Rejected : ErrorCode::NotConnected, what, {}});
         }
         return;
     }
@@ -178,7 +186,7 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
 }
 
 void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double level) {
-    if (!d_.link) {
+    if (session_.refusesCommand(terminalText(QStringLiteral("AO %1").arg(output))) || !d_.link) {
         return;
     }
     const bool current = domain == io::AnalogDomain::Current;
@@ -197,7 +205,7 @@ void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double l
 
 void RobotOutputs::setRegister(const RegisterValue& value) {
     using Kind = RegisterValue::Kind;
-    if (!d_.link) {
+    if (session_.refusesCommand(tr("Input register %1").arg(value.number)) || !d_.link) {
         return;
     }
     // A connection of its own, only as long as it takes: nobody else shall be kept from the register.
@@ -237,7 +245,7 @@ void RobotOutputs::report(std::uint64_t generation, const QString& done, const R
 }
 
 void RobotOutputs::setSpeedSlider(double fraction) {
-    if (!d_.link) {
+    if (session_.refusesCommand(tr("Speed slider")) || !d_.link) {
         return;
     }
     if (sliderBusy_) {

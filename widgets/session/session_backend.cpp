@@ -49,12 +49,14 @@ void SessionBackend::read() {
     if (link == nullptr) {
         const RecordingState recordingState = state.recording;
         state = SessionState{};
+        state.monitorOnly = monitorOnly;
         state.recording = recordingState;
         state.speedCap = limits.tcpSpeed;
         state.controlReason = RobotSession::tr("Not connected to a robot.");
         readRecording();
         return;
     }
+    state.monitorOnly = monitorOnly;
     const bool mayMove = state.link == LinkState::Live && (state.moving || state.motionActive);
     readLink();
     if (mayMove && state.link != LinkState::Live) {
@@ -167,6 +169,7 @@ void SessionBackend::readControl() {
         state.control = refusal.isEmpty() ? ControlState::None : ControlState::Refused;
     }
     lossSeen = status.loss;
+    state.controlLoss = status.loss;
 }
 
 void SessionBackend::noteStop(const control::StopMeasurement& stop, std::uint64_t& seen) {
@@ -205,6 +208,9 @@ QString SessionBackend::obstacle() const {
             return RobotSession::tr("Data from the robot are late.");
         case LinkState::Live:
             break;
+    }
+    if (monitorOnly) {
+        return texts::monitorOnlyObstacle();
     }
     if (const QString safety = texts::safetyModeObstacle(state.safety()); !safety.isEmpty()) {
         return safety;

@@ -87,6 +87,8 @@ struct SessionState {
     double speedCap = 0.250;  ///< of this program, at TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty when it can
+    control::ControlLoss controlLoss = control::ControlLoss::NotTaken;  ///< how control ended last
+    bool monitorOnly = false;  ///< the session refuses every command but stop
 
     // motion
     bool moving = false;           ///< what the robot confirmed, not what was asked
@@ -128,6 +130,8 @@ struct SessionState {
         own.dh = dh;
         return own;
     }
+    /// Space and Esc stop, from everywhere; otherwise they belong to the focused control.
+    bool keysStop() const { return control == ControlState::InControl || control == ControlState::Taking; }
     /// True when a press on a jog key would move the arm.
     bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
     /// The safety value to show and to act on, of the two the controller sends.
@@ -136,6 +140,11 @@ struct SessionState {
     bool foreignProgramRuns() const {
         return hasData() && control != ControlState::InControl && runtimeState != RuntimeState::Stopped &&
                runtimeState != RuntimeState::Paused;
+    }
+    /// A program that is not ours runs or is paused: taking control would end it.
+    bool hasForeignProgram() const {
+        return foreignProgramRuns() ||
+               (hasData() && control != ControlState::InControl && runtimeState == RuntimeState::Paused);
     }
     bool hasData() const {
         return sequence != 0 && link != LinkState::Lost && link != LinkState::Disconnected;

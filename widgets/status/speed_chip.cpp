@@ -38,10 +38,18 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     });
 }
 
+void SpeedChip::setLocked(const QString& reason) {
+    if (reason != lock_) {
+        lock_ = reason;
+        setToolTip(reason.isEmpty() ? tr("Speed slider of the robot, 2 to 100 %") : reason);
+        setEnabled(valid_ && lock_.isEmpty());
+    }
+}
+
 void SpeedChip::setReported(double fraction, bool valid) {
     if (valid != valid_) {
         valid_ = valid;
-        setEnabled(valid);
+        setEnabled(valid && lock_.isEmpty());
         update();
     }
     const int percent = static_cast<int>(std::lround(fraction * 100));
