@@ -1024,7 +1024,8 @@ void MainWindow::askToTakeControl() {
     stopMotion(control::StopCause::DialogOpened);
     const SessionState& state = session_->state();
     const bool paused = state.runtimeState == RuntimeState::Paused;
-    const QString& name = state.loadedProgram;
+    // PolyScope's name for a program that is in no file, as one that another client has sent.
+    const QString name = state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
     QWidget* front = QApplication::activeWindow();
     auto* question = new QMessageBox(front != nullptr ? front : this);
     question->setObjectName("takeControlQuestion");
@@ -1035,9 +1036,8 @@ void MainWindow::askToTakeControl() {
                       : name.isEmpty()         ? tr("A program is running on the robot.")
                       : paused                 ? tr("The program \"%1\" is paused on the robot.").arg(name)
                                                : tr("The program \"%1\" is running on the robot.").arg(name));
-    question->setInformativeText(tr(
-        "It was not started by this window. Taking control ends it: it cannot be continued afterwards, only "
-        "started again."));
+    question->setInformativeText(
+        tr("Taking control ends it. It cannot be continued afterwards, only started again."));
     QPushButton* take = question->addButton(tr("End it and take control"), QMessageBox::DestructiveRole);
     take->setObjectName("takeControlQuestion.take");
     take->setAutoDefault(false);
