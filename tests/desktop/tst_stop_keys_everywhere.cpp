@@ -102,7 +102,10 @@ class TestStopKeysEverywhere : public QObject {
         QVERIFY2(cell().arm().untilMoving(kGetsGoing),
                  "the program of the other client does not move the arm");
         // From here on the window knows, and Space and Esc still stop for three seconds.
-        QVERIFY(cell().until([&] { return cell().place("nextStepButton").text == "Take control" && cell().place("nextStepButton").visible; }));
+        QVERIFY(cell().until([&] {
+            return cell().place("nextStepButton").text == "Take control" &&
+                   cell().place("nextStepButton").visible;
+        }));
     }
 
     void verifyStands() {

@@ -295,7 +295,7 @@ void IoTab::refresh() {
         }
         out->setStale(stale);
         if (state_.monitorOnly) {
-            out->setObstacle(texts::monitorOnlyObstacle(), tr("monitor only"));
+            out->setObstacle(texts::monitorOnlyObstacle(), tr("locked"));
         } else {
             out->setObstacle(stale ? QString() : session_.outputs().holders().digital(channel),
                              tr("held by another"));

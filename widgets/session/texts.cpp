@@ -238,7 +238,9 @@ QString safetyModeObstacle(SafetyMode mode) {
 }
 
 QString monitorOnlyObstacle() {
-    return TextsText::tr("Monitor only: this window changes nothing on the robot. Settings can end this.");
+    return TextsText::tr(
+        "Monitor only: this window changes nothing on the robot. It is chosen in Settings or by "
+        "--monitor-only.");
 }
 
 QString serviceObstacle(const SessionState& state) {

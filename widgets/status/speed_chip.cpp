@@ -95,9 +95,9 @@ void SpeedChip::paintEvent(QPaintEvent*) {
         return;
     }
     const double x = bar.left() + bar.width() * value() / 100.0;
-    painter.setBrush(theme.secondary);
+    painter.setBrush(isEnabled() ? theme.secondary : theme.disabledText);
     painter.drawRoundedRect(QRectF(bar.left(), bar.top(), x - bar.left(), bar.height()), 4, 4);
-    painter.setBrush(theme.text);
+    painter.setBrush(isEnabled() ? theme.text : theme.disabledText);
     painter.drawRoundedRect(QRectF(x - 2, bar.top() - 3, 4, bar.height() + 6), 2, 2);
 }
 
