@@ -35,8 +35,11 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     QCommandLineOption session("session", project.description(), "file");
     session.setFlags(QCommandLineOption::HiddenFromHelp);
     const QCommandLineOption theme("theme", CommandLineText::tr("Colours: light or dark."), "name");
+    const QCommandLineOption monitorOnly(
+        "monitor-only",
+        CommandLineText::tr("Change nothing on the robot: only STOP works. The settings cannot end this."));
     parser.addPositionalArgument("file", project.description(), "[file.tiller]");
-    parser.addOptions({simulator, robot, demo, project, session, theme});
+    parser.addOptions({simulator, robot, demo, project, session, theme, monitorOnly});
 
     const auto wrong = [&](const QString& what) {
         return Error{ErrorCode::InvalidArgument, what, CommandLineText::tr("see tiller --help")};
@@ -64,6 +67,10 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     line.theme = parser.value(theme).toLower();
     if (!line.theme.isEmpty() && line.theme != "light" && line.theme != "dark") {
         return wrong(CommandLineText::tr("--theme takes light or dark, not \"%1\"").arg(line.theme));
+    }
+    line.monitorOnly = parser.isSet(monitorOnly);
+    if (parser.isSet(demo) && line.monitorOnly) {
+        return wrong(CommandLineText::tr("--demo moves the simulated robot and excludes --monitor-only"));
     }
     if (parser.isSet(robot) && parser.isSet(simulator)) {
         return wrong(CommandLineText::tr("--robot and --simulator exclude each other"));

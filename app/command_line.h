@@ -14,9 +14,10 @@ struct CommandLine {
     enum class Start { Ask, Simulator, Robot };
     Start start = Start::Ask;  ///< Ask: the connect dialog
     QString robotHost;
-    QString demoDirectory;  ///< not empty: run the scripted demonstration, leave its files there, exit
-    QString projectFile;    ///< to open; empty: the one worked in last
-    QString theme;          ///< "light", "dark" or empty: as last time
+    QString demoDirectory;     ///< not empty: run the scripted demonstration, leave its files there, exit
+    QString projectFile;       ///< to open; empty: the one worked in last
+    QString theme;             ///< "light", "dark" or empty: as last time
+    bool monitorOnly = false;  ///< the window changes nothing on the robot, whatever the settings say
     bool showHelp = false;
     bool showVersion = false;
     QString helpText;

@@ -122,6 +122,9 @@ std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const 
     window->setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
     window->keepIncidentsIn((line.demoDirectory.isEmpty() ? recordingFolder() : line.demoDirectory) +
                             QStringLiteral("/Incidents"));
+    if (line.monitorOnly) {
+        window->lockMonitorOnly();
+    }
     connect(*window);
     window->show();
     // Where no window manager does it, nobody else would, and a window that is not active moves nothing.

@@ -8,6 +8,8 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -312,6 +314,7 @@ void MainWindow::connectParts() {
     });
     connect(session_.get(), &RobotSession::message, this,
             [](Severity, const QString& text) { rememberForCrash(text); });
+    connect(session_.get(), &RobotSession::takeControlQuestion, this, &MainWindow::askToTakeControl);
     connectFrames();
     connectTools();
     followCell(scene_->view(), *session_, *document_);
@@ -705,6 +708,11 @@ void MainWindow::keepProject() {
     }
 }
 
+void MainWindow::lockMonitorOnly() {
+    monitorOnlyLocked_ = true;
+    applyPreferences(preferences_);
+}
+
 void MainWindow::openProject(const QString& path) {
     files_->open(path);
 }
@@ -1053,12 +1061,48 @@ void MainWindow::askForProgram() {
     dialog->open();
 }
 
+void MainWindow::askToTakeControl() {
+    if (findChild<QMessageBox*>("takeControlQuestion") != nullptr) {
+        return;
+    }
+    stopMotion(control::StopCause::DialogOpened);
+    const SessionState& state = session_->state();
+    const bool paused = state.runtimeState == RuntimeState::Paused;
+    // PolyScope's name for a program that is in no file, as one that another client has sent.
+    const QString name = state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
+    QWidget* front = QApplication::activeWindow();
+    auto* question = new QMessageBox(front != nullptr ? front : this);
+    question->setObjectName("takeControlQuestion");
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setIcon(QMessageBox::Warning);
+    question->setWindowTitle(tr("Take control"));
+    question->setText(name.isEmpty() && paused ? tr("A program is paused on the robot.")
+                      : name.isEmpty()         ? tr("A program is running on the robot.")
+                      : paused                 ? tr("The program \"%1\" is paused on the robot.").arg(name)
+                                               : tr("The program \"%1\" is running on the robot.").arg(name));
+    question->setInformativeText(
+        tr("Taking control ends it. It cannot be continued afterwards, only started again."));
+    QPushButton* take = question->addButton(tr("End it and take control"), QMessageBox::DestructiveRole);
+    take->setObjectName("takeControlQuestion.take");
+    take->setAutoDefault(false);
+    QPushButton* keep = question->addButton(tr("No, leave it"), QMessageBox::RejectRole);
+    keep->setObjectName("takeControlQuestion.keep");
+    question->setDefaultButton(keep);
+    question->setEscapeButton(keep);
+    connect(take, &QPushButton::clicked, session_.get(),
+            [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
+    question->open();
+}
+
 void MainWindow::showSettings(bool atRecording) {
     stopMotion(control::StopCause::DialogOpened);
     const QString theme = Theme::current().isDark() ? "dark" : "light";
     auto* page = new SettingsPage(preferences_, theme, *actions_, *devices_, this);
     page->setAttribute(Qt::WA_DeleteOnClose);
     page->setHoldNote(witness_->description());
+    if (monitorOnlyLocked_) {
+        page->lockMonitorOnly();
+    }
     connect(page, &SettingsPage::themeChosen, this, [this](const QString& chosen) {
         setTheme(chosen);
         settings_.setTheme(chosen);
@@ -1177,6 +1221,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
             preferences.speedCap > Preferences::kOrdinaryCap ? Severity::Warning : Severity::Info,
             tr("Speed cap %1").arg(format::speed(preferences.speedCap)), Origin::Operator);
     }
+    session_->setMonitorOnly(preferences.monitorOnly || monitorOnlyLocked_);
     holdTerms_.longestNs = preferences.longestHold * kNsPerSecond;
     // A copy: whoever hears of it may write into the original.
     const QMap<QString, DeviceTuning> tunings = preferences.devices;

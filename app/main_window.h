@@ -95,6 +95,8 @@ public:
     /// "light" or "dark"; remembered when the operator chose it.
     void setTheme(const QString& theme);
     void openProject(const QString& path);
+    /// Monitor only, whatever the settings say, as long as the window is there.
+    void lockMonitorOnly();
     /// From now on every stop of the safety system becomes a file in this folder, and a line of the log that opens it.
     void keepIncidentsIn(const QString& folder);
     /// From now on changes that are in no file are kept in this folder; offers those that an earlier window left there.
@@ -136,6 +138,7 @@ private:
     void showSamples();
     void showHelp();
     void askForProgram();
+    void askToTakeControl();
     void showSettings(bool atRecording = false);
     void openAnew(SettingsPage& page);
     void connectTransfer();
@@ -166,7 +169,8 @@ private:
     ReportSources reportSources() const;
 
     Settings settings_;
-    Preferences preferences_;  ///< as they hold now
+    Preferences preferences_;         ///< as they hold now
+    bool monitorOnlyLocked_ = false;  ///< by the command line
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;
     std::optional<RobotAddress> toRemember_;  ///< once it has answered

@@ -65,6 +65,7 @@ Preferences readPreferences(const SettingsView& settings) {
         // A file cannot raise it: only a hand on the settings page can.
         preferences.speedCap = std::clamp(cap, Preferences::kLowestCap, Preferences::kOrdinaryCap);
     }
+    preferences.monitorOnly = settings.value("motion/monitorOnly", false).toBool();
     bool isNumber = false;
     const int hold = settings.value("motion/longestHold", Preferences::kUsualLongestHold).toInt(&isNumber);
     if (isNumber) {
@@ -108,6 +109,7 @@ SettingsMap preferenceValues(const Preferences& preferences) {
         {"look/lengths", QLatin1String(kLengths[static_cast<int>(preferences.notation.length)])},
         {"look/rotations", QLatin1String(kRotations[static_cast<int>(preferences.notation.rotation)])},
         {"motion/speedCap", std::min(preferences.speedCap, Preferences::kOrdinaryCap)},
+        {"motion/monitorOnly", preferences.monitorOnly},
         {"motion/longestHold", preferences.longestHold},
         {"recording/folder", preferences.recording.folder},
         {"recording/pattern", preferences.recording.pattern},

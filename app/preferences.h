@@ -25,6 +25,8 @@ struct Preferences {
     Notation notation;
     /// Of the TCP and the elbow [m/s]. Above kOrdinaryCap it holds until the program ends and is not written.
     double speedCap = kOrdinaryCap;
+    /// The window changes nothing on the robot; only STOP works.
+    bool monitorOnly = false;
     /// After this time a held jog needs a new press [s].
     int longestHold = kUsualLongestHold;
     /// By action id; only those that differ from the built-in ones. An empty one: no key.

@@ -148,11 +148,11 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
     };
     table.add({"control.take",
                tr("Take control"),
-               tr("Starts the control program on the robot, which stops any other program."),
+               tr("Starts the control program on the robot. Asks before it stops another program."),
                {},
                [&session] { session.takeControl(); },
                [](const SessionState& s) {
-                   const QString why = needsNormalSafety(s);
+                   const QString why = s.monitorOnly ? texts::monitorOnlyObstacle() : needsNormalSafety(s);
                    return !why.isEmpty()                         ? why
                           : s.robotMode != RobotMode::Running    ? robotModeWords(s.robotMode).advice
                           : s.control == ControlState::InControl ? tr("In control already.")

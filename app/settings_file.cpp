@@ -152,7 +152,7 @@ SettingsPart partOf(const QString& key) {
 bool travels(const QString& key) {
     const QString group = key.section(u'/', 0, 0);
     return group != QLatin1String("projects") && group != QLatin1String("session") &&
-           key != QLatin1String("window/geometry");
+           key != QLatin1String("window/geometry") && key != QLatin1String("motion/monitorOnly");
 }
 
 QMap<QString, QVariant> SettingsBundle::part(SettingsPart which) const {

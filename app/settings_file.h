@@ -23,7 +23,8 @@ inline constexpr SettingsPart kSettingsParts[] = {
 
 /// key  as QSettings has it: "look/density"
 SettingsPart partOf(const QString& key);
-/// False for what means something on this computer only: the files worked in, the place of the window.
+/// False for what means something on this computer only: the files worked in, the place of the window, the lock of a PC
+/// that only monitors.
 bool travels(const QString& key);
 
 struct SettingsBundle {

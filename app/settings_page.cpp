@@ -2,6 +2,7 @@
 #include "app/settings_page.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
@@ -140,6 +141,9 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
         choice("settings.rotations", tr("Rotations"),
                {tr("Roll, pitch, yaw in degrees"), tr("Rotation vector in radians, as scripts write it")},
                static_cast<int>(preferences_.notation.rotation));
+    monitorOnly_ = new QCheckBox(tr("Monitor only"));
+    monitorOnly_->setObjectName("settings.monitorOnly");
+    monitorOnly_->setChecked(preferences_.monitorOnly);
     cap_ = new FigureBox;
     cap_->setObjectName("settings.speedCap");
     cap_->setAccessibleName(tr("Speed cap of this program"));
@@ -182,6 +186,11 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
                  note(tr("How lengths, speeds of the TCP and orientations are shown and typed. Plots "
                          "and files keep metres, millimetres and degrees."),
                       "secondary"));
+    form->addRow(tr("Robot"), monitorOnly_);
+    form->addRow(QString(),
+                 note(tr("For a PC that only watches: this window changes nothing on the robot. It takes no "
+                         "control, sets no outputs and starts no programs. STOP still works."),
+                      "secondary"));
     form->addRow(tr("Speed cap"), cap_);
     form->addRow(QString(), capNote_);
     form->addRow(tr("Longest hold"), longestHold_);
@@ -210,6 +219,10 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     });
     connect(longestHold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         preferences_.longestHold = static_cast<int>(value);
+        Q_EMIT preferencesChanged(preferences_);
+    });
+    connect(monitorOnly_, &QCheckBox::toggled, this, [this](bool on) {
+        preferences_.monitorOnly = on;
         Q_EMIT preferencesChanged(preferences_);
     });
     connect(cap_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -365,9 +378,10 @@ QWidget* SettingsPage::buildShortcuts() {
     row->addWidget(defaults);
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 12, 0, 0);
-    layout->addWidget(note(tr("Press the new key in the field; Backspace takes it away. Space and Esc always "
-                              "stop the arm."),
-                           "secondary"));
+    layout->addWidget(
+        note(tr("Press the new key in the field; Backspace takes it away. In control, Space and "
+                "Esc always stop the arm."),
+             "secondary"));
     layout->addWidget(shortcuts_, 1);
     layout->addLayout(row);
     showShortcuts();
@@ -432,6 +446,13 @@ bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
     hint_->clear();
     Q_EMIT preferencesChanged(preferences_);
     return true;
+}
+
+void SettingsPage::lockMonitorOnly() {
+    const QSignalBlocker quiet(monitorOnly_);
+    monitorOnly_->setChecked(true);
+    monitorOnly_->setEnabled(false);
+    monitorOnly_->setText(tr("Monitor only (chosen on the command line)"));
 }
 
 void SettingsPage::setHoldNote(const QString& text) {

@@ -8,6 +8,7 @@
 
 #include "app/preferences.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -39,6 +40,8 @@ public:
     QString hint() const;
     /// Says who confirms that a key is held, or that nobody does.
     void setHoldNote(const QString& text);
+    /// The command line has chosen monitor only: it is shown and cannot be changed here.
+    void lockMonitorOnly();
     /// Says why the window cannot be built anew now.
     void refuseAnew(const QString& reason);
     /// Brings the page about recordings to the front.
@@ -85,6 +88,7 @@ private:
     QPushButton* anew_ = nullptr;
     QComboBox* lengths_ = nullptr;
     QComboBox* rotations_ = nullptr;
+    QCheckBox* monitorOnly_ = nullptr;
     FigureBox* cap_ = nullptr;
     QLabel* capNote_ = nullptr;
     FigureBox* longestHold_ = nullptr;

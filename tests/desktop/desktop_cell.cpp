@@ -94,17 +94,43 @@ void Child::signal(int number) {
 
 // ---- DesktopCell
 
-QString DesktopCell::obstacle() {
-    for (const char* tool : {"Xvfb", "openbox", "setxkbmap", "xkbcomp"}) {
+namespace {
+
+/// How it is started.
+struct WindowManager {
+    QString name;
+    QStringList arguments;
+    bool needsBus = false;  ///< a message bus of its own
+};
+
+WindowManager windowManagerOf(const QString& name) {
+    for (const WindowManager& each : {WindowManager{"xfwm4", {"--compositor=off"}, true},
+                                      WindowManager{"metacity", {"--no-composite"}}}) {
+        if (each.name == name) {
+            return each;
+        }
+    }
+    return {DesktopCell::kOpenbox, {"--config-file", TILLER_OPENBOX_CONFIG}};
+}
+
+}  // namespace
+
+QString DesktopCell::obstacle(const QString& windowManager) {
+    QStringList tools{"Xvfb", "setxkbmap", "xkbcomp", windowManager};
+    if (windowManagerOf(windowManager).needsBus) {
+        tools << "dbus-run-session";
+    }
+    for (const QString& tool : tools) {
         if (QStandardPaths::findExecutable(tool).isEmpty()) {
             return QStringLiteral("%1 is not installed; packaging/dependencies lists what the tests need")
-                .arg(QLatin1String(tool));
+                .arg(tool);
         }
     }
     return {};
 }
 
-DesktopCell::DesktopCell(QSize screen) : screen_(screen) {}
+DesktopCell::DesktopCell(QSize screen, const QString& windowManager)
+    : screen_(screen), windowManagerName_(windowManager) {}
 
 DesktopCell::~DesktopCell() {
     if (hand_) {
@@ -123,8 +149,10 @@ QProcessEnvironment DesktopCell::environment() const {
 
 bool DesktopCell::fail(const QString& what) {
     what_ = what;
-    for (const auto& [name, child] :
-         {std::pair{"display", &display_}, {"controller", &controller_}, {"program", &program_}}) {
+    for (const auto& [name, child] : {std::pair{"display", &display_},
+                                      {"window manager", &windowManager_},
+                                      {"controller", &controller_},
+                                      {"program", &program_}}) {
         if (const QString said = child->output().trimmed(); !said.isEmpty()) {
             what_ += QStringLiteral("\n%1 said: %2").arg(QLatin1String(name), said.right(2000));
         }
@@ -155,12 +183,17 @@ bool DesktopCell::startDisplay() {
     if (!hand_->canDrive()) {
         return fail("the display cannot be driven: XTEST or XKEYBOARD is missing");
     }
-    if (!windowManager_.start("openbox", {"--config-file", TILLER_OPENBOX_CONFIG}, environment())) {
-        return fail("openbox could not be started");
+    const WindowManager manager = windowManagerOf(windowManagerName_);
+    const QStringList bus = manager.needsBus ? QStringList{"dbus-run-session", "--"} : QStringList();
+    QStringList command = bus + QStringList{manager.name} + manager.arguments;
+    const QString program = command.takeFirst();
+    if (!windowManager_.start(program, command, environment())) {
+        return fail(program + " could not be started");
     }
-    // It has taken over when it names the desktop that is shown; there are several of them.
-    if (!until([&] { return hand_->desktopCount() > 1; })) {
-        return fail("openbox does not manage the display");
+    // It has taken over when it names the desktops; openbox has several of them.
+    const int desktops = windowManagerName_ == kOpenbox ? 2 : 1;
+    if (!until([&] { return hand_->desktopCount() >= desktops; })) {
+        return fail(windowManagerName_ + " does not manage the display");
     }
     return setLayout("us");
 }
@@ -204,15 +237,21 @@ bool DesktopCell::startProgram() {
     if (!until([&] { return place("mainWindow").active; })) {
         return fail("the window did not become active");
     }
+    return takeControl() || fail("the window did not take control");
+}
+
+bool DesktopCell::takeControl() {
     // The one step that is next: first none, while it connects, then "Take control".
-    const bool inControl = until([&] {
+    return until([&] {
+        if (place("jog.X+").enabled) {
+            return true;
+        }
         const Place step = place("nextStepButton");
         if (step.visible && step.enabled && step.text == "Take control") {
             click("nextStepButton");
         }
         return until([&] { return place("jog.X+").enabled; }, 1000);
     });
-    return inControl || fail("the window did not take control");
 }
 
 bool DesktopCell::bringUp() {

@@ -60,9 +60,10 @@ struct Place {
 class DesktopCell {
 public:
     /// What is missing on this machine; empty when nothing is.
-    static QString obstacle();
+    static QString obstacle(const QString& windowManager = kOpenbox);
 
-    explicit DesktopCell(QSize screen = {1280, 800});
+    /// windowManager  "openbox", "xfwm4" or "metacity"
+    explicit DesktopCell(QSize screen = {1280, 800}, const QString& windowManager = kOpenbox);
     ~DesktopCell();
 
     /// Display, window manager, controller, window; the arm watched, in control. All of it waits on what is
@@ -75,6 +76,8 @@ public:
     XHand& hand() { return *hand_; }
     ArmWatch& arm() { return *arm_; }
     QString displayName() const { return displayName_; }
+    /// Of the simulated controller.
+    QString host() const { return host_; }
     /// For programs that are to run on this display.
     QProcessEnvironment environment() const;
     Child& display() { return display_; }
@@ -92,12 +95,15 @@ public:
     bool click(const QString& name);
     /// Brings the window to the front where it is not, and closes what is open over it.
     bool toTheFront();
+    /// Takes control by the key in the header, where it is not taken.
+    bool takeControl();
     /// Arms the keyboard jog by its shortcut.
     bool armKeyboard();
     /// The controller's hand-made faults: "hand 30 0 0".
     bool fault(const QString& words);
 
     static constexpr int kPatienceMs = 60'000;
+    static inline const QString kOpenbox = QStringLiteral("openbox");
 
 private:
     bool fail(const QString& what);
@@ -107,6 +113,7 @@ private:
 
     QTemporaryDir folder_;
     QSize screen_;
+    QString windowManagerName_;
     QString displayName_;
     QString host_;
     QString what_;

@@ -250,7 +250,7 @@ bool RandomUser::begin() {
     while (!session.state().canMove() && patience.ms() < kConnectMs && !patience.isHopeless()) {
         if (session.state().link == LinkState::Live && !asked) {
             asked = true;
-            session.takeControl();
+            session.takeControl(RobotSession::ForeignProgram::Stop);
         }
         patience.wait();
     }
@@ -756,7 +756,7 @@ void RandomUser::care() {
     } else if (truth.robotMode == RobotMode::Running && state.link == LinkState::Live &&
                (state.control == ControlState::None || state.control == ControlState::Refused)) {
         note(QStringLiteral("care: takes control"));
-        session.takeControl();
+        session.takeControl(RobotSession::ForeignProgram::Stop);
     }
 }
 

@@ -32,6 +32,14 @@ private Q_SLOTS:
         QCOMPARE(line->demoDirectory, QString("/tmp/x"));
     }
 
+    void monitorOnlyIsAnOption() {
+        QVERIFY(!parseCommandLine({"tiller", "--robot", "x"})->monitorOnly);
+        const Result<CommandLine> line = parseCommandLine({"tiller", "--robot", "x", "--monitor-only"});
+        QVERIFY(line.ok());
+        QVERIFY(line->monitorOnly);
+        QVERIFY(line->helpText.contains("--monitor-only"));
+    }
+
     void aProjectIsOpenedByItsNameOrByTheFormerOne() {
         QCOMPARE(parseCommandLine({"tiller", "--project", "a.tiller"})->projectFile, QString("a.tiller"));
         QCOMPARE(parseCommandLine({"tiller", "--session", "b.tiller"})->projectFile, QString("b.tiller"));
@@ -56,6 +64,8 @@ private Q_SLOTS:
         QTest::newRow("stray word") << QStringList{"192.168.0.10"} << "192.168.0.10";
         QTest::newRow("two projects") << QStringList{"a.tiller", "b.tiller"} << "b.tiller";
         QTest::newRow("a project twice") << QStringList{"a.tiller", "--project", "b.tiller"} << "a.tiller";
+        QTest::newRow("demonstration that only monitors")
+            << QStringList{"--demo", "/tmp/x", "--monitor-only"} << "--monitor-only";
         QTest::newRow("both robots") << QStringList{"--robot", "x", "--simulator"} << "exclude";
         QTest::newRow("demonstration on a real robot")
             << QStringList{"--demo", "d", "--robot", "x"} << "simulated";

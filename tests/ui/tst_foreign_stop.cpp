@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A program that is not ours moves the arm, and the operator at this window wants it to stand: STOP, Esc,
-// Space and a device's stop key, wherever the focus is, whatever the robot's dashboard does meanwhile. The
-// real window, real events, real sockets, the simulated robot in virtual time.
+// A program that is not ours moves the arm while this window only monitors. STOP and a device's stop key stop it at once,
+// wherever the focus is, whatever the robot's dashboard does meanwhile. Space and Esc belong to the focused control, and
+// control is taken only after a question. The real window, real events, real sockets, the simulated robot in virtual time.
 
+#include <QAbstractButton>
 #include <QDialog>
 #include <QLineEdit>
+#include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
 #include <QTcpServer>
 #include <QTest>
 #include <QVBoxLayout>
 #include <QWindow>
-#include <functional>
-#include <memory>
 
 #include "app/action_table.h"
 #include "resources/resources.h"
-#include "robot/script/script_client.h"
-#include "tests/support/waiting.h"
-#include "tests/support/window_bench.h"
-#include "tests/ui/jog_fixture.h"
+#include "tests/ui/foreign_program_bench.h"
 #include "widgets/common/state_chip.h"
-#include "widgets/jog/device_jog.h"
-#include "widgets/status/stop_button.h"
+#include "widgets/status/recovery_page.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -29,128 +27,11 @@ using control::StopCause;
 
 namespace {
 
-/// Robot time in which the robot has read the stop and does it; the rest is braking [ms].
-constexpr int kAtOnceMs = 20;
-constexpr int kBrakingMs = 1000;
-constexpr int kPatienceMs = 20'000;
-
-struct Pad : InputDevice {
-    explicit Pad(DeviceReading& r) : reading(r) {}
-    QString name() const override { return QStringLiteral("Test pad"); }
-    DeviceShape shape() const override { return {}; }
-    std::optional<DeviceReading> read() override { return reading; }
-    DeviceReading& reading;
-};
-
-struct PadSource : DeviceSource {
-    explicit PadSource(DeviceReading& r) : reading(r) {}
-    std::vector<std::unique_ptr<InputDevice>> appeared() override {
-        std::vector<std::unique_ptr<InputDevice>> found;
-        if (!std::exchange(given, true)) {
-            found.push_back(std::make_unique<Pad>(reading));
-        }
-        return found;
-    }
-    DeviceReading& reading;
-    bool given = false;
-};
-
-enum class Way { StopButton, Escape, Space, Device };
-constexpr const char* kWays[] = {"STOP", "Esc", "Space", "device"};
-constexpr StopCause kCauses[] = {StopCause::StopButton, StopCause::Escape, StopCause::Space,
-                                 StopCause::StopButton};
+using Bench = ForeignProgramBench;
 enum class Focus { Window, TextField, Table, Dialog, Palette };
 constexpr const char* kFocuses[] = {"window", "text field", "table", "dialog", "palette"};
-
-struct Bench : WindowBench {
-    DeviceReading pad;
-    std::shared_ptr<QStringList> said = std::make_shared<QStringList>();  ///< the window outlives us
-    QStringList& errors = *said;
-    std::unique_ptr<script::ScriptClient> pendant;
-
-    explicit Bench(const simulator::SimulatorOptions& robot = VirtualCell::options()) : WindowBench(robot) {
-        QObject::connect(&window.session(), &RobotSession::message, &window,
-                         [all = said](Severity severity, const QString& text) {
-                             if (severity == Severity::Error) {
-                                 *all << text;
-                             }
-                         });
-        window.devices().addSource(std::make_unique<PadSource>(pad));
-        show();
-    }
-
-    const SessionState& state() { return window.session().state(); }
-    bool runs() const { return cell.truth().runtimeState == RuntimeState::Playing; }
-
-    /// What others start: the base goes to and fro.
-    bool startProgram(const char* body =
-                          "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
-                          "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n") {
-        pendant = std::make_unique<script::ScriptClient>(
-            cell.robot.listenAddress(), script::kPrimaryPort + cell.robot.options().portOffset);
-        return pendant->connect(patience()).ok() &&
-               pendant
-                   ->send(QStringLiteral("def others():\nwhile True:\n%1sync()\nend\nend\n")
-                              .arg(QLatin1String(body)),
-                          patience())
-                   .ok() &&
-               within([this] { return runs() && state().runtimeState == RuntimeState::Playing; });
-    }
-    bool startMoving() {
-        return startProgram() && within([this] {
-                   return tcpSpeed(cell) > 0.2 && state().moving &&
-                          window.session().services().stopsForeignProgramsAtOnce();
-               });
-    }
-    /// Robot and window go on together until the condition holds; in real time, because others take part.
-    bool within(const std::function<bool()>& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
-            cell.advanceMs(16);
-        }
-        return condition();
-    }
-    /// The word is on its way when the key comes up; the robot reads it with its next periods.
-    bool stopsAtOnce() {
-        for (int ms = 0; ms < kAtOnceMs && runs(); ms += 2) {
-            cell.robot.drainSockets();
-            cell.advanceMs(2);
-        }
-        return !runs();
-    }
-    bool comesToRest() {
-        return cell.advanceUntil(
-            [this] {
-                return cell.truth().runtimeState == RuntimeState::Stopped && standsStill(cell) &&
-                       state().runtimeState == RuntimeState::Stopped;
-            },
-            kBrakingMs);
-    }
-
-    void stop(Way way) {
-        QWidget* focus = QApplication::focusWidget();
-        QWidget* target = focus != nullptr ? focus : QApplication::activeWindow();
-        switch (way) {
-            case Way::StopButton:
-                sendMouse(find<StopButton>("stopButton"), QEvent::MouseButtonPress);
-                sendMouse(find<StopButton>("stopButton"), QEvent::MouseButtonRelease);
-                break;
-            case Way::Escape:
-                QTest::keyClick(target, Qt::Key_Escape);
-                break;
-            case Way::Space:
-                QTest::keyClick(target, Qt::Key_Space);
-                break;
-            case Way::Device:
-                pad.stop = true;
-                window.devices().poll();
-                pad.stop = false;
-                window.devices().poll();
-                break;
-        }
-    }
-};
+enum class Path { Header, Command, Recovery };
+constexpr const char* kPaths[] = {"header", "command", "recovery page"};
 
 /// The dashboard's port taken by somebody who never says a word: PolyScope X has no dashboard of its own.
 simulator::SimulatorOptions withoutDashboard() {
@@ -168,7 +49,7 @@ class TestForeignStop : public QObject {
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    void everyWayStopsItWhateverHasTheFocus_data() {
+    void stopStopsItAndTheKeysBelongToTheFocus_data() {
         QTest::addColumn<Way>("way");
         QTest::addColumn<Focus>("focus");
         for (const Focus focus :
@@ -180,7 +61,7 @@ private Q_SLOTS:
             }
         }
     }
-    void everyWayStopsItWhateverHasTheFocus() {
+    void stopStopsItAndTheKeysBelongToTheFocus() {
         QFETCH(Way, way);
         QFETCH(Focus, focus);
         Bench bench;
@@ -193,7 +74,7 @@ private Q_SLOTS:
         auto* inDialog = new QLineEdit(&dialog);
         layout->addWidget(inDialog);
         QLineEdit* typed = nullptr;
-        QDialog* open = nullptr;
+        QPointer<QDialog> open;
         switch (focus) {
             case Focus::Window:
                 bench.window.setFocus();
@@ -227,28 +108,137 @@ private Q_SLOTS:
         const std::uint64_t stops = bench.state().lastStop.count;
 
         bench.stop(way);
+        if (way == Way::Escape || way == Way::Space) {
+            bench.cell.robot.drainSockets();
+            bench.cell.advanceMs(500);
+            QVERIFY2(bench.runs(), "a key of the focused control ended the program");
+            QVERIFY(way == Way::Escape || typed == nullptr || typed->text() == QStringLiteral(" "));
+            QTRY_VERIFY(way == Way::Space || open == nullptr || !open->isVisible());
+            return;
+        }
         QVERIFY2(bench.stopsAtOnce(), "the program goes on");
         QVERIFY2(bench.comesToRest(), "the arm goes on");
-        // The key meant stop and nothing else.
         QVERIFY(typed == nullptr || typed->text().isEmpty());
         QVERIFY(open == nullptr || open->isVisible());
         // The way it took is measured, and shown.
         QVERIFY(bench.within([&] { return bench.state().lastStop.count > stops; }));
-        QCOMPARE(bench.state().lastStop.cause, kCauses[static_cast<int>(way)]);
+        QCOMPARE(bench.state().lastStop.cause, StopCause::StopButton);
         QVERIFY(bench.state().lastStop.durationMs > 0);
         QVERIFY(bench.state().lastStop.distanceMm > 1);
         QCOMPARE(bench.find<StateChip>("lastStopChip").text().contains(QStringLiteral("ms")), true);
         QVERIFY2(bench.errors.isEmpty(), qPrintable(bench.errors.join('\n')));
-        // Once it stands, and a moment has gone by, the keys are keys again.
-        bench.cell.advanceMs(1100);
-        if (typed != nullptr) {
-            QTest::keyClicks(typed, QStringLiteral("a b"));
-            QCOMPARE(typed->text(), QStringLiteral("a b"));
+    }
+
+    void aFocusedButtonIsPressedBySpace() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        auto& button = bench.find<QAbstractButton>("plots.pause");
+        QVERIFY(button.isVisible());
+        button.setFocus();
+        const QString before = button.text();
+        QTest::keyClick(&button, Qt::Key_Space);
+        QTRY_VERIFY(button.text() != before);
+        bench.cell.robot.drainSockets();
+        bench.cell.advanceMs(500);
+        QVERIFY(bench.runs());
+    }
+
+    void theStopKeySaysHowItStops() {
+        Bench bench;
+        const auto& stop = bench.find<StopButton>("stopButton");
+        QVERIFY(!stop.keysStop());
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        QVERIFY(!stop.keysStop());
+        QVERIFY2(stop.toolTip().contains(QStringLiteral("Click")), qPrintable(stop.toolTip()));
+        bench.window.session().takeControl(RobotSession::ForeignProgram::Stop);
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
+        QVERIFY(stop.keysStop());
+        QVERIFY2(stop.toolTip().contains(QStringLiteral("Space and Esc stop")), qPrintable(stop.toolTip()));
+        bench.window.session().releaseControl();
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
+        QVERIFY(!stop.keysStop());
+    }
+
+    void takingControlAsksFirst_data() {
+        QTest::addColumn<Path>("path");
+        QTest::addColumn<bool>("paused");
+        for (const bool paused : {false, true}) {
+            for (const Path path : {Path::Header, Path::Command, Path::Recovery}) {
+                QTest::addRow("%s, %s", kPaths[static_cast<int>(path)], paused ? "paused" : "running")
+                    << path << paused;
+            }
         }
-        if (open != nullptr) {
-            QTest::keyClick(typed, Qt::Key_Escape);
-            QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
+    }
+    void takingControlAsksFirst() {
+        QFETCH(Path, path);
+        QFETCH(bool, paused);
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        RecoveryPage* recovery = nullptr;
+        if (path == Path::Recovery) {
+            // Left open from an earlier stop.
+            bench.window.actions().find("power.recover")->setEnabled(true);
+            bench.window.actions().find("power.recover")->trigger();
+            recovery = bench.window.findChild<RecoveryPage*>();
+            QVERIFY(recovery != nullptr && QTest::qWaitForWindowActive(recovery));
         }
+        QVERIFY(bench.startMoving());
+        if (paused) {
+            QVERIFY(bench.pendant->send(QStringLiteral("pause program\n"), patience()).ok());
+        }
+        const RuntimeState before = paused ? RuntimeState::Paused : RuntimeState::Playing;
+        QVERIFY(bench.within([&] { return bench.state().runtimeState == before; }));
+        const auto take = [&] {
+            switch (path) {
+                case Path::Header:
+                    QTest::mouseClick(&bench.find<QPushButton>("nextStepButton"), Qt::LeftButton);
+                    break;
+                case Path::Command:
+                    bench.window.actions().find("control.take")->trigger();
+                    break;
+                case Path::Recovery:
+                    recovery->findChild<QPushButton*>("recoveryKey")->click();
+                    break;
+            }
+        };
+        const auto question = [&]() -> QMessageBox* {
+            for (QWidget* window : QApplication::topLevelWidgets()) {
+                if (window->objectName() == QStringLiteral("takeControlQuestion") && window->isVisible()) {
+                    return qobject_cast<QMessageBox*>(window);
+                }
+            }
+            return nullptr;
+        };
+        // Return, Space and Esc all answer No.
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space, Qt::Key_Escape}) {
+            QVERIFY(bench.within([&] { return bench.find<QPushButton>("nextStepButton").isEnabled(); }));
+            take();
+            QVERIFY2(question() != nullptr, "control is taken without a question");
+            QVERIFY2(
+                question()->text().contains(paused ? QStringLiteral("paused") : QStringLiteral("running")),
+                qPrintable(question()->text()));
+            QVERIFY(QTest::qWaitForWindowActive(question()));
+            QTest::keyClick(question()->focusWidget(), key);
+            QTRY_VERIFY(question() == nullptr);
+            bench.cell.robot.drainSockets();
+            bench.cell.advanceMs(500);
+            QCOMPARE(bench.cell.truth().runtimeState, before);
+            QCOMPARE(bench.state().control, ControlState::None);
+            // The key in the header keeps its place for half a second of real time.
+            QTest::qWait(600);
+        }
+        take();
+        QVERIFY(question() != nullptr);
+        question()->findChild<QPushButton*>("takeControlQuestion.take")->click();
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
+    }
+    void takingControlOfAnIdleRobotDoesNotAsk() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.window.actions().find("control.take")->trigger();
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
     }
 
     // A dialog keeps the mouse from the window behind it; STOP is where it always is all the same.
@@ -280,7 +270,7 @@ private Q_SLOTS:
     // Its dashboard takes the connection and never says a word; a question to it is under way.
     void aMuteDashboardDelaysNothing_data() {
         QTest::addColumn<Way>("way");
-        for (const Way way : {Way::StopButton, Way::Escape, Way::Space, Way::Device}) {
+        for (const Way way : {Way::StopButton, Way::Device}) {
             QTest::newRow(kWays[static_cast<int>(way)]) << way;
         }
     }
@@ -313,7 +303,7 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.startMoving());
-        bench.window.session().takeControl();
+        bench.window.session().takeControl(RobotSession::ForeignProgram::Stop);
         bench.cell.advanceMs(afterMs);
         bench.stop(way);
         QVERIFY(bench.within([&] { return standsStill(bench.cell); }));
@@ -341,7 +331,7 @@ private Q_SLOTS:
                 .ok());
         QElapsedTimer real;
         real.start();
-        while (tcpSpeed(bench.cell) < 0.05 && real.elapsed() < kPatienceMs) {
+        while (tcpSpeed(bench.cell) < 0.05 && real.elapsed() < kForeignPatienceMs) {
             bench.cell.robot.drainSockets();
             bench.cell.advanceMs(2);
         }
@@ -356,12 +346,12 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.startProgram("sleep(0.1)\n"));
-        bench.stop(Way::Escape);
+        bench.stop(Way::StopButton);
         QVERIFY(bench.stopsAtOnce());
         QVERIFY(bench.comesToRest());
     }
 
-    // Nothing moves, so Esc closes what it closes; STOP means the program all the same.
+    // STOP means a program that is paused as well.
     void aPausedProgramIsEndedByStopAlone() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

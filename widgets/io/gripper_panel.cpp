@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/io/gripper_panel.h"
+#include "widgets/session/texts.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -486,6 +487,9 @@ QString GripperPanel::obstacleOfLink() const {
     }
     if (state_.link != LinkState::Live) {
         return tr("No data from the robot.");
+    }
+    if (state_.monitorOnly) {
+        return texts::monitorOnlyObstacle();
     }
     // The same word for all keys: they light up together.
     return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("One moment…") : QString();

@@ -57,9 +57,10 @@ void IoChannel::setStale(bool stale) {
     }
 }
 
-void IoChannel::setObstacle(const QString& why) {
-    if (why != obstacle_) {
+void IoChannel::setObstacle(const QString& why, const QString& word) {
+    if (why != obstacle_ || word != obstacleWord_) {
         obstacle_ = why;
+        obstacleWord_ = word;
         describe();
         update();
     }
@@ -143,7 +144,7 @@ void IoChannel::paintEvent(QPaintEvent*) {
     painter.setFont(textFont(14));
     painter.setPen(live ? theme.text : theme.disabledText);
     const QRect nameBox = nameRect();
-    const QString shown = obstacle_.isEmpty() ? name_ : tr("%1 (held by another)").arg(name_).trimmed();
+    const QString shown = obstacle_.isEmpty() ? name_ : tr("%1 (%2)").arg(name_, obstacleWord_).trimmed();
     painter.drawText(nameBox, Qt::AlignVCenter | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(shown, Qt::ElideRight, nameBox.width()));
 

@@ -28,8 +28,9 @@ public:
     /// Old data: the last state is shown, greyed.
     void setStale(bool stale);
     bool isStale() const { return stale_; }
-    /// Why the output cannot be switched by us: somebody else holds it. Empty when it can.
-    void setObstacle(const QString& why);
+    /// why   the output cannot be switched by us, as a sentence; empty when it can
+    /// word  shown behind the name
+    void setObstacle(const QString& why, const QString& word = {});
     QString obstacle() const { return obstacle_; }
     /// "on", "off", "pending…", "no data"
     QString stateWord() const;
@@ -61,6 +62,7 @@ private:
     QString terminal_;
     QString name_;
     QString obstacle_;
+    QString obstacleWord_;
     bool output_;
     bool stale_ = true;
     State state_ = State::Unknown;

@@ -16,6 +16,7 @@
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/register_panel.h"
+#include "widgets/session/texts.h"
 
 namespace tiller {
 namespace {
@@ -273,6 +274,7 @@ void IoTab::search(const QString& text) {
 
 void IoTab::refresh() {
     using State = IoChannel::State;
+    registers_->setLock(state_.monitorOnly ? texts::monitorOnlyObstacle() : QString());
     // What was looks as old as it is.
     const bool stale = state_.link != LinkState::Live || replay_;
     const bool known = replay_ ? !replay_->sample.isEmpty() : state_.hasData();
@@ -307,7 +309,12 @@ void IoTab::refresh() {
             notice_->resolve(QLatin1String(kUnconfirmed));
         }
         out->setStale(stale);
-        out->setObstacle(stale ? QString() : session_.outputs().holders().digital(channel));
+        if (state_.monitorOnly) {
+            out->setObstacle(texts::monitorOnlyObstacle(), tr("locked"));
+        } else {
+            out->setObstacle(stale ? QString() : session_.outputs().holders().digital(channel),
+                             tr("held by another"));
+        }
         out->setState(!known    ? State::Unknown
                       : pending ? (on ? State::PendingOff : State::PendingOn)
                       : on      ? State::On
@@ -407,8 +414,9 @@ void IoTab::refreshAnalog(bool known, bool stale) {
         analogOutputs_[channel]->setValue(robot.analogOutput(channel), domain(2 + channel),
                                           !std::isnan(robot.analogOutput(channel)), stale);
         analogOutputs_[channel]->setObstacle(replay_ ? tr("This is a replay: go back to live first.")
-                                             : stale ? tr("No data from the robot.")
-                                                     : session_.outputs().holders().analog);
+                                             : state_.monitorOnly ? texts::monitorOnlyObstacle()
+                                             : stale              ? tr("No data from the robot.")
+                                                                  : session_.outputs().holders().analog);
     }
     registers_->show(robot, stale);
 }

@@ -26,7 +26,11 @@ constexpr int kUpper = 24;
 }  // namespace
 
 RegisterPanel::RegisterPanel(QWidget* parent)
-    : QWidget(parent), kind_(new ChoiceBox), number_(new FigureBox), value_(new FigureBox) {
+    : QWidget(parent)
+    , kind_(new ChoiceBox)
+    , number_(new FigureBox)
+    , value_(new FigureBox)
+    , write_(new QPushButton(tr("Write"))) {
     setObjectName(QStringLiteral("io.registers"));
     setAccessibleName(tr("General purpose registers"));
     auto* layout = new QVBoxLayout(this);
@@ -68,24 +72,23 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     number_->setAccessibleName(tr("Number of the input register"));
     value_->setObjectName(QStringLiteral("io.register.value"));
     value_->setAccessibleName(tr("Value for the input register"));
-    auto* write = new QPushButton(tr("Write"));
-    write->setObjectName(QStringLiteral("io.register.write"));
+    write_->setObjectName(QStringLiteral("io.register.write"));
     kind_->setFixedWidth(std::max(100, kind_->sizeHint().width()));
     number_->setDecimals(0);
     number_->setFixedWidth(64);
     value_->setMinimumWidth(80);
     value_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    write->setProperty("dense", true);
+    write_->setProperty("dense", true);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(0, 6, 0, 0);
     row->setSpacing(8);
     row->addWidget(kind_);
     row->addWidget(number_);
     row->addWidget(value_, 1);
-    row->addWidget(write);
+    row->addWidget(write_);
     layout->addLayout(row);
     connect(kind_, &QComboBox::currentIndexChanged, this, &RegisterPanel::fitKind);
-    connect(write, &QPushButton::clicked, this, [this] {
+    connect(write_, &QPushButton::clicked, this, [this] {
         for (FigureBox* box : {number_, value_}) {
             if (box->isRefused()) {
                 box->explainRefusal();
@@ -127,6 +130,11 @@ void RegisterPanel::showNothing() {
     for (const Row& row : rows_) {
         row.value->setText(QStringLiteral("–"));
     }
+}
+
+void RegisterPanel::setLock(const QString& reason) {
+    write_->setEnabled(reason.isEmpty());
+    write_->setToolTip(reason);
 }
 
 bool RegisterPanel::filter(const QString& text) {

@@ -27,6 +27,8 @@ public:
     /// Shows what is in this sample; fields it does not have show a dash.
     void show(const receive::RobotState& robot, bool stale);
     void showNothing();
+    /// reason  why nothing can be written, as a sentence; empty: it can
+    void setLock(const QString& reason);
     /// Hides the rows that do not match.
     /// Returns  whether any does
     bool filter(const QString& text);
@@ -48,6 +50,7 @@ private:
     QComboBox* kind_;
     FigureBox* number_;
     FigureBox* value_;
+    QPushButton* write_;
 };
 
 }  // namespace tiller

@@ -2,17 +2,49 @@
 #include "widgets/jog/stop_keys.h"
 
 #include <QApplication>
+#include <QInputMethodQueryEvent>
 #include <QKeyEvent>
+#include <QShortcut>
+#include <algorithm>
+#include <utility>
 
-#include "widgets/common/text_entry.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller {
 
 using control::StopCause;
 
-StopKeys::StopKeys(std::function<void(StopCause)> stop, std::function<bool()> moving, QObject* parent)
-    : QObject(parent), stop_(std::move(stop)), moving_(std::move(moving)) {
+namespace {
+
+bool isStopKey(const QKeyEvent& event) {
+    return event.key() == Qt::Key_Space || event.key() == Qt::Key_Escape;
+}
+
+bool isYounger(const std::optional<std::int64_t>& sinceNs, std::int64_t nowNs, int ms) {
+    return sinceNs && nowNs - *sinceNs < ms * kNsPerMs;
+}
+
+/// The key with every combination of modifiers.
+QList<QKeySequence> sequencesOf(Qt::Key key) {
+    constexpr Qt::KeyboardModifier kModifiers[] = {Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier,
+                                                   Qt::MetaModifier};
+    QList<QKeySequence> sequences;
+    for (unsigned mask = 0; mask < 1U << std::size(kModifiers); ++mask) {
+        Qt::KeyboardModifiers modifiers;
+        for (std::size_t i = 0; i < std::size(kModifiers); ++i) {
+            modifiers.setFlag(kModifiers[i], (mask >> i & 1U) != 0);
+        }
+        sequences.append(QKeySequence(QKeyCombination(modifiers, key)));
+    }
+    return sequences;
+}
+
+}  // namespace
+
+StopKeys::StopKeys(std::function<void(StopCause)> stop, std::function<Use()> use, QObject* parent)
+    : QObject(parent), stop_(std::move(stop)), use_(std::move(use)) {
+    // The keys of a dialog that is not Qt's own would not pass here.
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     qApp->installEventFilter(this);
 }
 
@@ -24,60 +56,125 @@ StopKeys::StopKeys(RobotSession& session, const Clock& clock, QObject* parent)
               }
               session.stop(cause);
           },
-          [this, &clock] {
-              const std::int64_t now = clock.nowNs();
-              if (dark_) {
-                  // What moved then may move on: until the stop has had its time the keys mean nothing else.
-                  return movedBeforeDark_ && (!stoppedDarkNs_ || isReflex(*stoppedDarkNs_, now));
-              }
-              // The state is a picture some milliseconds old: a reflex just after standstill means stop as
-              // well.
-              return lastMotionNs_ && isReflex(*lastMotionNs_, now);
-          },
-          parent) {
+          [this, &clock] { return useAt(clock.nowNs()); }, parent) {
     connect(&session, &RobotSession::stateChanged, this,
             [this, &clock](const SessionState& state) { follow(state, clock.nowNs()); });
 }
 
 void StopKeys::follow(const SessionState& state, std::int64_t nowNs) {
+    const bool typed = useAt(nowNs) != Use::StopOnly;
+    const bool inControl = state.keysStop();
+    if (inControl) {
+        controlLostNs_.reset();
+    } else if (inControl_ && state.controlLoss != control::ControlLoss::Released) {
+        controlLostNs_ = nowNs;
+    }
+    inControl_ = inControl;
     const bool dark = state.link == LinkState::Stale || state.link == LinkState::Lost;
     if (dark && !dark_) {
-        movedBeforeDark_ = lastMotionNs_ && isReflex(*lastMotionNs_, nowNs);
+        movedBeforeDark_ = isYounger(lastMotionNs_, nowNs, kReflexMs);
         stoppedDarkNs_.reset();
     }
     dark_ = dark;
-    // A program of others, and one that is being replaced by ours, may move the arm any moment.
+    // A program that is being replaced by ours, or that has just replaced ours, may move the arm any moment.
     const bool mayMove = state.moving || state.motionActive || state.foreignProgramRuns() ||
                          state.control == ControlState::Taking;
-    if (!dark && mayMove) {
+    if (!dark && mayMove && (inControl || controlIsJustLost(nowNs))) {
         lastMotionNs_ = nowNs;
+    }
+    if (const bool types = useAt(nowNs) != Use::StopOnly; types != typed) {
+        // An input method takes keys before the window does; see eventFilter().
+        if (!types) {
+            QGuiApplication::inputMethod()->commit();
+        }
+        QGuiApplication::inputMethod()->update(Qt::ImEnabled);
     }
 }
 
-bool StopKeys::isReflex(std::int64_t sinceNs, std::int64_t nowNs) const {
-    return nowNs - sinceNs < kReflexMs * kNsPerMs;
+StopKeys::Use StopKeys::useAt(std::int64_t nowNs) const {
+    if (dark_ && movedBeforeDark_) {
+        // The arm may still move: until the stop has had its time the keys mean nothing else.
+        return !stoppedDarkNs_ || isYounger(stoppedDarkNs_, nowNs, kReflexMs) ? Use::StopOnly
+                                                                              : Use::StopAndControl;
+    }
+    if (!inControl_ && !controlIsJustLost(nowNs)) {
+        return Use::Control;
+    }
+    // The state is a picture some milliseconds old: a reflex just after standstill means stop as well.
+    return isYounger(lastMotionNs_, nowNs, kReflexMs) ? Use::StopOnly : Use::StopAndControl;
+}
+
+bool StopKeys::controlIsJustLost(std::int64_t nowNs) const {
+    return isYounger(controlLostNs_, nowNs, kControlLostMs);
 }
 
 StopKeys::~StopKeys() {
     qApp->removeEventFilter(this);
 }
 
+bool StopKeys::press(const QKeyEvent& key) {
+    if (key.isAutoRepeat()) {
+        return key.key() == claimedKey_;
+    }
+    const Use use = use_();
+    claimedKey_ = use == Use::StopOnly ? key.key() : 0;
+    if (use != Use::Control) {
+        stop_(key.key() == Qt::Key_Space ? StopCause::Space : StopCause::Escape);
+    }
+    return use == Use::StopOnly;
+}
+
+void StopKeys::addShortcuts(QWidget& modal) {
+    std::erase_if(modals_, [](const QPointer<QWidget>& each) { return each.isNull(); });
+    if (std::find(modals_.begin(), modals_.end(), &modal) != modals_.end()) {
+        return;
+    }
+    modals_.emplace_back(&modal);
+    for (const auto& [key, cause] :
+         {std::pair{Qt::Key_Space, StopCause::Space}, {Qt::Key_Escape, StopCause::Escape}}) {
+        auto* shortcut = new QShortcut(&modal);
+        shortcut->setContext(Qt::ApplicationShortcut);
+        shortcut->setAutoRepeat(false);
+        shortcut->setKeys(sequencesOf(key));
+        const auto stop = [this, cause = cause] {
+            if (use_() != Use::Control) {
+                stop_(cause);
+            }
+        };
+        connect(shortcut, &QShortcut::activated, this, stop);
+        connect(shortcut, &QShortcut::activatedAmbiguously, this, stop);
+    }
+}
+
 bool StopKeys::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() != QEvent::KeyPress || !watched->isWidgetType()) {
-        return false;
+    switch (event->type()) {
+        case QEvent::WindowBlocked:
+            if (QWidget* modal = QApplication::activeModalWidget()) {
+                addShortcuts(*modal);
+            }
+            return false;
+        case QEvent::ShortcutOverride:
+            if (!isStopKey(*static_cast<QKeyEvent*>(event))) {
+                return false;
+            }
+            event->accept();  // the press comes as such: these keys are no shortcuts
+            return true;
+        case QEvent::KeyPress:
+            return watched->isWidgetType() && isStopKey(*static_cast<QKeyEvent*>(event)) &&
+                   press(*static_cast<QKeyEvent*>(event));
+        case QEvent::InputMethodQuery: {
+            // While the keys mean stop, no input method may keep them for what it composes.
+            auto* query = static_cast<QInputMethodQueryEvent*>(event);
+            if (!query->queries().testFlag(Qt::ImEnabled) || use_() != Use::StopOnly) {
+                return false;
+            }
+            watched->event(event);
+            query->setValue(Qt::ImEnabled, false);
+            return true;
+        }
+        default:
+            return false;
     }
-    const auto* key = static_cast<QKeyEvent*>(event);
-    const bool space = key->key() == Qt::Key_Space;
-    if ((!space && key->key() != Qt::Key_Escape) || key->isAutoRepeat()) {
-        return false;
-    }
-    const bool moving = moving_();
-    if (space && !moving && takesText(QApplication::focusWidget())) {
-        return false;  // a space in a name is a space
-    }
-    stop_(space ? StopCause::Space : StopCause::Escape);
-    // While something moves the key means stop and nothing else: it must not press a focused button as well.
-    return moving;
 }
 
 }  // namespace tiller

@@ -26,9 +26,10 @@ RecoveryGuide wayUp(const SessionState& state, RecoveryStep next) {
         case RecoveryStep::ReleaseBrakes:
             break;
         case RecoveryStep::Done:
-            guide.takesControl = state.control != ControlState::InControl;
+            guide.takesControl = state.control != ControlState::InControl && !state.monitorOnly;
             guide.what =
-                !guide.takesControl
+                state.monitorOnly ? texts::monitorOnlyObstacle()
+                : !guide.takesControl
                     ? RecoveryGuideText::tr(
                           "The arm can be moved. What was armed before the stop does not move it: every "
                           "motion needs a new press.")

@@ -119,6 +119,14 @@ const OutputHolders& RobotOutputs::holders() const {
 }
 
 void RobotOutputs::connect() {
+    if (d_.monitorOnly) {
+        // Another client may need the inputs that an open connection occupies.
+        d_.worker.post(&session_, [outputs = d_.link->outputs](const CancelToken&) {
+            outputs->disconnect();
+            return std::function<void()>();
+        });
+        return;
+    }
     const std::uint64_t generation = d_.generation;
     d_.worker.post(&session_, [this, generation, outputs = d_.link->outputs](const CancelToken& token) {
         const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));
@@ -148,7 +156,7 @@ void RobotOutputs::forget() {
 }
 
 void RobotOutputs::setDigitalOutput(int output, bool on) {
-    if (!d_.link) {
+    if (session_.refusesCommand(terminalText(ioTerminal(true, output))) || !d_.link) {
         return;
     }
     // Set by hand, it is no pulse any more.
@@ -175,9 +183,9 @@ QString RobotOutputs::changeText(int output, bool on, const std::optional<Output
 
 void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
                                      const OutputOrder& order) {
-    if (!d_.link) {
+    if (const bool refused = session_.refusesCommand(what); refused || !d_.link) {
         if (order.done) {
-            order.done(Error{ErrorCode::NotConnected, what, {}});
+            order.done(Error{refused ? ErrorCode::Rejected : ErrorCode::NotConnected, what, {}});
         }
         return;
     }
@@ -270,7 +278,7 @@ void RobotOutputs::followPulses() {
 }
 
 void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double level) {
-    if (!d_.link) {
+    if (session_.refusesCommand(terminalText(QStringLiteral("AO %1").arg(output))) || !d_.link) {
         return;
     }
     const bool current = domain == io::AnalogDomain::Current;
@@ -289,7 +297,7 @@ void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double l
 
 void RobotOutputs::setRegister(const RegisterValue& value) {
     using Kind = RegisterValue::Kind;
-    if (!d_.link) {
+    if (session_.refusesCommand(tr("Input register %1").arg(value.number)) || !d_.link) {
         return;
     }
     // A connection of its own, only as long as it takes: nobody else shall be kept from the register.
@@ -329,7 +337,7 @@ void RobotOutputs::report(std::uint64_t generation, const QString& done, const R
 }
 
 void RobotOutputs::setSpeedSlider(double fraction) {
-    if (!d_.link) {
+    if (session_.refusesCommand(tr("Speed slider")) || !d_.link) {
         return;
     }
     if (sliderBusy_) {

@@ -72,6 +72,10 @@ QString commandText(RobotCommand command) {
 }
 
 void RobotServices::perform(RobotCommand command) {
+    if (session_.refusesCommand(commandText(command))) {
+        Q_EMIT session_.commandDone(command, false);
+        return;
+    }
     if (const QString why = texts::serviceObstacle(d_.state, command); !why.isEmpty()) {
         Q_EMIT session_.message(Severity::Error, tr("%1 failed. %2").arg(commandText(command), why));
         Q_EMIT session_.commandDone(command, false);
@@ -87,12 +91,19 @@ void RobotServices::perform(RobotCommand command) {
 }
 
 void RobotServices::unlockProtectiveStop(const UnlockConsent&) {
+    if (session_.refusesCommand(tr("Unlock protective stop"))) {
+        return;
+    }
     send(session_, d_.link, tr("Protective stop unlocked by the operator"),
          [](RobotService& s, const Deadline& d) { return s.unlockProtectiveStop(d); });
 }
 
 void RobotServices::loadProgram(const QString& name) {
-    send(session_, d_.link, tr("Load program %1").arg(name),
+    const QString what = tr("Load program %1").arg(name);
+    if (session_.refusesCommand(what)) {
+        return;
+    }
+    send(session_, d_.link, what,
          [name](RobotService& s, const Deadline& d) { return s.loadProgram(name, d); });
 }
 

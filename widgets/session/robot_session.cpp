@@ -212,11 +212,46 @@ QSet<QString> RobotSession::absentFields() const {
     return fields;
 }
 
+void RobotSession::setMonitorOnly(bool on) {
+    if (on == d_->monitorOnly) {
+        return;
+    }
+    if (on) {
+        stop(control::StopCause::ControlLost);
+        releaseControl();
+    }
+    d_->monitorOnly = on;
+    d_->refusal.clear();
+    Q_EMIT message(Severity::Info,
+                   on ? tr("Monitor only: this window changes nothing on the robot. STOP still works.")
+                      : tr("Monitor only is off"),
+                   Origin::Operator);
+    if (d_->link && d_->state.hasData()) {
+        outputs_.connect();
+    }
+    refresh();
+}
+
+bool RobotSession::isMonitorOnly() const {
+    return d_->monitorOnly;
+}
+
+bool RobotSession::refusesCommand(const QString& command) {
+    if (d_->monitorOnly) {
+        Q_EMIT message(Severity::Warning, tr("%1: refused. %2").arg(command, texts::monitorOnlyObstacle()));
+    }
+    return d_->monitorOnly;
+}
+
 // ---- control
 // -------------------------------------------------------------------------------------------------------
 
-void RobotSession::takeControl() {
-    if (!d_->link || d_->takingControl) {
+void RobotSession::takeControl(ForeignProgram program) {
+    if (refusesCommand(tr("Take control")) || !d_->link || d_->takingControl) {
+        return;
+    }
+    if (program == ForeignProgram::Ask && d_->state.hasForeignProgram()) {
+        Q_EMIT takeControlQuestion();
         return;
     }
     d_->takingControl = true;
@@ -294,7 +329,7 @@ Error notMovable(const SessionState& state) {
 }  // namespace
 
 Result<RobotSession::MotionId> RobotSession::beginJog(const control::JogTarget& target) {
-    if (!d_->link) {
+    if (!d_->link || d_->monitorOnly) {
         return notMovable(d_->state);
     }
     const Result<control::Jog> jog =
@@ -307,7 +342,7 @@ Result<RobotSession::MotionId> RobotSession::beginJog(const control::JogTarget& 
 }
 
 Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& request) {
-    if (!d_->link) {
+    if (!d_->link || d_->monitorOnly) {
         return notMovable(d_->state);
     }
     if (const QString objection = request.toProject ? projectGuard_() : QString(); !objection.isEmpty()) {
@@ -425,7 +460,7 @@ Result<control::MotionProgress> RobotSession::motionProgress(MotionId motion) co
 }
 
 Result<RobotSession::MotionId> RobotSession::beginFreedrive(const control::Freedrive& freedrive) {
-    if (!d_->link) {
+    if (!d_->link || d_->monitorOnly) {
         return notMovable(d_->state);
     }
     const Result<control::Motion> motion =

@@ -101,9 +101,21 @@ public:
     RobotTooling& tooling() { return tooling_; }
     SessionRecording& recording() { return recording_; }
 
+    /// Refuses every command that changes the robot, by whatever caller, with a message; stop() still works. Control
+    /// that is held is given back first.
+    void setMonitorOnly(bool on);
+    bool isMonitorOnly() const;
+    /// Every command that changes the robot checks this first, here and in the parts of the session. In monitor-only mode
+    /// it reports that `command` is refused and returns true.
+    bool refusesCommand(const QString& command);
+
     // Control. The outcome comes through stateChanged and message.
-    /// Uploads the control script; needs RUNNING, and Remote control where the controller has it.
-    void takeControl();
+    /// What to do with a program of another client that runs or is paused on the robot.
+    enum class ForeignProgram { Ask, Stop };
+    /// Uploads the control script; needs RUNNING, and Remote control where the controller has it. This ends any other
+    /// program on the robot: unless `program` is Stop, takeControl() then emits takeControlQuestion() and does nothing
+    /// else.
+    void takeControl(ForeignProgram program = ForeignProgram::Ask);
     /// Ends the control program; the robot is free for others.
     void releaseControl();
 
@@ -178,6 +190,8 @@ Q_SIGNALS:
                  tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
     /// A command to the robot's service was answered, or could not be asked.
     void commandDone(tiller::RobotCommand command, bool done);
+    /// takeControl() would end a program of another client. Repeat it with ForeignProgram::Stop if the operator agrees.
+    void takeControlQuestion();
     /// What the controller itself said, whole; it comes as message too.
     void controllerMessage(const tiller::script::ControllerMessage& message);
 

@@ -240,7 +240,7 @@ void RobotiqLink::stop(const QString& what) {
 }
 
 void RobotiqLink::send(const Command& command) {
-    if (client_ == nullptr) {
+    if (session_.refusesCommand(command.what) || client_ == nullptr) {
         return;
     }
     if (busy_) {

@@ -57,12 +57,14 @@ void SessionBackend::read() {
     if (link == nullptr) {
         const RecordingState recordingState = state.recording;
         state = SessionState{};
+        state.monitorOnly = monitorOnly;
         state.recording = recordingState;
         state.speedCap = limits.tcpSpeed;
         state.controlReason = RobotSession::tr("Not connected to a robot.");
         readRecording();
         return;
     }
+    state.monitorOnly = monitorOnly;
     if (state.isFresh()) {
         movedBefore = state.moving || state.motionActive;
     }
@@ -176,6 +178,7 @@ void SessionBackend::readControl() {
     }
     using control::ControlLoss;
     loss = status.loss;
+    state.controlLoss = status.loss;
     state.controlInDoubt =
         !takingControl &&
         (loss == ControlLoss::DataStale || loss == ControlLoss::LinkLost || loss == ControlLoss::EchoStalled);
@@ -265,6 +268,9 @@ QString SessionBackend::obstacle() const {
             return RobotSession::tr("Data from the robot are late.");
         case LinkState::Live:
             break;
+    }
+    if (monitorOnly) {
+        return texts::monitorOnlyObstacle();
     }
     if (const QString safety = texts::safetyModeObstacle(state.safety()); !safety.isEmpty()) {
         return safety;

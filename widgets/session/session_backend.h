@@ -84,6 +84,7 @@ struct SessionBackend {
     dashboard::ServiceReport report;    ///< asked for about once a second; Unknown until it was answered
     bool localRefuses = false;  ///< it was in Remote once, or has refused something for being in Local
     bool takingControl = false;
+    bool monitorOnly = false;
     CancelToken taking;  ///< ends the taking under way
     control::MotionLimits limits;
     MoveGuard guard;

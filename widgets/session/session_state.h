@@ -97,6 +97,8 @@ struct SessionState {
     /// Control was ours when its connection fell silent, and has neither been taken nor given back since: Space and
     /// Esc still stop the robot from everywhere.
     bool controlInDoubt = false;
+    control::ControlLoss controlLoss = control::ControlLoss::NotTaken;  ///< how control ended last
+    bool monitorOnly = false;  ///< the session refuses every command but stop
 
     // motion
     bool moving = false;           ///< by the receiver's data, no older than 100 ms
@@ -138,6 +140,8 @@ struct SessionState {
         own.dh = dh;
         return own;
     }
+    /// Space and Esc stop, from everywhere; otherwise they belong to the focused control.
+    bool keysStop() const { return control == ControlState::InControl || control == ControlState::Taking; }
     /// True when a press on a jog key would move the arm.
     bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
     /// The safety value to show and to act on, of the two the controller sends.
@@ -146,6 +150,11 @@ struct SessionState {
     bool foreignProgramRuns() const {
         return hasData() && control != ControlState::InControl && runtimeState != RuntimeState::Stopped &&
                runtimeState != RuntimeState::Paused;
+    }
+    /// A program that is not ours runs or is paused: taking control would end it.
+    bool hasForeignProgram() const {
+        return foreignProgramRuns() ||
+               (hasData() && control != ControlState::InControl && runtimeState == RuntimeState::Paused);
     }
     bool hasData() const {
         return sequence != 0 && link != LinkState::Lost && link != LinkState::Disconnected;

@@ -239,7 +239,16 @@ QString safetyModeObstacle(SafetyMode mode) {
     return words.text + QStringLiteral(". ") + words.advice;
 }
 
+QString monitorOnlyObstacle() {
+    return TextsText::tr(
+        "Monitor only: this window changes nothing on the robot. It is chosen in Settings or by "
+        "--monitor-only.");
+}
+
 QString serviceObstacle(const SessionState& state) {
+    if (state.monitorOnly) {
+        return monitorOnlyObstacle();
+    }
     const bool withoutApi = state.version.isPolyScopeX() && state.version < SoftwareVersion{10, 11, 0, 0} &&
                             state.service == dashboard::ServiceKind::Unknown;
     return withoutApi
@@ -249,7 +258,7 @@ QString serviceObstacle(const SessionState& state) {
 }
 
 QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command) {
-    return dashboard::offers(state.service, command)
+    return state.monitorOnly || dashboard::offers(state.service, command)
                ? serviceObstacle(state)
                : TextsText::tr(
                      "PolyScope X has no command for closing popups over the network: use the tablet.");

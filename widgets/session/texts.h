@@ -28,6 +28,8 @@ QString safetyModeObstacle(SafetyMode mode);
 QString serviceObstacle(const SessionState& state);
 /// The same for one command, which this kind of robot may not have.
 QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command);
+/// Why no command is sent to the robot in monitor-only mode, with the way out.
+QString monitorOnlyObstacle();
 /// Why a robot that is in Local cannot be commanded, with the next step.
 QString remoteObstacle();
 /// Why control is not ours.

@@ -195,7 +195,14 @@ void HeaderBar::applyState(const SessionState& state) {
         showOn(*safety_, none);
     }
     showOn(*control_, controlLook(state));
+    control_->setCaption(state.monitorOnly ? tr("MONITOR ONLY") : tr("CONTROL"));
+    speed_->setLocked(state.monitorOnly ? texts::monitorOnlyObstacle() : QString());
     speed_->setReported(state.speedFraction, hasData);
+    for (StopButton* stop : {stop_, stopAbove_.data()}) {
+        if (stop != nullptr) {
+            stop->setKeysStop(state.keysStop());
+        }
+    }
 
     showStep();
     showCap(state.speedCap);
@@ -325,6 +332,7 @@ void HeaderBar::offerStopAbove() {
     stopAbove_->setAttribute(Qt::WA_ShowWithoutActivating);
     connect(stopAbove_, &StopButton::stopRequested, this,
             [this] { port_.stop(control::StopCause::StopButton); });
+    stopAbove_->setKeysStop(state_.keysStop());
     placeStopAbove();
     stopAbove_->show();
 }

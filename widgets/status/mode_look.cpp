@@ -269,7 +269,7 @@ NextStep nextStep(const SessionState& state) {
     if (state.link == LinkState::Disconnected) {
         return NextStep::Connect;
     }
-    if (state.link != LinkState::Live) {
+    if (state.link != LinkState::Live || state.monitorOnly) {
         return NextStep::None;
     }
     const bool deaf = !texts::serviceObstacle(state).isEmpty();
@@ -327,7 +327,7 @@ QString nextStepAdvice(NextStep step) {
                 "Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.");
         case NextStep::TakeControl:
             return ModeLookText::tr(
-                "Starts the control program on the robot, which stops any other program.");
+                "Starts the control program on the robot. Asks before it stops another program.");
     }
     return {};
 }

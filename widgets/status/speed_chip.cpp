@@ -38,10 +38,18 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     });
 }
 
+void SpeedChip::setLocked(const QString& reason) {
+    if (reason != lock_) {
+        lock_ = reason;
+        setToolTip(reason.isEmpty() ? tr("Speed slider of the robot, 2 to 100 %") : reason);
+        setEnabled(valid_ && lock_.isEmpty());
+    }
+}
+
 void SpeedChip::setReported(double fraction, bool valid) {
     if (valid != valid_) {
         valid_ = valid;
-        setEnabled(valid);
+        setEnabled(valid && lock_.isEmpty());
         update();
     }
     const int percent = static_cast<int>(std::lround(fraction * 100));
@@ -87,9 +95,9 @@ void SpeedChip::paintEvent(QPaintEvent*) {
         return;
     }
     const double x = bar.left() + bar.width() * value() / 100.0;
-    painter.setBrush(theme.secondary);
+    painter.setBrush(isEnabled() ? theme.secondary : theme.disabledText);
     painter.drawRoundedRect(QRectF(bar.left(), bar.top(), x - bar.left(), bar.height()), 4, 4);
-    painter.setBrush(theme.text);
+    painter.setBrush(isEnabled() ? theme.text : theme.disabledText);
     painter.drawRoundedRect(QRectF(x - 2, bar.top() - 3, 4, bar.height() + 6), 2, 2);
 }
 

@@ -17,6 +17,8 @@ public:
 
     /// What the robot reports, 0..1; valid false greys the chip.
     void setReported(double fraction, bool valid);
+    /// reason  why it cannot be moved, as a sentence; empty: it can
+    void setLocked(const QString& reason);
 
     QSize sizeHint() const override { return {230, 47}; }
     QSize minimumSizeHint() const override { return {118, 47}; }
@@ -38,6 +40,7 @@ private:
     QTimer settle_;  // how long a reported value waits for the robot to follow the hand
     bool showing_ = false;
     bool valid_ = false;
+    QString lock_;
     int pressedAt_ = 0;  ///< where the hand took it [px]
     int pressedValue_ = 0;
 };

@@ -8,16 +8,33 @@
 
 namespace tiller {
 
+namespace {
+constexpr int kHintHeight = 18;  // of the line below the word [px]
+}
+
 StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
     setObjectName(QStringLiteral("stopButton"));
     setText(tr("STOP"));
     setAccessibleName(tr("Stop"));
-    setToolTip(tr("Software stop. Not an emergency stop. Power stays on."));
     setFocusPolicy(Qt::NoFocus);
     setAttribute(Qt::WA_AcceptTouchEvents);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     // A screen reader presses by click().
     connect(this, &QAbstractButton::clicked, this, &StopButton::stopRequested);
+    setKeysStop(false);
+}
+
+void StopButton::setKeysStop(bool keys) {
+    if (keys == keysStop_) {
+        return;
+    }
+    keysStop_ = keys;
+    const QString what = tr("Software stop. Not an emergency stop. Power stays on.");
+    setToolTip(what + QLatin1Char('\n') +
+               (keys ? tr("Space and Esc stop as well.")
+                     : tr("Click it: Space and Esc stop only while this window is in control.")));
+    setAccessibleDescription(toolTip());
+    update();
 }
 
 void StopButton::paintEvent(QPaintEvent*) {
@@ -33,16 +50,21 @@ void StopButton::paintEvent(QPaintEvent*) {
     QFont word = big;
     word.setLetterSpacing(QFont::AbsoluteSpacing, 1.2);
     const int wordWidth = QFontMetrics(word).horizontalAdvance(text());
+    const QString how = keysStop_ ? tr("Space / Esc") : tr("click");
     const int left = wide ? 22 : (width() - 26 - wordWidth) / 2;
+    const int wordHeight = wide ? height() : height() - kHintHeight;
     painter.setBrush(theme.stopText);
-    painter.drawRect(QRectF(left, height() / 2.0 - 8, 16, 16));
+    painter.drawRect(QRectF(left, wordHeight / 2.0 - 8, 16, 16));
     painter.setPen(theme.stopText);
     painter.setFont(word);
-    painter.drawText(QRect(left + 28, 0, wordWidth + 8, height()), Qt::AlignLeft | Qt::AlignVCenter, text());
+    painter.drawText(QRect(left + 28, 0, wordWidth + 8, wordHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                     text());
+    painter.setFont(textFont(11));
     if (wide) {
-        painter.setFont(textFont(11));
         painter.drawText(QRect(left + 28 + wordWidth + 12, 0, width() - left - wordWidth - 42, height()),
-                         Qt::AlignLeft | Qt::AlignVCenter, tr("Space / Esc\nnot an e-stop"));
+                         Qt::AlignLeft | Qt::AlignVCenter, how + QLatin1Char('\n') + tr("not an e-stop"));
+    } else {
+        painter.drawText(QRect(0, wordHeight - 6, width(), kHintHeight), Qt::AlignCenter, how);
     }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// STOP. It acts the moment it is touched, with any button or finger, and takes the focus from nobody.
+// STOP. It acts the moment it is touched, with any button or finger, and takes the focus from nobody. It names the keys
+// that do the same, or says that it has to be clicked.
 
 #include <QAbstractButton>
 
@@ -12,6 +13,10 @@ class StopButton : public QAbstractButton {
 
 public:
     explicit StopButton(QWidget* parent = nullptr);
+
+    /// keys  Space and Esc stop as well; at first they do not
+    void setKeysStop(bool keys);
+    bool keysStop() const { return keysStop_; }
 
     QSize sizeHint() const override { return {230, 60}; }
     QSize minimumSizeHint() const override { return {128, 60}; }
@@ -25,6 +30,9 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     bool event(QEvent* event) override;
+
+private:
+    bool keysStop_ = true;
 };
 
 }  // namespace tiller

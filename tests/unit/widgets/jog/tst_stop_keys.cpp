@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QDialog>
+#include <QInputMethodQueryEvent>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QVBoxLayout>
+#include <QWindow>
+#include <memory>
 
 #include "widgets/jog/stop_keys.h"
 #include "widgets/session/robot_session.h"
@@ -18,8 +22,8 @@ class TestStopKeys : public QObject {
 private:
     struct Scene {
         QList<StopCause> stops;
-        bool moving = true;
-        StopKeys keys{[this](StopCause cause) { stops.append(cause); }, [this] { return moving; }};
+        StopKeys::Use use = StopKeys::Use::StopOnly;
+        StopKeys keys{[this](StopCause cause) { stops.append(cause); }, [this] { return use; }};
         QWidget window;
         QLineEdit* edit = new QLineEdit(&window);
         QPushButton* button = new QPushButton(&window);
@@ -63,6 +67,7 @@ private:
 
         Dark() {
             state.sequence = 1;
+            state.control = ControlState::InControl;
             edit.show();
             edit.activateWindow();
             if (!QTest::qWaitForWindowActive(&edit)) {
@@ -98,13 +103,124 @@ private Q_SLOTS:
         QTest::keyClick(s.button, Qt::Key_Space);
         QCOMPARE(clicked.count(), 0);
     }
-    void spaceWritesASpaceWhenNothingMoves() {
+    void spaceStopsAndWritesASpaceWhenNothingMoves() {
         Scene s;
-        s.moving = false;
+        s.use = StopKeys::Use::StopAndControl;
         s.edit->setFocus();
         QTest::keyClicks(s.edit, QStringLiteral("above tray"));
         QCOMPARE(s.edit->text(), QStringLiteral("above tray"));
+        QVERIFY(s.stops.contains(StopCause::Space));
+    }
+    void keysOfTheFocusedControlDoNotStop() {
+        Scene s;
+        s.use = StopKeys::Use::Control;
+        QSignalSpy clicked(s.button, &QPushButton::clicked);
+        s.edit->setFocus();
+        QTest::keyClicks(s.edit, QStringLiteral("above tray"));
+        QTest::keyClick(s.edit, Qt::Key_Escape);
+        QCOMPARE(s.edit->text(), QStringLiteral("above tray"));
+        s.button->setFocus();
+        QTest::keyClick(s.button, Qt::Key_Space);
+        QCOMPARE(clicked.count(), 1);
         QVERIFY(s.stops.isEmpty());
+    }
+    // A window manager may leave the keyboard with the window that the dialog blocks; Qt drops its key events.
+    void aBlockedWindowStops_data() {
+        QTest::addColumn<Qt::Key>("key");
+        QTest::addColumn<Qt::KeyboardModifier>("modifier");
+        QTest::addColumn<Qt::WindowModality>("modality");
+        for (const Qt::WindowModality modality : {Qt::WindowModal, Qt::ApplicationModal}) {
+            for (const Qt::Key key : {Qt::Key_Space, Qt::Key_Escape}) {
+                for (const Qt::KeyboardModifier modifier :
+                     {Qt::NoModifier, Qt::ShiftModifier, Qt::AltModifier}) {
+                    QTest::addRow("%x %x %d", key, modifier, modality) << key << modifier << modality;
+                }
+            }
+        }
+    }
+    void aBlockedWindowStops() {
+        QFETCH(Qt::Key, key);
+        QFETCH(Qt::KeyboardModifier, modifier);
+        QFETCH(Qt::WindowModality, modality);
+        const QList<StopCause> one{key == Qt::Key_Space ? StopCause::Space : StopCause::Escape};
+        Scene s;
+        QDialog dialog(&s.window);
+        auto* field = new QLineEdit(&dialog);
+        dialog.setWindowModality(modality);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        field->setFocus();
+        QTest::keyClick(dialog.windowHandle(), key, modifier);
+        QCOMPARE(s.stops, one);
+        QVERIFY(dialog.isVisible() && field->text().isEmpty());
+
+        s.window.activateWindow();
+        QTRY_VERIFY(s.window.isActiveWindow());
+        for (const StopKeys::Use use : {StopKeys::Use::StopOnly, StopKeys::Use::StopAndControl}) {
+            s.use = use;
+            s.stops.clear();
+            QTest::keyClick(s.window.windowHandle(), key, modifier);
+            QCOMPARE(s.stops, one);
+        }
+        s.use = StopKeys::Use::Control;
+        s.stops.clear();
+        QTest::keyClick(s.window.windowHandle(), key, modifier);
+        QVERIFY(s.stops.isEmpty());
+        QVERIFY(dialog.isVisible());
+    }
+    // With two dialogs the upper one alone takes part.
+    void aBlockedWindowStopsBelowTwoDialogs() {
+        Scene s;
+        QDialog lower(&s.window);
+        lower.open();
+        QVERIFY(QTest::qWaitForWindowActive(&lower));
+        auto upper = std::make_unique<QDialog>(&lower);
+        upper->open();
+        QVERIFY(QTest::qWaitForWindowActive(upper.get()));
+        for (QWidget* blocked : {static_cast<QWidget*>(&s.window), static_cast<QWidget*>(&lower)}) {
+            blocked->activateWindow();
+            QTRY_VERIFY(blocked->isActiveWindow());
+            s.stops.clear();
+            QTest::keyClick(blocked->windowHandle(), Qt::Key_Space);
+            QCOMPARE(s.stops, QList<StopCause>{StopCause::Space});
+        }
+        upper.reset();
+        s.window.activateWindow();
+        QTRY_VERIFY(s.window.isActiveWindow());
+        s.stops.clear();
+        QTest::keyClick(s.window.windowHandle(), Qt::Key_Escape);
+        QCOMPARE(s.stops, QList<StopCause>{StopCause::Escape});
+    }
+    void aDialogGetsItsKeysWhileNothingIsToBeStopped() {
+        Scene s;
+        s.use = StopKeys::Use::Control;
+        QDialog dialog(&s.window);
+        auto* field = new QLineEdit(&dialog);
+        dialog.open();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        field->setFocus();
+        QTest::keyClick(dialog.windowHandle(), Qt::Key_Space);
+        QCOMPARE(field->text(), QStringLiteral(" "));
+        QTest::keyClick(dialog.windowHandle(), Qt::Key_Escape);
+        QVERIFY(!dialog.isVisible());
+        QVERIFY(s.stops.isEmpty());
+    }
+    void noInputMethodKeepsTheKeysThatMeanStop() {
+        Scene s;
+        const auto enabled = [&s] {
+            QInputMethodQueryEvent query(Qt::ImEnabled | Qt::ImHints);
+            QApplication::sendEvent(s.edit, &query);
+            return query.value(Qt::ImEnabled).toBool();
+        };
+        QVERIFY(!enabled());
+        s.use = StopKeys::Use::StopAndControl;
+        QVERIFY(enabled());
+        s.use = StopKeys::Use::Control;
+        QVERIFY(enabled());
+    }
+    void dialogsOfThePlatformAreNotUsed() {
+        Scene s;
+        QVERIFY(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
     }
     void spaceStopsAndWritesNothingWhileMoving() {
         Scene s;
@@ -115,7 +231,7 @@ private Q_SLOTS:
     }
     void stopIsSentEvenWhenNothingSeemsToMove() {
         Scene s;
-        s.moving = false;
+        s.use = StopKeys::Use::StopAndControl;
         QTest::keyClick(s.button, Qt::Key_Escape);
         QVERIFY(s.stops.contains(StopCause::Escape));
     }
@@ -131,6 +247,7 @@ private Q_SLOTS:
         QSignalSpy clicked(&button, &QPushButton::clicked);
         const auto tell = [&session](bool moving) {
             SessionState state;
+            state.control = ControlState::InControl;
             state.moving = moving;
             Q_EMIT session.stateChanged(state);
         };
@@ -171,21 +288,59 @@ private Q_SLOTS:
         s.press(Qt::Key_Escape);
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
-    void aProgramOfOthersMakesTheKeysStop() {
-        for (const RuntimeState runtime :
-             {RuntimeState::Playing, RuntimeState::Resuming, RuntimeState::Pausing}) {
+    // Whoever only monitors must not end a production by typing.
+    void aProgramOfOthersRunsOnWhileWeMonitor() {
+        for (const ControlState control : {ControlState::None, ControlState::Refused}) {
             Dark s;
-            s.state.runtimeState = runtime;
-            s.tell(LinkState::Live, false);
-            QTest::keyClicks(&s.edit, QStringLiteral("a b"));
-            QCOMPARE(s.edit.text(), QStringLiteral("ab"));
+            s.state.control = control;
+            s.state.runtimeState = RuntimeState::Playing;
+            for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
+                s.tell(link, true);
+                s.edit.clear();
+                QTest::keyClicks(&s.edit, QStringLiteral("a b"));
+                QCOMPARE(s.edit.text(), QStringLiteral("a b"));
+                s.press(Qt::Key_Escape);
+            }
+            QCOMPARE(s.passed.size(), 3);
         }
-        Dark ours;
-        ours.state.runtimeState = RuntimeState::Playing;
-        ours.state.control = ControlState::InControl;
-        ours.tell(LinkState::Live, false);
-        QTest::keyClicks(&ours.edit, QStringLiteral("a b"));
-        QCOMPARE(ours.edit.text(), QStringLiteral("a b"));
+    }
+    // Another program throws ours out, and the operator reaches for the key that has just been a stop key.
+    void theKeysStopForThreeSecondsAfterControlWasLost() {
+        Dark s;
+        s.state.runtimeState = RuntimeState::Playing;
+        s.tell(LinkState::Live, false);
+        s.clock.advanceNs(5 * kNsPerSecond);
+        s.state.control = ControlState::None;
+        s.state.controlLoss = control::ControlLoss::ScriptStopped;
+        s.tell(LinkState::Live, true);
+        s.clock.advanceNs(2900 * kNsPerMs);
+        s.tell(LinkState::Live, true);
+        s.press(Qt::Key_Escape);
+        QCOMPARE(s.passed, QList<int>{});
+        s.clock.advanceNs(101 * kNsPerMs);
+        s.tell(LinkState::Live, true);
+        s.press(Qt::Key_Escape);
+        QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
+    }
+    void theKeysDoNotStopOnceControlWasGivenBack() {
+        Dark s;
+        s.tell(LinkState::Live, true);
+        s.state.control = ControlState::None;
+        s.state.controlLoss = control::ControlLoss::Released;
+        s.state.runtimeState = RuntimeState::Playing;
+        s.tell(LinkState::Live, true);
+        s.press(Qt::Key_Escape);
+        QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
+    }
+    // Held longer than the reflex lasts, a stop key must not close the dialog it was pressed in.
+    void theRepeatsOfAStopKeyMeanNothing() {
+        Scene s;
+        QTest::keyPress(s.edit, Qt::Key_Space);
+        s.use = StopKeys::Use::StopAndControl;
+        QKeyEvent repeat(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "), true);
+        QApplication::sendEvent(s.edit, &repeat);
+        QVERIFY(s.edit->text().isEmpty());
+        QCOMPARE(s.stops.size(), 1);
     }
     void autoRepeatIsIgnored() {
         Scene s;

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Monitor only: nothing that this window offers or calls changes the robot, except STOP. The real window, real sockets,
+// the simulated robot in virtual time.
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QCheckBox>
+#include <QDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+#include "app/action_table.h"
+#include "resources/resources.h"
+#include "tests/ui/foreign_program_bench.h"
+#include "widgets/common/state_chip.h"
+#include "widgets/session/texts.h"
+#include "widgets/status/header_bar.h"
+#include "widgets/status/speed_chip.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using control::StopCause;
+
+namespace {
+
+/// Everything of the simulated robot that a command of ours could have changed.
+struct RobotSettings {
+    RobotMode robotMode;
+    SafetyMode safetyMode;
+    RuntimeState runtimeState;
+    double speedSlider;
+    std::uint64_t digitalOutputs;
+
+    friend bool operator==(const RobotSettings&, const RobotSettings&) = default;
+};
+
+RobotSettings settingsOf(const VirtualCell& cell) {
+    const simulator::Truth truth = cell.truth();
+    return {truth.robotMode, truth.safetyMode, truth.runtimeState, truth.speedSlider, truth.digitalOutputs};
+}
+
+struct Bench : ForeignProgramBench {
+    std::shared_ptr<QStringList> warnings = std::make_shared<QStringList>();  ///< the window outlives us
+
+    Bench() {
+        QObject::connect(&window.session(), &RobotSession::message, &window,
+                         [all = warnings](Severity severity, const QString& text) {
+                             if (severity == Severity::Warning) {
+                                 *all << text;
+                             }
+                         });
+    }
+    void setMonitorOnly(bool on) {
+        app::Preferences preferences;
+        preferences.monitorOnly = on;
+        window.applyPreferences(preferences);
+    }
+    /// Gives everything that was sent the time to arrive.
+    void settle(int ms = 500) {
+        cell.robot.drainSockets();
+        cell.advanceMs(ms);
+        cell.robot.drainSockets();
+        cell.advanceMs(100);
+    }
+};
+
+}  // namespace
+
+class TestMonitorOnly : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+
+    // The session itself, because the palette, shortcuts, devices and later code all end there.
+    void theSessionRefusesEveryCommand_data() {
+        using Call = std::function<void(RobotSession&)>;
+        QTest::addColumn<Call>("call");
+        const auto row = [](const char* name, Call call) { QTest::newRow(name) << std::move(call); };
+        row("take control", [](RobotSession& s) { s.takeControl(); });
+        row("take control at once",
+            [](RobotSession& s) { s.takeControl(RobotSession::ForeignProgram::Stop); });
+        for (const RobotCommand command :
+             {RobotCommand::PowerOn, RobotCommand::ReleaseBrakes, RobotCommand::PowerOff,
+              RobotCommand::RestartSafety, RobotCommand::ClosePopups, RobotCommand::Play, RobotCommand::Pause,
+              RobotCommand::StopProgram}) {
+            row(qPrintable(commandText(command)),
+                [command](RobotSession& s) { s.services().perform(command); });
+        }
+        row("load", [](RobotSession& s) { s.services().loadProgram(QStringLiteral("a.urp")); });
+        row("slider", [](RobotSession& s) { s.outputs().setSpeedSlider(0.5); });
+        row("output", [](RobotSession& s) { s.outputs().setDigitalOutput(0, true); });
+        row("outputs", [](RobotSession& s) { s.outputs().setDigitalOutputs(6, 6, QStringLiteral("both")); });
+        row("analog",
+            [](RobotSession& s) { s.outputs().setAnalogOutput(0, io::AnalogDomain::Voltage, 0.5); });
+        row("register", [](RobotSession& s) { s.outputs().setRegister({RegisterValue::Kind::Int, 40, 5}); });
+        row("TCP", [](RobotSession& s) { s.tooling().setTcp(Pose(), QStringLiteral("tool")); });
+        row("payload", [](RobotSession& s) { s.tooling().setPayload({1, {}, {}}, QStringLiteral("load")); });
+    }
+    void theSessionRefusesEveryCommand() {
+        using Call = std::function<void(RobotSession&)>;
+        QFETCH(Call, call);
+        Bench bench;
+        bench.setMonitorOnly(true);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        const RobotSettings before = settingsOf(bench.cell);
+        bench.warnings->clear();
+        call(bench.window.session());
+        bench.settle();
+        QVERIFY(settingsOf(bench.cell) == before);
+        QCOMPARE(bench.state().control, ControlState::None);
+        QCOMPARE(bench.warnings->size(), 1);
+        QVERIFY2(bench.warnings->first().contains(QStringLiteral("Monitor only")),
+                 qPrintable(bench.warnings->first()));
+    }
+    void theSessionRefusesEveryMotion() {
+        Bench bench;
+        bench.setMonitorOnly(true);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        RobotSession& session = bench.window.session();
+        for (const Error& error :
+             {session.beginJog(control::JogTarget()).error(), session.beginMove(MoveRequest()).error(),
+              session.beginPath({}, 0).error(), session.beginFreedrive(control::Freedrive()).error()}) {
+            QCOMPARE(error.code, ErrorCode::NotInControl);
+            QVERIFY2(error.context.contains(QStringLiteral("Monitor only")), qPrintable(error.context));
+        }
+    }
+
+    // Whatever is on the window: every command of the table, every button.
+    void nothingInTheWindowChangesTheRobot() {
+        Bench bench;
+        bench.setMonitorOnly(true);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        const RobotSettings before = settingsOf(bench.cell);
+        const auto closeDialogs = [] {
+            while (QWidget* dialog = QApplication::activeModalWidget()) {
+                dialog->close();
+                QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            }
+        };
+        const QStringList without{"robot.",     "project.", "control.stop", "app.",
+                                  "log.export", "plots.",   "perspective."};
+        int triggered = 0;
+        for (QAction* action : bench.window.actions().all()) {
+            const QString name = action->objectName();
+            // Those that end the connection, wait in a loop of their own for a file, or are STOP itself.
+            if (std::any_of(without.begin(), without.end(), [&](const QString& start) {
+                    return start == QStringLiteral("control.stop") ? name == start : name.startsWith(start);
+                })) {
+                continue;
+            }
+            if (name.startsWith(QStringLiteral("power.")) || name.startsWith(QStringLiteral("control."))) {
+                QVERIFY2(!action->isEnabled(), qPrintable(name));
+            }
+            action->setEnabled(true);  // as if the rule for this one had been forgotten
+            QTimer::singleShot(0, &bench.window, closeDialogs);
+            action->trigger();
+            closeDialogs();
+            ++triggered;
+        }
+        QVERIFY(triggered > 30);
+        bench.settle();
+        QVERIFY(settingsOf(bench.cell) == before);
+        QVERIFY(bench.runs());
+    }
+
+    void theWindowSaysSo() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        auto& step = bench.find<QPushButton>("nextStepButton");
+        auto& slider = bench.find<SpeedChip>("speedSlider");
+        bench.cell.advanceMs(100);
+        QVERIFY(step.isVisible() && slider.isEnabled());
+        bench.setMonitorOnly(true);
+        bench.cell.advanceMs(100);
+        QVERIFY(!step.isVisible() && !slider.isEnabled());
+        QVERIFY(slider.toolTip().contains(QStringLiteral("Monitor only")));
+        QVERIFY(bench.state().controlReason.contains(QStringLiteral("Monitor only")));
+        QVERIFY(bench.find<StateChip>("controlChip").caption() == QStringLiteral("MONITOR ONLY"));
+        for (const char* key : {"jog.X+", "jog.joint0+"}) {
+            if (auto* button = bench.window.findChild<QAbstractButton*>(QLatin1String(key))) {
+                QVERIFY2(!button->isEnabled(), key);
+            }
+        }
+        QVERIFY(!bench.find<QPushButton>("io.register.write").isEnabled());
+        bench.setMonitorOnly(false);
+        bench.cell.advanceMs(100);
+        QVERIFY(step.isVisible() && slider.isEnabled());
+        QVERIFY(bench.find<QPushButton>("io.register.write").isEnabled());
+    }
+
+    void stopStillStops_data() {
+        QTest::addColumn<Way>("way");
+        QTest::newRow("STOP") << Way::StopButton;
+        QTest::newRow("device") << Way::Device;
+    }
+    void stopStillStops() {
+        QFETCH(Way, way);
+        Bench bench;
+        bench.setMonitorOnly(true);
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.window.devices().use(bench.window.devices().devices().front().get());
+        QVERIFY(bench.startMoving());
+        bench.stop(way);
+        QVERIFY2(bench.stopsAtOnce(), "the program goes on");
+        QVERIFY(bench.comesToRest());
+    }
+
+    void controlIsGivenBackAndMotionStopsWhenItIsSwitchedOn() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const control::JogTarget target = [] {
+            control::JogTarget jog;
+            jog.twist.linear = {0.05, 0, 0};
+            return jog;
+        }();
+        const auto jog = bench.window.session().beginJog(target);
+        QVERIFY(jog.ok());
+        QVERIFY(bench.cell.advanceUntil(
+            [&] {
+                (void)bench.window.session().hold(jog.value(), target);
+                return tcpSpeed(bench.cell) > 0.02;
+            },
+            1000));
+        bench.setMonitorOnly(true);
+        QVERIFY(!bench.window.session().hold(jog.value(), target));
+        QVERIFY(bench.cell.advanceUntil([&] { return standsStill(bench.cell); }, 250));
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
+        QVERIFY(bench.within([&] { return bench.cell.truth().runtimeState == RuntimeState::Stopped; }));
+        // Switched off again, everything can be done as before.
+        bench.setMonitorOnly(false);
+        bench.window.session().takeControl();
+        QVERIFY(bench.within([&] { return bench.state().canMove(); }));
+        bench.window.session().outputs().setDigitalOutput(0, true);
+        QVERIFY(bench.within([&] { return (bench.cell.truth().digitalOutputs & 1U) != 0; }));
+    }
+
+    void theSettingHoldsAtTheNextStart() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.ini"));
+        app::Preferences preferences;
+        preferences.monitorOnly = true;
+        app::writePreferences(file, preferences);
+        QVERIFY(app::readPreferences(file).monitorOnly);
+        app::MainWindow window{app::Settings(file)};
+        QVERIFY(window.session().isMonitorOnly());
+    }
+
+    // A settings file of another PC must not end the lock of this one.
+    void anImportDoesNotEndIt() {
+        QTemporaryDir folder;
+        app::Settings settings(folder.filePath(QStringLiteral("settings.ini")));
+        app::Preferences preferences;
+        settings.setPreferences(preferences);
+        app::SettingsBundle bundle = settings.bundle();
+        QVERIFY(!bundle.values.contains(QStringLiteral("motion/monitorOnly")));
+        bundle.values.insert(QStringLiteral("motion/monitorOnly"), false);
+        preferences.monitorOnly = true;
+        settings.setPreferences(preferences);
+        QVERIFY(settings.replace(bundle, {app::SettingsPart::Motion}).ok());
+        QVERIFY(settings.preferences().monitorOnly);
+    }
+
+    void theCommandLineIsStrongerThanTheSettings() {
+        Bench bench;
+        bench.window.lockMonitorOnly();
+        QVERIFY(bench.window.session().isMonitorOnly());
+        bench.setMonitorOnly(false);
+        QVERIFY(bench.window.session().isMonitorOnly());
+        bench.window.actions().find(QStringLiteral("app.settings"))->trigger();
+        auto* page = bench.window.findChild<QDialog*>(QStringLiteral("settingsPage"));
+        QVERIFY(page != nullptr);
+        auto* box = page->findChild<QCheckBox*>(QStringLiteral("settings.monitorOnly"));
+        QVERIFY(box != nullptr && box->isChecked() && !box->isEnabled());
+        page->close();
+    }
+
+    void theSettingsPageSwitchesIt() {
+        Bench bench;
+        bench.window.actions().find(QStringLiteral("app.settings"))->trigger();
+        auto* page = bench.window.findChild<QDialog*>(QStringLiteral("settingsPage"));
+        QVERIFY(page != nullptr);
+        auto* box = page->findChild<QCheckBox*>(QStringLiteral("settings.monitorOnly"));
+        QVERIFY(box != nullptr && !box->isChecked());
+        box->click();
+        QVERIFY(bench.window.session().isMonitorOnly());
+        box->click();
+        QVERIFY(!bench.window.session().isMonitorOnly());
+        page->close();
+    }
+};
+
+QTEST_MAIN(TestMonitorOnly)
+#include "tst_monitor_only.moc"
