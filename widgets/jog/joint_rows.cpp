@@ -22,6 +22,8 @@ namespace {
 constexpr double kWarnAngle = toRadians(15);
 constexpr int kRowMargin = 12;  // as the panel's content
 constexpr int kNumberPeriodMs = 100;
+constexpr int kSpeedWidth = 56;    // [px] of "0.36 °/s" before the bar of a low row
+constexpr int kBarWithSpeed = 34;  // [px] the least that is left of the bar
 
 }  // namespace
 
@@ -117,8 +119,8 @@ void JointRow::setCompact(bool compact) {
 
 void JointRow::setLow(bool low) {
     low_ = low;
-    describe();
     updateGeometry();
+    resizeEvent(nullptr);
 }
 
 void JointRow::setAngle(double angle, bool moving, bool valid, bool stale) {
@@ -138,13 +140,18 @@ void JointRow::setSpeed(const QString& speed) {
     }
     speed_ = speed;
     describe();
-    update(textRect());
+    update(speedWidth_ > 0 ? speedRect() : textRect());
+}
+
+QRect JointRow::speedRect() const {
+    const int left = minus_->geometry().right() + 1;
+    return {left, 0, bar_->x() - left, height() - 1};
 }
 
 /// Rows without room for the speed have it in their tooltip.
 void JointRow::describe() {
     const QString speed = speed_.isEmpty() ? name_ : tr("%1: %2").arg(name_, speed_);
-    setToolTip(compact_ || low_ ? speed : QString());
+    setToolTip(compact_ || (low_ && speedWidth_ == 0) ? speed : QString());
     setAccessibleDescription(speed_);
 }
 
@@ -165,6 +172,7 @@ void JointRow::resizeEvent(QResizeEvent*) {
     const int middle = height() / 2;
     const int finger = touchHeight();
     const int high = std::max(26, finger);
+    speedWidth_ = 0;
     if (compact_) {
         // No wider than the angle beside it leaves.
         const int wide = finger > 0 ? 36 : 26;
@@ -175,9 +183,13 @@ void JointRow::resizeEvent(QResizeEvent*) {
     }
     const int wide = finger > 0 ? 44 : 35;
     plus_->setGeometry(width() - kRowMargin - wide, middle - high / 2, wide, high);
-    const int bar = std::max(40, std::min(94, width() - 2 * kRowMargin - 86 - 92 - wide * 2 - 24));
+    int bar = std::max(40, std::min(94, width() - 2 * kRowMargin - 86 - 92 - wide * 2 - 24));
+    // In a low row the speed stands before the bar, where there is room for it.
+    speedWidth_ = low_ && bar >= kBarWithSpeed + kSpeedWidth ? kSpeedWidth : 0;
+    bar -= speedWidth_;
     bar_->setGeometry(plus_->x() - 9 - bar, middle - 8, bar, 16);
-    minus_->setGeometry(bar_->x() - 9 - wide, middle - high / 2, wide, high);
+    minus_->setGeometry(bar_->x() - 9 - speedWidth_ - wide, middle - high / 2, wide, high);
+    describe();
 }
 
 void JointRow::changeEvent(QEvent* event) {
@@ -209,6 +221,11 @@ void JointRow::paintEvent(QPaintEvent*) {
     painter.setFont(textFont(compact_ ? 15 : 19));
     painter.setPen(grey_ ? theme.disabledText : theme.text);
     painter.drawText(text, Qt::AlignRight | (two ? Qt::AlignBottom : Qt::AlignVCenter), value_);
+    if (speedWidth_ > 0) {
+        painter.setFont(textFont(13));
+        painter.setPen(theme.secondary);
+        painter.drawText(speedRect(), Qt::AlignCenter, speed_);
+    }
     if (!compact_) {
         painter.setPen(theme.border);
         painter.drawLine(0, height() - 1, width(), height() - 1);

@@ -75,6 +75,7 @@ private:
     QString shortName() const;
     void describe();
     QRect textRect() const;
+    QRect speedRect() const;
 
     int joint_;
     QString name_;
@@ -86,6 +87,7 @@ private:
     JointBar* bar_;
     bool compact_ = false;
     bool low_ = false;
+    int speedWidth_ = 0;  ///< [px] before the bar; 0: the speed is elsewhere
     bool grey_ = true;
 };
 

@@ -4,6 +4,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/common/notation.h"
 #include "widgets/project/project_document.h"
@@ -11,6 +12,8 @@
 namespace tiller {
 
 namespace {
+
+constexpr char kProjectModel[] = "model of the project";
 
 bool isSameTcp(const Pose& a, const Pose& b) {
     constexpr double kSameDistance = 5e-5;  // [m]
@@ -46,6 +49,7 @@ ProjectFit::ProjectFit(RobotSession& session, ProjectDocument& document, QWidget
     });
     connect(&document_, &ProjectDocument::projectReplaced, this, [this] {
         delete question_;
+        resolve();
         askedFor_.reset();
         keptTcp_.reset();
     });
@@ -86,7 +90,8 @@ std::optional<project::Tool> ProjectFit::otherTcp() const {
 }
 
 QString ProjectFit::modelText() const {
-    return tr("The project was taught with a %1, and a %2 is connected. The same joints bring it to other "
+    return tr("The project was taught with a %1, and a %2 is connected. The same joints bring the tool to "
+              "other "
               "places.")
         .arg(QLatin1String(robotModel(*document_.project().robot).name),
              QLatin1String(robotModel(session_.state().model).name));
@@ -111,6 +116,9 @@ void ProjectFit::follow(const SessionState& state) {
         return;
     }
     document_.adoptRobot(state.model);
+    if (!isOfOtherModel()) {
+        resolve();
+    }
     if (isOfOtherModel() && askedFor_ != state.model && question_ == nullptr) {
         askedFor_ = state.model;
         QMetaObject::invokeMethod(this, &ProjectFit::ask, Qt::QueuedConnection);
@@ -223,14 +231,24 @@ void ProjectFit::change(project::Keep keep) {
     if (!left.isEmpty()) {
         const QString text = left.join(QLatin1Char(' '));
         Q_EMIT message(Severity::Warning, text);
-        Q_EMIT noticeWanted({tr("Not everything can be reached"), text, {}, {}});
+        Q_EMIT noticeWanted({.title = tr("Not everything can be reached"), .text = text});
     }
 }
 
 /// After Cancel: where the question can be had again.
 void ProjectFit::remind() {
-    Q_EMIT noticeWanted(
-        {tr("Nothing moves to the places of this project"), modelText(), tr("Choose…"), [this] { ask(); }});
+    noticed_ = true;
+    Q_EMIT noticeWanted({.title = tr("Nothing moves to the places of this project"),
+                         .text = modelText(),
+                         .accept = tr("Choose…"),
+                         .accepted = [this] { ask(); },
+                         .cause = QLatin1String(kProjectModel)});
+}
+
+void ProjectFit::resolve() {
+    if (std::exchange(noticed_, false)) {
+        Q_EMIT noticeResolved(QLatin1String(kProjectModel));
+    }
 }
 
 }  // namespace tiller

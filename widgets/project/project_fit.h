@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "robot/project/model_change.h"
-#include "widgets/project/project_files.h"
+#include "widgets/common/notice_bar.h"
 #include "widgets/session/robot_session.h"
 
 class QMessageBox;
@@ -37,7 +37,9 @@ public:
 Q_SIGNALS:
     /// The arm has to stop before the window loses the keyboard.
     void questionOpens();
-    void noticeWanted(const tiller::ProjectNotice& notice);
+    void noticeWanted(const tiller::Notice& notice);
+    /// Notices with this cause are no longer true.
+    void noticeResolved(const QString& cause);
     /// Something the operator should be able to read again later.
     void message(tiller::Severity severity, const QString& text);
 
@@ -53,6 +55,7 @@ private:
     void show(QMessageBox& question);
     void change(project::Keep keep);
     void remind();
+    void resolve();
 
     RobotSession& session_;
     ProjectDocument& document_;
@@ -61,6 +64,7 @@ private:
     std::optional<RobotModelId> askedFor_;  ///< the arm that has been asked about for this project
     /// The TCP of the robot that the operator wants to keep with this project.
     std::optional<Pose> keptTcp_;
+    bool noticed_ = false;  ///< a notice about the model is shown
 };
 
 }  // namespace tiller

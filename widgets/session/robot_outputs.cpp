@@ -238,6 +238,9 @@ QString RobotOutputs::pulseObstacle() const {
 }
 
 void RobotOutputs::pulseDigitalOutput(int output, double seconds) {
+    if (session_.refusesCommand(terminalText(ioTerminal(true, output)))) {
+        return;
+    }
     if (const QString obstacle = pulseObstacle(); !obstacle.isEmpty()) {
         Q_EMIT session_.message(Severity::Warning, obstacle);
         return;

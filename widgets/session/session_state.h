@@ -140,8 +140,6 @@ struct SessionState {
         own.dh = dh;
         return own;
     }
-    /// Space and Esc stop, from everywhere; otherwise they belong to the focused control.
-    bool keysStop() const { return control == ControlState::InControl || control == ControlState::Taking; }
     /// True when a press on a jog key would move the arm.
     bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
     /// The safety value to show and to act on, of the two the controller sends.

@@ -368,7 +368,7 @@ void PayloadPage::followStep(const QUuid& id) {
     if (const int row = document_.tooling().payloads.indexOf(id); row >= 0) {
         selectRow(row);
     }
-    askedFor_ = {};
+    asked_.reset();
     compare();
 }
 

@@ -257,7 +257,7 @@ void TcpPage::followStep(const QUuid& id) {
     if (const int row = document_.tooling().tools.indexOf(id); row >= 0) {
         selectRow(row);
     }
-    askedFor_ = {};
+    asked_.reset();
     compare();
 }
 

@@ -135,7 +135,7 @@ QString WaypointModel::reachText(const project::Reach& reach) {
         case project::Reach::Obstacle::OnTheWay:
             return tr("✕ line");
         case project::Reach::Obstacle::OtherModel:
-            return tr("✕ robot");
+            return tr("✕ arm");
     }
     return tr("✕ reach");
 }

@@ -600,8 +600,7 @@ private Q_SLOTS:
         QTemporaryDir directory;
         const QString path = directory.filePath("cell-7.tiller");
         ProjectFiles files(*document_);
-        connect(&files, &ProjectFiles::noticeWanted, tab_.get(),
-                [this](const ProjectNotice& wanted) { tab_->showNotice(wanted); });
+        connect(&files, &ProjectFiles::noticeWanted, tab_.get(), &WaypointsTab::showNotice);
         files.saveAs(path);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadWrite));
