@@ -36,6 +36,8 @@ const std::vector<Row>& rows() {
             "when RTDE shows the registers that a script has written"),
         row(&A::data, "data", {"even", "late", "doubled", "bunched"},
             "RTDE packages leave every period, up to 24 ms late, twice each, or ten at a time"),
+        row(&A::realtimeBits, "realtime-bits", {"double", "integer"},
+            "how port 30003 writes digital inputs and outputs"),
         row(&A::safeguard, "safeguard", {"pauses", "runs"}, "what an open safeguard does to the program"),
         row(&A::safeguardReset, "safeguard-reset", {"resumes", "waits"},
             "the paused program goes on by itself, or waits for play"),

@@ -34,6 +34,9 @@ struct Assumptions {
     enum class Data : std::uint8_t { Even, Late, Doubled, Bunched };
     Data data = Data::Even;  ///< how RTDE packages leave
 
+    enum class RealtimeBits : std::uint8_t { Double, Integer };
+    RealtimeBits realtimeBits = RealtimeBits::Double;  ///< digital inputs and outputs on port 30003
+
     enum class Safeguard : std::uint8_t { Pauses, Runs };
     Safeguard safeguard = Safeguard::Pauses;  ///< what an open safeguard does to the program
     enum class Reset : std::uint8_t { Resumes, Waits };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/kinematics/arm_kinematics.h"
+
 namespace tiller::simulator::arm {
 
 namespace {
@@ -97,6 +99,10 @@ Vector6 ArmGeometry::solve(const Posture& posture, const Vector6& twist) const {
     const Matrix6 JJt = posture.jacobian * posture.jacobian.transpose();
     const Matrix6 damped = JJt + 1e-8 * Matrix6::Identity();
     return posture.jacobian.transpose() * damped.partialPivLu().solve(twist);
+}
+
+bool ArmGeometry::isReachable(const Eigen::Isometry3d& T) const {
+    return kinematics::inverse(model().dh, T * tcpTransform().inverse()).count > 0;
 }
 
 bool ArmGeometry::follow(const Eigen::Isometry3d& T, Vector6& q, Posture& posture) const {

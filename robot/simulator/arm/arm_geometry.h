@@ -36,6 +36,9 @@ public:
     /// Returns   false if there is no such position near q; q is then the nearest found
     bool follow(const Eigen::Isometry3d& T, Vector6& q, Posture& posture) const;
 
+    /// Whether any position of the joints has this TCP pose.
+    bool isReachable(const Eigen::Isometry3d& T) const;
+
     /// Joint velocities for a TCP twist; damped where the Jacobian is close to losing rank.
     /// Returns   false if the twist cannot be produced to 1 %
     bool jointRates(const Posture& posture, const Vector6& twist, Vector6& qd) const;

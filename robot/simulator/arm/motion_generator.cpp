@@ -41,11 +41,6 @@ ToolPoint MotionGenerator::toolPoint(const MoveTarget& target) const {
     return ToolPoint(geometry_.tcpPose(std::get<JointPositions>(target).values));
 }
 
-bool MotionGenerator::reachable(const ToolPoint& point) const {
-    const Eigen::Isometry3d flange = point.transform() * geometry_.tcpTransform().inverse();
-    return kinematics::inverse(geometry_.model().dh, flange).count > 0;
-}
-
 MotionError MotionGenerator::buildSegment(Segment& segment, Segment::Kind kind, const Vector6& fromQ,
                                           const ToolPoint& fromTool, const MoveTarget& target,
                                           const MoveTarget* via, ArcOrientation orientation, int& joint) {
@@ -138,10 +133,6 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
         activeId_ = 0;
         return start;
     }
-    if (segment.inToolSpace && !reachable(segment.path.finish())) {
-        raise(StopReason::PoseUnreachable, -1);
-        return start;
-    }
     PathPlanner::MoveTiming timing;
     timing.a = p.a;
     timing.v = p.v;
@@ -184,11 +175,6 @@ MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& tar
             warnings_[static_cast<std::size_t>(warningCount_++)] = MotionWarning::OverlappingBlends;
         }
         finish(start.id, MotionProgress::Returned);
-        return start;
-    }
-    if (segment.inToolSpace && !reachable(to)) {
-        activeId_ = start.id;
-        raise(StopReason::PoseUnreachable, -1);
         return start;
     }
     PathPlanner::MoveTiming timing;
@@ -259,7 +245,7 @@ MotionStart MotionGenerator::servoC(const Pose& target, double a, double v, doub
     const ToolPoint point(target.transform());
     const MotionStart start = begin();
     startVelocity(start.id, std::nullopt);
-    if (!reachable(point)) {
+    if (!geometry_.isReachable(point.transform())) {
         raise(StopReason::PoseUnreachable, -1);
         return start;
     }

@@ -32,7 +32,6 @@ private:
     MotionStart queueMove(Segment::Kind kind, const MoveTarget& target, const MoveParameters& parameters,
                           const MoveTarget* via, ArcOrientation orientation);
     ToolPoint toolPoint(const MoveTarget& target) const;
-    bool reachable(const ToolPoint& point) const;
 };
 
 }  // namespace tiller::simulator::arm

@@ -9,8 +9,11 @@ namespace tiller::simulator::arm {
 namespace {
 constexpr double kNearlyZero = 1e-9;
 constexpr double kSampleStep = 0.01;        // m
+constexpr double kFirstStep = 1e-4;         // m
 constexpr double kLargestTurn = 0.12;       // rad between samples
 constexpr double kSmallestFraction = 1e-4;  // of the path, below which a large turn is a singularity
+constexpr double kLongestFollowed =
+    5;  // m: no arm gets from one end of its reach to the other on a longer path
 }  // namespace
 
 ToolPoint PathPlanner::pointAt(const Segment& segment, double s) const {
@@ -112,9 +115,13 @@ void PathPlanner::plan(Segment& segment, const Vector6& startQ, const MoveTiming
 
 // Follows the path in steps short enough for the joints; returns how many samples could be reached.
 int PathPlanner::sampleToolPath(Segment& segment, const Vector6& startQ) {
-    const double length = segment.path.length();
+    // A target may be far outside: the arm moves towards it to the end of its reach.
+    const double length =
+        std::min(segment.path.length(), kLongestFollowed + 2 * geometry_.tcpTransform().translation().norm());
     const double widest = std::max(length / 200, std::min(kSampleStep, length / 32));
-    double step = widest;
+    const bool endsWithinReach = geometry_.isReachable(segment.path.finish().transform());
+    // Otherwise the speed follows from the samples: those of the ramp must be close together.
+    double step = endsWithinReach ? widest : std::min(widest, kFirstStep);
     std::size_t count = 1;
     s_[0] = 0;
     q_[0] = startQ;
@@ -131,7 +138,7 @@ int PathPlanner::sampleToolPath(Segment& segment, const Vector6& startQ) {
                 continue;
             }
             if (!reached || turn > 5 * kLargestTurn) {
-                segment.endFault = StopReason::Singularity;
+                segment.endFault = endsWithinReach ? StopReason::Singularity : StopReason::PoseUnreachable;
                 break;
             }
         }

@@ -418,6 +418,7 @@ void Plant::refreshTelemetry() {
     t.identity = identity_;
     t.boots = boots_;
     t.software = options_.software;
+    t.bitsAsIntegers = assumptions().realtimeBits == Assumptions::RealtimeBits::Integer;
     t.tick = tick_;
     t.timestamp = timestamp();
     t.executionTime = executionTime(tick_, programs_->isActive());

@@ -26,6 +26,7 @@ struct Telemetry {
     std::uint64_t identity = 0;         ///< changes when `model` does
     std::uint64_t boots = 0;            ///< changes when the services came up anew
     SoftwareVersion software;
+    bool bitsAsIntegers = false;  ///< digital inputs and outputs on port 30003
 
     std::uint64_t tick = 0;
     double timestamp = 0;      ///< [s] since the controller started

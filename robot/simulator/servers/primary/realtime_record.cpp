@@ -21,6 +21,15 @@ void unused(ByteWriter& out, int count) {
     }
 }
 
+/// A double like all other fields. The note of the vendor's table, an integer of 64 bits, is the other reading.
+void bits(ByteWriter& out, const Telemetry& now, std::uint64_t pins) {
+    if (now.bitsAsIntegers) {
+        out.u64(pins);
+    } else {
+        out.f64(static_cast<double>(pins));
+    }
+}
+
 }  // namespace
 
 std::size_t realtimeRecordSize(const SoftwareVersion& software) {
@@ -62,7 +71,7 @@ void writeRealtimeRecord(const Telemetry& now, std::vector<std::uint8_t>& into) 
     six(out, now.tcpForce.vector());
     out.f64s(arm.targetTcpPose.array());
     six(out, arm.targetTcpSpeed.vector());
-    out.u64(now.pins->digitalInputs);
+    bits(out, now, now.pins->digitalInputs);
     six(out, arm.jointTemperature);
     out.f64(now.executionTime);
     unused(out, 1);
@@ -76,7 +85,8 @@ void writeRealtimeRecord(const Telemetry& now, std::vector<std::uint8_t>& into) 
     unused(out, 2);
     out.f64(arm.mainVoltage).f64(arm.robotVoltage).f64(arm.robotCurrent);
     six(out, arm.jointVoltage);
-    out.u64(now.pins->digitalOutputs).f64(static_cast<double>(now.runtimeState));
+    bits(out, now, now.pins->digitalOutputs);
+    out.f64(static_cast<double>(now.runtimeState));
     three(out, arm.elbowPosition);
     three(out, arm.elbowVelocity);
     out.f64(static_cast<double>(now.safetyStatus));

@@ -76,6 +76,32 @@ private Q_SLOTS:
         QVERIFY(OutputRecipe({"timestamp", "payload"}, {3, 15, 0, 0}).isValid());
     }
 
+    void theRealtimeRecordWritesBitsAsADouble() {
+        const auto bytesAt = [](const std::vector<std::uint8_t>& record, std::size_t at) {
+            return std::vector(record.begin() + static_cast<std::ptrdiff_t>(at),
+                               record.begin() + static_cast<std::ptrdiff_t>(at + 8));
+        };
+        using Bytes = std::vector<std::uint8_t>;
+        constexpr std::size_t kInputs = 680 + 4;
+        constexpr std::size_t kOutputs = 1040 + 4;
+        for (const bool integer : {false, true}) {
+            SimulatorOptions options;
+            if (integer) {
+                QVERIFY(assume(options.assumptions, "realtime-bits=integer").ok());
+            }
+            Plant plant(options);
+            plant.pins().digitalOutputs = 1;
+            plant.pins().digitalInputs = 2;
+            plant.step();
+            std::vector<std::uint8_t> record;
+            writeRealtimeRecord(plant.telemetry(), record);
+            QCOMPARE(bytesAt(record, kOutputs),
+                     integer ? (Bytes{0, 0, 0, 0, 0, 0, 0, 1}) : (Bytes{0x3F, 0xF0, 0, 0, 0, 0, 0, 0}));
+            QCOMPARE(bytesAt(record, kInputs),
+                     integer ? (Bytes{0, 0, 0, 0, 0, 0, 0, 2}) : (Bytes{0x40, 0, 0, 0, 0, 0, 0, 0}));
+        }
+    }
+
     void theRealtimeRecordIsFullBeforeItIsCut() {
         Plant plant{SimulatorOptions()};
         plant.arm().setPayload({1.5, {0.01, 0.02, 0.03}, Vector6::Constant(0.25)});

@@ -39,6 +39,7 @@ private Q_SLOTS:
     void jointTargetOutOfRangeIsRefused();
     void poseWithoutSolutionIsRefusedByMoveJ();
     void unreachableLineIsAProtectiveStop();
+    void lineTowardsAFarPointIsFollowedToTheEndOfTheReach();
     void lineThroughASingularityStopsBeforeIt();
     void lineNearASingularityIsSlowed();
     void badArgumentsAreRefused_data();
@@ -228,13 +229,37 @@ void TestArmMoves::poseWithoutSolutionIsRefusedByMoveJ() {
 void TestArmMoves::unreachableLineIsAProtectiveStop() {
     WatchedArm arm;
     const MotionStart move = arm->motion().moveL(Pose(3, 0, 0, 0, 0, 0), {});
-    arm.run(0.1);
+    arm.run(30);
     QVERIFY(arm->protectiveStop());
     QCOMPARE(arm->protectiveStop()->reason, StopReason::PoseUnreachable);
     QCOMPARE(arm->motion().progress(move.id), MotionProgress::Failed);
     QCOMPARE(arm->motion().moveJ(kTo, {}).error, MotionError::NotOperational);
     arm->clearProtectiveStop();
     QVERIFY(arm->motion().moveJ(kTo, {}).ok());
+}
+
+// Programs that probe a surface move towards a point that is far away, and stop before they get there.
+void TestArmMoves::lineTowardsAFarPointIsFollowedToTheEndOfTheReach() {
+    for (const double distance : {1.0, 2.0, 1000.0}) {
+        WatchedArm arm;
+        arm.finish(arm->motion().moveJ(JointPositions(0, -1.5, 1.6, -1.7, -1.57, 0), {.a = 1.4, .v = 1.05}));
+        const Pose begin = arm->state().targetTcpPose;
+        Pose target = begin;
+        target.position.z() -= distance;
+        QVERIFY(arm->motion().moveL(target, {.a = 1.2, .v = 0.02}).ok());
+        arm.run(1.0);
+        QVERIFY2(!arm->protectiveStop(), qPrintable(QString::number(distance)));
+        const double moved = begin.position.z() - arm->state().targetTcpPose.position.z();
+        QVERIFY2(std::abs(moved - 0.02) < 0.001, qPrintable(QString::number(moved)));
+        if (distance < 1.5) {
+            continue;  // within the reach
+        }
+        arm.run(100);
+        QVERIFY(arm->protectiveStop());
+        QCOMPARE(arm->protectiveStop()->reason, StopReason::PoseUnreachable);
+        const double all = begin.position.z() - arm->state().targetTcpPose.position.z();
+        QVERIFY2(all > 0.3 && all < 1.5, qPrintable(QString::number(all)));
+    }
 }
 
 void TestArmMoves::lineThroughASingularityStopsBeforeIt() {
