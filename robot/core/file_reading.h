@@ -12,6 +12,9 @@
 
 namespace tiller {
 
+/// The largest URScript file that is read [bytes].
+inline constexpr qint64 kMaxScriptBytes = 16 << 20;
+
 /// Opens `path` for reading into `file`, which must be closed. Never blocks on a pipe or a device. Paths of embedded
 /// resources (":/...") are read as well.
 /// Errors   FileNotReadable, with the reason in controllerMessage

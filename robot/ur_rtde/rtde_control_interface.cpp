@@ -16,7 +16,6 @@ using List = std::vector<double>;
 
 namespace {
 
-constexpr qint64 kMaxScriptBytes = 16 << 20;
 constexpr double kMaxMass = 100.0;    // [kg], above every arm's payload
 constexpr double kMaxLength = 2.0;    // [m], centres of gravity and the like
 constexpr double kMaxGravity = 20.0;  // [m/s2]
@@ -198,7 +197,7 @@ bool RTDEControlInterface::sendCustomScript(const std::string& script, bool unat
 }
 
 bool RTDEControlInterface::sendCustomScriptFile(const std::string& file_path, bool unattended) {
-    const auto text = readWholeFile(QString::fromStdString(file_path), kMaxScriptBytes);
+    const auto text = tiller::readWholeFile(QString::fromStdString(file_path), tiller::kMaxScriptBytes);
     if (!text || text->isEmpty()) {
         throw std::invalid_argument("file_path: cannot read " + file_path);
     }
@@ -206,7 +205,8 @@ bool RTDEControlInterface::sendCustomScriptFile(const std::string& file_path, bo
 }
 
 void RTDEControlInterface::setCustomScriptFile(const std::string& file_path) {
-    if (!file_path.empty() && !readWholeFile(QString::fromStdString(file_path), kMaxScriptBytes)) {
+    if (!file_path.empty() &&
+        !tiller::readWholeFile(QString::fromStdString(file_path), tiller::kMaxScriptBytes)) {
         throw std::invalid_argument("file_path: cannot read " + file_path);
     }
     d_->session.useScriptFile(file_path);

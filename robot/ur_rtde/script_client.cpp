@@ -22,10 +22,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kScriptConnectTime(2000);
 constexpr std::chrono::milliseconds kSendTime(5000);
-constexpr qint64 kMaxScriptBytes = 16 << 20;
 
 std::optional<std::string> contentOf(const std::string& path) {
-    const auto content = readWholeFile(QString::fromStdString(path), kMaxScriptBytes);
+    const auto content = tiller::readWholeFile(QString::fromStdString(path), tiller::kMaxScriptBytes);
     return content ? std::optional(content->toStdString()) : std::nullopt;
 }
 

@@ -202,7 +202,6 @@ void CustomControl::startProgram(RegisterLink& link) {
 
 std::string CustomControl::program(RegisterLink& link, const std::string& pathCode, bool bare) const {
     const SoftwareVersion version = link.version();
-    constexpr qint64 kMaxScriptBytes = 16 << 20;
     const auto content = readWholeFile(QString::fromStdString(scriptFile_), kMaxScriptBytes);
     if (!content) {
         throw std::runtime_error("cannot read the script " + scriptFile_);
