@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""Plain English: words that the project replaces do not appear in visible texts and documents, and become no more
+frequent in comments. A spelling checker reads the same texts."""
+import collections
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+SOURCE = pathlib.Path(os.environ["TILLER_SOURCE"])
+
+# What to write instead.
+WORDS = {
+    r"mend(?:ed|s|ing)?": "fix",
+    r"anew": "again",
+    r"whoever|everybody": "everyone, any client",
+    r"nobody": "no one",
+    r"tells?|told": "report, show, return",
+    r"g[ai]ve?s? way": "name the effect",
+    r"stands? still|standing still": "at standstill",
+    r"lies in": "is in",
+    r"room for": "space for",
+    r"witness(?:es)?": "key-state check",
+    r"patience": "timeout",
+    r"figures?": "value, number",
+    r"beside": "next to",
+}
+PATTERN = re.compile(r"\b(" + "|".join(WORDS) + r")\b", re.IGNORECASE)
+
+# Documents that follow the word list as a whole.
+DOCUMENTS = ["README.md", "CHANGELOG.md", "packaging/reference/contributing.md",
+             "packaging/manual/simulated_controller.rst", "packaging/manual/unattended_recording.rst"]
+
+# Texts in which a listed word is right, with the reason.
+ALLOWED = {
+    # no entry at present
+}
+
+# Listed words in the code of each folder, comments and names. These limits only ever decrease.
+CODE_LIMITS = {"app": 0, "robot": 0, "widgets": 0, "tests": 0}
+
+SUFFIXES = {".cpp", ".h", ".py", ".script"}
+
+
+def visible_texts():
+    """The source texts of the window and the command line, with the class that shows each of them."""
+    root = xml.etree.ElementTree.parse(SOURCE / "translations" / "tiller_en.ts").getroot()
+    for context in root.findall("context"):
+        for message in context.findall("message"):
+            yield context.findtext("name"), message.findtext("source") or ""
+
+
+def code_counts():
+    counts = collections.Counter()
+    for folder in CODE_LIMITS:
+        for path in sorted((SOURCE / folder).rglob("*")):
+            if path.suffix in SUFFIXES and path != pathlib.Path(__file__).resolve():
+                counts[folder] += len(PATTERN.findall(path.read_text(encoding="utf-8")))
+    return counts
+
+
+class TestLanguage(unittest.TestCase):
+    def findings(self, name, text):
+        return [f"{name}: “{match.group(0)}” in “{text[max(0, match.start() - 40):match.end() + 40]}”"
+                for match in PATTERN.finditer(text) if match.group(0).lower() not in ALLOWED.get(text, ())]
+
+    def test_visible_texts_avoid_listed_words(self):
+        found = [line for context, text in visible_texts() for line in self.findings(context, text)]
+        self.assertEqual(found, [])
+
+    def test_documents_avoid_listed_words(self):
+        found = [line for name in DOCUMENTS
+                 for line in self.findings(name, (SOURCE / name).read_text(encoding="utf-8"))]
+        self.assertEqual(found, [])
+
+    def test_listed_words_in_code_become_fewer(self):
+        for folder, count in code_counts().items():
+            self.assertLessEqual(count, CODE_LIMITS[folder], f"{folder}/ has {count} listed words; see WORDS in this file")
+
+    def test_the_list_finds_its_words(self):
+        self.assertEqual(len(self.findings("x", "Nobody tells whoever stands still anew.")), 5)
+        self.assertEqual(self.findings("x", "An amendment configures the telling stand."), [])
+
+    def test_spelling(self):
+        checker = shutil.which("codespell")
+        if not checker:
+            self.skipTest("codespell is not installed; packaging/dependencies lists what the tests need")
+        with tempfile.TemporaryDirectory() as folder:
+            texts = pathlib.Path(folder) / "visible_texts.txt"
+            texts.write_text("\n".join(text for _, text in visible_texts()), encoding="utf-8")
+            checked = [texts, *(SOURCE / name for name in DOCUMENTS), SOURCE / "packaging" / "manual"]
+            ran = subprocess.run([checker, *map(str, checked)], capture_output=True, text=True, check=False)
+            self.assertEqual((ran.returncode, ran.stdout), (0, ""), ran.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
