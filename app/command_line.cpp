@@ -24,11 +24,10 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
                                        CommandLineText::tr("Start with the built-in simulated UR5e."));
     const QCommandLineOption robot(
         "robot", CommandLineText::tr("Connect to the robot at this address or host name."), "host");
-    const QCommandLineOption demo(
-        "demo",
-        CommandLineText::tr(
-            "Run the scripted demonstration on the simulated robot, leave its files in this folder, exit."),
-        "folder");
+    const QCommandLineOption demo("demo",
+                                  CommandLineText::tr("Run the scripted demonstration on the simulated "
+                                                      "robot, write its files to this folder, and exit."),
+                                  "folder");
     const QCommandLineOption project("project", CommandLineText::tr("Open this project file (.tiller)."),
                                      "file");
     // As earlier versions called it.
@@ -37,7 +36,8 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     const QCommandLineOption theme("theme", CommandLineText::tr("Colours: light or dark."), "name");
     const QCommandLineOption monitorOnly(
         "monitor-only",
-        CommandLineText::tr("Change nothing on the robot: only STOP works. The settings cannot end this."));
+        CommandLineText::tr(
+            "Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings."));
     parser.addPositionalArgument("file", project.description(), "[file.tiller]");
     parser.addOptions({simulator, robot, demo, project, session, theme, monitorOnly});
 
@@ -52,10 +52,10 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     const bool opened = !files.isEmpty() && files.constFirst().endsWith(QLatin1String(".tiller"));
     const QString file = opened ? files.takeFirst() : QString();
     if (!files.isEmpty()) {
-        return wrong(CommandLineText::tr("\"%1\" was not expected").arg(files.constFirst()));
+        return wrong(CommandLineText::tr("unexpected argument \"%1\"").arg(files.constFirst()));
     }
     if (opened && parser.isSet(project)) {
-        return wrong(CommandLineText::tr("only one project can be opened, not \"%1\" too").arg(file));
+        return wrong(CommandLineText::tr("only one project can be opened; remove \"%1\"").arg(file));
     }
 
     CommandLine line;
@@ -70,14 +70,16 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     }
     line.monitorOnly = parser.isSet(monitorOnly);
     if (parser.isSet(demo) && line.monitorOnly) {
-        return wrong(CommandLineText::tr("--demo moves the simulated robot and excludes --monitor-only"));
+        return wrong(CommandLineText::tr(
+            "--demo moves the simulated robot and cannot be combined with --monitor-only"));
     }
     if (parser.isSet(robot) && parser.isSet(simulator)) {
-        return wrong(CommandLineText::tr("--robot and --simulator exclude each other"));
+        return wrong(CommandLineText::tr("--robot and --simulator cannot be combined"));
     }
     if (parser.isSet(demo) && parser.isSet(robot)) {
         // The demonstration moves the arm by itself: never on a real one.
-        return wrong(CommandLineText::tr("--demo runs on the simulated robot only, not with --robot"));
+        return wrong(CommandLineText::tr(
+            "--demo works on the simulated robot only and cannot be combined with --robot"));
     }
     if (parser.isSet(demo) && line.demoDirectory.isEmpty()) {
         return wrong(CommandLineText::tr("--demo needs a folder"));
@@ -85,7 +87,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (parser.isSet(robot)) {
         line.robotHost = parser.value(robot).trimmed();
         if (line.robotHost.isEmpty()) {
-            return wrong(CommandLineText::tr("--robot needs an address, as in --robot 192.168.0.10"));
+            return wrong(CommandLineText::tr("--robot needs an address, e.g. --robot 192.168.0.10"));
         }
         line.start = CommandLine::Start::Robot;
     } else if (parser.isSet(simulator) || parser.isSet(demo)) {

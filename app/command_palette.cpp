@@ -50,8 +50,8 @@ CommandPalette::CommandPalette(const ActionTable& actions, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     words_ = new QLineEdit(this);
     words_->setObjectName("paletteWords");
-    words_->setAccessibleName(tr("Search a command"));
-    words_->setPlaceholderText(tr("Type what you want to do"));
+    words_->setAccessibleName(tr("Search commands"));
+    words_->setPlaceholderText(tr("Type a command or keyword"));
     words_->installEventFilter(this);
     list_ = new QListWidget(this);
     list_->setObjectName("paletteList");
@@ -87,7 +87,7 @@ void CommandPalette::list(const QString& words) {
         QString tip = ActionTable::helpOf(*action);
         if (!action->isEnabled()) {
             const QString why = ActionTable::obstacleOf(*action);
-            item->setText(text + QStringLiteral(" – ") + (why.isEmpty() ? tr("not possible now") : why));
+            item->setText(text + QStringLiteral(" – ") + (why.isEmpty() ? tr("not available now") : why));
             item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
             tip.prepend(item->text() + QLatin1Char('\n'));
         }

@@ -25,11 +25,11 @@ QString hostProblem(const QString& host) {
     }
     static const QRegularExpression fourNumbers(QStringLiteral("^[0-9.]+$"));
     if (fourNumbers.match(host).hasMatch() && (QHostAddress(host).isNull() || host.count('.') != 3)) {
-        return ConnectDialog::tr("An address has four numbers of 0 to 255, as in 192.168.0.10.");
+        return ConnectDialog::tr("An address has four numbers from 0 to 255, e.g. 192.168.0.10.");
     }
     static const QRegularExpression name(QStringLiteral("^[A-Za-z0-9_.:-]+$"));
     if (!name.match(host).hasMatch()) {
-        return ConnectDialog::tr("A host name has letters, digits, dots and hyphens only.");
+        return ConnectDialog::tr("A host name contains only letters, digits, dots and hyphens.");
     }
     return {};
 }
@@ -60,9 +60,8 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     layout->addWidget(remembered.isEmpty() ? robot : simulator);
 
     auto* safety = new QLabel(
-        tr("Before you move a real arm: keep everybody out of its reach, have the emergency stop at "
-           "hand, check payload and TCP, start slowly. The STOP of this window is not an emergency "
-           "stop."));
+        tr("Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, "
+           "check payload and TCP, and start slowly. STOP in this window is not an emergency stop."));
     safety->setProperty("role", "secondary");
     safety->setWordWrap(true);
     layout->addWidget(safety);
@@ -72,7 +71,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     cancel->setObjectName("cancelConnect");
     auto* project = new QPushButton(tr("Open a project…"));
     project->setObjectName("openProject");
-    project->setToolTip(tr("Waypoints from a file, without a robot: everything but moving works."));
+    project->setToolTip(tr("Waypoints from a file, without a robot: everything works except motion."));
     for (QPushButton* button : {project, cancel, connect_, simulator_, sample_, forget_}) {
         button->setAutoDefault(false);  // the focus does not make a key the one for Return
     }
@@ -105,14 +104,14 @@ QWidget* ConnectDialog::simulatorPart() {
     auto* title = new QLabel(tr("Try the simulator"));
     title->setProperty("role", "strong");
     auto* text =
-        new QLabel(tr("A simulated UR5e inside this program. Everything works, nothing can be hurt."));
+        new QLabel(tr("A simulated UR5e in this program. All functions are available without risk."));
     text->setProperty("role", "secondary");
     text->setWordWrap(true);
     simulator_->setObjectName("startSimulator");
     simulator_->setMinimumHeight(44);
     sample_->setObjectName("startSample");
     sample_->setMinimumHeight(44);
-    sample_->setToolTip(tr("Starts the simulated robot, and opens a project that is taught already."));
+    sample_->setToolTip(tr("Starts the simulated robot and opens a project with taught waypoints."));
     layout->addWidget(title);
     layout->addWidget(text);
     auto* keys = new QHBoxLayout;
@@ -150,8 +149,7 @@ QWidget* ConnectDialog::robotPart() {
                                                 : QStringLiteral("%1 · %2").arg(robot.name, robot.host));
     }
     forget_->setObjectName("forgetRobot");
-    forget_->setToolTip(
-        tr("Takes the selected robot off this list (Delete). Nothing is changed on the robot."));
+    forget_->setToolTip(tr("Removes the selected robot from this list (Delete). The robot does not change."));
     auto* forgetKey = new QAction(list_);
     forgetKey->setShortcut(QKeySequence::Delete);
     forgetKey->setShortcutContext(Qt::WidgetShortcut);

@@ -54,7 +54,8 @@ Demonstration::Demonstration(MainWindow& window, const QString& folder, QObject*
 
 void Demonstration::start() {
     if (!folder_.mkpath(QStringLiteral("."))) {
-        fail(tr("make the folder %1: choose one that may be written to").arg(folder_.path()));
+        fail(tr("create the folder %1: choose a folder that you have permission to write to")
+                 .arg(folder_.path()));
         finish();
         return;
     }
@@ -97,7 +98,7 @@ void Demonstration::addSteps() {
                       },
                       [this, state] { return distanceMm(state().tcpPose, jogStart_) >= kJogMm; }, 10'000,
                       pressAnew(jogKey)});
-    steps_.push_back({tr("let go"), [this, jogKey] { release(jogKey); },
+    steps_.push_back({tr("release"), [this, jogKey] { release(jogKey); },
                       [this, state] {
                           if (jogStop_.count == 0 || state().moving) {
                               return false;
@@ -122,7 +123,7 @@ void Demonstration::addSteps() {
          [this, state] { return distanceMm(state().tcpPose, jogStart_) < 0.5 && !state().moving; }, 20'000,
          pressAnew(goKey)});
     steps_.push_back(
-        {tr("let go of Go to"), [this, goKey] { release(goKey); }, [=] { return !state().moving; }});
+        {tr("release Go to"), [this, goKey] { release(goKey); }, [=] { return !state().moving; }});
     steps_.push_back({tr("digital output 0 on"),
                       [this] {
                           window_.showTab(QStringLiteral("io"));
@@ -169,7 +170,7 @@ void Demonstration::poll() {
         fail(tr("%1: did not happen within %2 s (%3)")
                  .arg(step.name)
                  .arg(step.timeoutMs / 1000)
-                 .arg(state.controlReason.isEmpty() ? tr("the robot reports no reason")
+                 .arg(state.controlReason.isEmpty() ? tr("the robot reported no reason")
                                                     : state.controlReason));
     }
 }
@@ -211,7 +212,7 @@ QString Demonstration::summary() const {
         out << "log     " << trouble << '\n';
     }
     if (pressedAnew_ > 0) {
-        out << tr("pressed anew         %1 times: the motion had stopped before the key was let go")
+        out << tr("pressed again        %1 times: the motion had stopped before the key was released")
                    .arg(pressedAnew_)
             << '\n';
     }

@@ -56,7 +56,8 @@ DeviceSettings::DeviceSettings(DeviceJog& devices, const QMap<QString, DeviceTun
     auto* trainer = new QPushButton(tr("Try it out…"));
     trainer->setObjectName("settings.trainer");
     trainer->setAutoDefault(false);
-    trainer->setToolTip(tr("What each device says now, and which way it will go."));
+    trainer->setToolTip(
+        tr("Shows the live values of each device and the direction in which the arm would move."));
 
     auto* form = new QFormLayout;
     form->setVerticalSpacing(10);
@@ -90,14 +91,14 @@ QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, co
     auto* zone =
         numberField("settings." + kind + ".deadZone", tr("Dead zone of the %1").arg(title),
                     DeviceTuning::kLeastDeadZone * 100, DeviceTuning::kMostDeadZone * 100, 1, 0, tr(" %"));
-    zone->setToolTip(tr("So far a stick may be out without moving anything."));
+    zone->setToolTip(tr("Deflection below which the device does not move the arm."));
     auto* curve = numberField("settings." + kind + ".exponent", tr("Curve of the %1").arg(title), 1,
                               DeviceTuning::kMostExponent, 0.1, 1, {});
     curve->setPrefix(tr("exponent "));
-    curve->setToolTip(tr("1: even. Higher: gentle near the middle, fast at the end of the way."));
-    auto* dominant = new QCheckBox(tr("Only the axis that is out furthest"));
+    curve->setToolTip(tr("1: linear. Higher: finer near the centre, faster at full deflection."));
+    auto* dominant = new QCheckBox(tr("Dominant axis only"));
     dominant->setObjectName("settings." + kind + ".dominant");
-    dominant->setAccessibleName(tr("%1: only the axis that is out furthest").arg(title));
+    dominant->setAccessibleName(tr("%1: dominant axis only").arg(title));
     const auto show = [zone, curve, dominant](const DeviceTuning& tuning) {
         const QSignalBlocker quietZone(zone);
         const QSignalBlocker quietCurve(curve);
@@ -150,9 +151,9 @@ void DeviceSettings::listDevices() {
     used_->setCurrentIndex(current);
     used_->setEnabled(!devices_.devices().empty());
     there_->setText(devices_.devices().empty()
-                        ? tr("No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.")
-                        : tr("Only while its dead-man is held. It is not remembered: after a start no device "
-                             "moves the arm."));
+                        ? tr("No gamepad or SpaceMouse found. Connect one; it is detected automatically.")
+                        : tr("Moves the arm only while the dead-man switch is held. Not stored: after a "
+                             "restart no device moves the arm."));
 }
 
 }  // namespace tiller::app

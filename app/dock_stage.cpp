@@ -207,8 +207,8 @@ void DockStage::paintEvent(QPaintEvent* event) {
         painter.setFont(textFont(15));
         painter.setPen(Theme::current().secondary);
         painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No panel is here. Choose a perspective at the lower right, or show a panel with "
-                            "the menu View."));
+                         tr("No panels are shown. Select a perspective at the lower right, or show a panel "
+                            "with the View menu."));
     }
 }
 

@@ -32,73 +32,73 @@ QString stepName(const StepPreset& step) {
 void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keyboard,
                        const std::function<void()>& showTrainer) {
     table.add({"jog.keyboard", tr("Arm or disarm the keyboard"),
-               tr("Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself "
-                  "after half a minute."),
+               tr("While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after "
+                  "30 s without use."),
                QKeySequence(Qt::CTRL | Qt::Key_J), [&keyboard] { keyboard.setArmed(!keyboard.isArmed()); }});
     table.add({"jog.devices",
                tr("Gamepad and SpaceMouse…"),
-               tr("What each device says now, and which way it will go."),
+               tr("Shows the live values of each device and the direction in which the arm would move."),
                {},
                showTrainer});
     table.add({"jog.zero", tr("Zero here"),
-               tr("Counts the way of the TCP from where it is now; once more: since the press again."),
+               tr("Measures the TCP displacement from here. Press again to measure from the last press."),
                QKeySequence(Qt::Key_Z), [&column] { column.zeroHere(); }});
     int index = 0;
     for (const SpeedClass& choice : speedClasses()) {
         table.add({QStringLiteral("jog.speed.%1").arg(index),
                    speedName(choice.tcp),
-                   tr("Stops the arm; the next press has this speed."),
+                   tr("Stops the arm. The next press uses this speed."),
                    {},
                    [&column, index] { column.selectors().setSpeedClass(index); }});
         ++index;
     }
     table.add({"jog.speed.slowest",
                speedName(kSlowestJog),
-               tr("Stops the arm; the next press has this speed."),
+               tr("Stops the arm. The next press uses this speed."),
                {},
                [&column] { column.selectors().setFreeSpeed(kSlowestJog); }});
     for (const StepPreset& step : kStepPresets) {
         table.add({stepId(step),
                    stepName(step),
                    step.millimetres > 10 || step.degrees > 10
-                       ? tr("Moves by this much, only while the key is held.")
-                       : tr("Moves by this much at each press."),
+                       ? tr("Moves by this distance, only while the key is held.")
+                       : tr("Moves by this distance at each press."),
                    {},
                    [&column, step] { column.selectors().setFreeStep(step.size()); }});
     }
     for (const double force : kContactForces) {
         table.add({QStringLiteral("jog.contact.%1").arg(force),
-                   tr("Jog until contact, %1 N").arg(force),
-                   tr("A held key moves slowly and ends when the tool meets this force."),
+                   tr("Jog until contact (%1 N)").arg(force),
+                   tr("Moves slowly while the key is held and stops when the tool reaches this force."),
                    {},
                    [&column, force] { column.selectors().setUntilContact(force); }});
     }
     // As the last entries of the column's own menus, for those who have no second mouse button.
     table.add({"jog.speed.other",
                tr("Jog speed, other…"),
-               tr("Asks for the speed of the TCP; turns and joints in proportion."),
+               tr("Asks for the TCP speed. Rotation and joint speeds change in proportion."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::Speed); }});
     table.add({"jog.step.other",
                tr("Jog step, other…"),
-               tr("Asks for the length of a step; the angle of turns stays."),
+               tr("Asks for the step length. The step angle does not change."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::Step); }});
     table.add({"jog.turn.other",
                tr("Jog turn, other…"),
-               tr("Asks for the angle of a step that turns the tool or a joint; the length stays."),
+               tr("Asks for the step angle of tool and joint rotations. The step length does not change."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::Turn); }});
     table.add({"jog.contact.other",
                tr("Jog until contact, other force…"),
-               tr("Asks for the force in N at which the motion ends."),
+               tr("Asks for the contact force in N that ends the motion."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::ContactForce); }});
     index = 0;
     for (const FreedriveAxes axes : kFreedriveAxes) {
         table.add({QStringLiteral("jog.freedrive.%1").arg(index),
                    tr("Freedrive: %1").arg(freedriveAxesText(axes)),
-                   tr("What the hand can move while Freedrive is held."),
+                   tr("Selects the axes that can be moved by hand during Freedrive."),
                    {},
                    [&column, axes] { column.setFreedriveAxes(axes); }});
         ++index;

@@ -70,7 +70,7 @@ void Lessons::readAgain() {
 void Lessons::addTo(ActionTable& table) {
     table.add({"app.firstSteps",
                tr("First steps"),
-               tr("A checklist in the view: from power on to a recording."),
+               tr("Shows a checklist in the view, from power on to a recording."),
                {},
                [this] { showFirstSteps(); }});
     table.add({"app.practice",
@@ -112,28 +112,28 @@ void Lessons::onState(const SessionState& state) {
 }
 
 PracticeHooks Lessons::hooks() {
-    return {
-        .obstacle =
-            [this](const SessionState& state) {
-                return simulator_.controllerOf(state) != nullptr || state.link == LinkState::Lost ||
-                               state.link == LinkState::Stale
-                           ? QString()
-                           : tr("Practice is for the simulated robot of this program alone. This is “%1”.")
-                                 .arg(state.robotName);
-            },
-        .setUp = [this](PracticeTask task) { setUp(task); },
-        .tidyUp =
-            [this] {
-                for (simulator::Simulator* controller : simulator_.controllers()) {
-                    controller->pressHand({});
-                }
-            },
-        .addWaypoint =
-            [this](const project::Waypoint& point) {
-                steps_.setFollowing(false);  // it was not taught
-                document_.insertWaypoints(document_.waypoints().size(), {point},
-                                          tr("Practice: put “%1”").arg(point.name));
-            }};
+    return {.obstacle =
+                [this](const SessionState& state) {
+                    return simulator_.controllerOf(state) != nullptr || state.link == LinkState::Lost ||
+                                   state.link == LinkState::Stale
+                               ? QString()
+                               : tr("Practice works only with the built-in simulated robot. The current "
+                                    "robot is “%1”.")
+                                     .arg(state.robotName);
+                },
+            .setUp = [this](PracticeTask task) { setUp(task); },
+            .tidyUp =
+                [this] {
+                    for (simulator::Simulator* controller : simulator_.controllers()) {
+                        controller->pressHand({});
+                    }
+                },
+            .addWaypoint =
+                [this](const project::Waypoint& point) {
+                    steps_.setFollowing(false);  // it was not taught
+                    document_.insertWaypoints(document_.waypoints().size(), {point},
+                                              tr("Practice: place “%1”").arg(point.name));
+                }};
 }
 
 void Lessons::setUp(PracticeTask task) {

@@ -74,8 +74,8 @@ void tellOfSize(app::MainWindow& window) {
         Q_EMIT window.session().message(
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",
-                                        "This screen has small pixels. \"Size of everything\" in Settings "
-                                        "makes text, keys and plots larger."));
+                                        "This screen has a high resolution. Increase \"Interface size\" in "
+                                        "Settings to enlarge text, keys and plots."));
     }
 }
 
@@ -133,9 +133,9 @@ std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const 
     window->openProject(project.path);
     if (!project.missing.isEmpty()) {
         Q_EMIT window->session().message(
-            Severity::Warning, QCoreApplication::translate(
-                                   "StartProject", "The project worked in last is not there any more: %1")
-                                   .arg(project.missing));
+            Severity::Warning,
+            QCoreApplication::translate("StartProject", "The last project no longer exists: %1")
+                .arg(project.missing));
     }
     return window;
 }

@@ -167,11 +167,11 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     keyboard_->setClock(clock);
     jog_->addHoldKeys(*keyboard_);
     connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
-        Q_EMIT session_->message(Severity::Info,
-                                 armed ? tr("Keyboard jogging armed: arrows move X and Y, PgUp and "
-                                            "PgDn move Z, with Alt they turn, 1 to 6 with + and − "
-                                            "turn a joint. Space and Esc stop.")
-                                       : tr("Keyboard jogging disarmed"));
+        Q_EMIT session_->message(
+            Severity::Info,
+            armed ? tr("Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they "
+                       "rotate, 1 to 6 with + and − move a joint. Space and Esc stop.")
+                  : tr("Keyboard jogging disarmed"));
     });
     connectDevices(clock);
     stops_ = new StopRecorder(*session_, this);
@@ -481,8 +481,8 @@ void MainWindow::connectDevices(const Clock& clock) {
     devices_->setClock(clock);
     connect(devices_, &DeviceJog::fellSilent, this, [this](const QString& name) {
         Q_EMIT session_->message(Severity::Warning,
-                                 tr("%1 has gone silent while it moved the arm, which was stopped. Let go of "
-                                    "it; if it stays silent, plug it in again.")
+                                 tr("%1 stopped sending data while moving the arm. The arm was stopped. "
+                                    "Release the device; if the problem persists, reconnect it.")
                                      .arg(name));
     });
     connect(devices_, &DeviceJog::tuned, this, [this](const QString& kind, const DeviceTuning& tuning) {
@@ -576,11 +576,9 @@ void MainWindow::simulateCell() {
     cellIsSimulated_ = !document_->cell().isEmpty();
     for (simulator::Simulator* robot : simulator_.controllers()) {
         if (const int over = app::simulateCell(*robot, *document_); over > 0) {
-            Q_EMIT session_->message(
-                Severity::Warning,
-                tr("%n boxes or planes of the cell are not known to the simulated robot: it has no "
-                   "room for more.",
-                   nullptr, over));
+            Q_EMIT session_->message(Severity::Warning, tr("%n boxes or planes of the cell exceed the limit "
+                                                           "of the simulated robot and are ignored by it.",
+                                                           nullptr, over));
         }
     }
 }
@@ -869,7 +867,7 @@ void MainWindow::addProjectActions() {
                    }});
     actions_->add({"project.sample",
                    tr("Open sample project…"),
-                   tr("A copy of one of three projects, to try on the simulated robot."),
+                   tr("Opens a copy of one of three projects to try on the simulated robot."),
                    {},
                    [this] { showSamples(); }});
     actions_->add({"project.adapt",
@@ -878,7 +876,7 @@ void MainWindow::addProjectActions() {
                    {},
                    [this] { fit_->ask(); }});
     actions_->add({"project.saveAs", tr("Save project as…"),
-                   tr("Saves to this file now, and every change from now on."),
+                   tr("Saves to this file now and saves all further changes automatically."),
                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] {
                        stopMotion(control::StopCause::DialogOpened);
                        files_->askToSave(this);
@@ -891,20 +889,19 @@ void MainWindow::addViewActions() {
                                       {"frames", tr("Show frames")},
                                       {"io", tr("Show I/O")},
                                       {"log", tr("Show log")}}) {
-        actions_->add({"view." + name, title, tr("Brings this tab to the front."),
+        actions_->add({"view." + name, title, tr("Shows this tab."),
                        QKeySequence(Qt::CTRL | Qt::Key(number++)), [this, name = name] { showTab(name); }});
     }
-    actions_->add({"view.gripper",
-                   tr("Show gripper"),
-                   tr("Brings the gripper's page of I/O to the front."),
-                   {},
-                   [this] { showTab("gripper"); }});
+    actions_->add(
+        {"view.gripper", tr("Show gripper"), tr("Shows the Gripper page of the I/O tab."), {}, [this] {
+             showTab("gripper");
+         }});
     for (PanelDock* dock : stage_->docks()) {
         addPanelActions(*dock);
     }
     actions_->add({"view.reset",
                    tr("Reset layout"),
-                   tr("All panels back to where the current perspective has them."),
+                   tr("Restores the panel layout of the current perspective."),
                    {},
                    [this] { perspectives_->reset(); }});
     auto* perspectives =
@@ -917,30 +914,31 @@ void MainWindow::addViewActions() {
          {std::pair<QString, QString>{"light", tr("Light colours")}, {"dark", tr("Dark colours")}}) {
         actions_->add({"view." + name,
                        title,
-                       tr("Changes the colours at once and remembers it."),
+                       tr("Changes the colour theme now and for the next start."),
                        {},
                        [this, name = name] {
                            setTheme(name);
                            settings_.setTheme(name);
                        }});
     }
-    actions_->add({"view.zeroForce",
-                   tr("Zero the force in the plots, or show it as measured"),
-                   tr("Counts the TCP force from what it is now; once more: as the robot measures it."),
-                   {},
-                   [this] { plots_->setForceZeroed(!plots_->view().isForceZeroed()); }});
+    actions_->add(
+        {"view.zeroForce",
+         tr("Zero the force in the plots, or show it as measured"),
+         tr("Subtracts the current TCP force in the plots. Press again to show the measured force."),
+         {},
+         [this] { plots_->setForceZeroed(!plots_->view().isForceZeroed()); }});
     actions_->add({"app.palette", tr("Commands…"), tr("Finds a command by its name."),
                    QKeySequence(Qt::CTRL | Qt::Key_K), [this] {
                        stopMotion(control::StopCause::DialogOpened);
                        (new CommandPalette(*actions_, this))->open();
                    }});
     actions_->add({"app.settings", tr("Settings…"),
-                   tr("Colours, sizes, units, the speed cap, devices, and the key of every command."),
+                   tr("Theme, sizes, units, speed cap, devices and keyboard shortcuts."),
                    QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { showSettings(); }});
     lessons_->addTo(*actions_);
     actions_->add({"app.exportSettings",
                    tr("Export settings…"),
-                   tr("One file with everything that is remembered, for another computer or as a copy."),
+                   tr("Saves all settings to one file, for another computer or as a backup."),
                    {},
                    [this] {
                        stopMotion(control::StopCause::DialogOpened);
@@ -948,24 +946,22 @@ void MainWindow::addViewActions() {
                    }});
     actions_->add({"app.importSettings",
                    tr("Import settings…"),
-                   tr("Takes over what such a file holds; says first what it replaces."),
+                   tr("Imports settings from a file after showing what will be replaced."),
                    {},
                    [this] {
                        stopMotion(control::StopCause::DialogOpened);
                        transfer_->askToImport(this);
                    }});
-    QAction* help =
-        actions_->add({"app.help", tr("Help"),
-                       tr("The manual at the page of what has the focus, all commands with their keys, "
-                          "and the rules of jogging."),
-                       QKeySequence(Qt::Key_F1), [this] { showHelp(); }});
+    QAction* help = actions_->add({"app.help", tr("Help"),
+                                   tr("Opens the manual page for the focused control, the list of commands "
+                                      "and shortcuts, and the rules of jogging."),
+                                   QKeySequence(Qt::Key_F1), [this] { showHelp(); }});
     new HelpKey(*help, *this);
-    actions_->add(
-        {"app.report",
-         tr("Report a problem…"),
-         tr("One file with versions, log and settings for whoever helps; shows first what is in it."),
-         {},
-         [this] { showReport(); }});
+    actions_->add({"app.report",
+                   tr("Report a problem…"),
+                   tr("Saves versions, log and settings to one file for support, after showing its content."),
+                   {},
+                   [this] { showReport(); }});
     actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),
                    QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); }});
 }
@@ -998,7 +994,7 @@ void MainWindow::addPanelActions(PanelDock& dock) {
     QAction* floats =
         actions_->add({"view.float." + name,
                        tr("Float %1").arg(dock.windowTitle()),
-                       tr("Makes it a window of its own, for a second screen, or puts it back."),
+                       tr("Moves the panel to a separate window, e.g. for a second screen, or back."),
                        {},
                        [&dock] {
                            dock.show();
@@ -1009,7 +1005,7 @@ void MainWindow::addPanelActions(PanelDock& dock) {
     const auto move = [&](const char* where, const QString& text, StageSide side) {
         dock.menu().addAction(actions_->add({QStringLiteral("panel.%1.%2").arg(name, QLatin1String(where)),
                                              text.arg(dock.windowTitle()),
-                                             tr("Moves this panel to that side of the others."),
+                                             tr("Moves this panel to that side of the main window."),
                                              {},
                                              [this, &dock, side] { stage_->move(dock, side); }}));
     };
@@ -1051,8 +1047,8 @@ void MainWindow::askForProgram() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Load program"));
     dialog->setLabelText(session_->state().service == dashboard::ServiceKind::RobotApi
-                             ? tr("Name of the program on the robot, as the tablet shows it")
-                             : tr("Name of the program on the robot, as in pick.urp"));
+                             ? tr("Name of the program on the robot, as shown on the teach pendant")
+                             : tr("Name of the program on the robot, e.g. pick.urp"));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
         if (!name.trimmed().isEmpty()) {
             session_->services().loadProgram(name.trimmed());
@@ -1080,12 +1076,11 @@ void MainWindow::askToTakeControl() {
                       : name.isEmpty()         ? tr("A program is running on the robot.")
                       : paused                 ? tr("The program \"%1\" is paused on the robot.").arg(name)
                                                : tr("The program \"%1\" is running on the robot.").arg(name));
-    question->setInformativeText(
-        tr("Taking control ends it. It cannot be continued afterwards, only started again."));
-    QPushButton* take = question->addButton(tr("End it and take control"), QMessageBox::DestructiveRole);
+    question->setInformativeText(tr("Taking control stops it. It cannot be resumed, only started again."));
+    QPushButton* take = question->addButton(tr("Stop it and take control"), QMessageBox::DestructiveRole);
     take->setObjectName("takeControlQuestion.take");
     take->setAutoDefault(false);
-    QPushButton* keep = question->addButton(tr("No, leave it"), QMessageBox::RejectRole);
+    QPushButton* keep = question->addButton(tr("Keep it running"), QMessageBox::RejectRole);
     keep->setObjectName("takeControlQuestion.keep");
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);
@@ -1125,7 +1120,7 @@ void MainWindow::showSettings(bool atRecording) {
 
 void MainWindow::openAnew(SettingsPage& page) {
     if (session_->state().recording.active) {
-        page.refuseAnew(tr("A recording is running. End it first: nothing of it shall be missing."));
+        page.refuseAnew(tr("A recording is running. Stop it first."));
         return;
     }
     page.close();
@@ -1177,7 +1172,7 @@ void MainWindow::offerCrashReport(const QString& path) {
     const QString kept = path + QStringLiteral(".last");
     QFile::remove(kept);
     crashReport_ = QFile::rename(path, kept) ? kept : path;
-    waypoints_->showNotice({.title = tr("Tiller ended unexpectedly the last time"),
+    waypoints_->showNotice({.title = tr("Tiller closed unexpectedly"),
                             .text = tr("Tiller saved a crash log. You can attach it to a problem report."),
                             .accept = tr("Report a problem…"),
                             .accepted = [this] { showReport(); },

@@ -12,51 +12,53 @@ namespace tiller::app {
 void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
     table.add({"plots.action.record",
                tr("Record"),
-               tr("Writes every packet of the robot to a CSV file, until it is stopped."),
+               tr("Writes every packet from the robot to a CSV file until you stop the recording."),
                {},
                [&plots] { plots.toggleRecording(); },
                [](const SessionState& s) {
-                   return s.recording.active          ? tr("A recording runs already.")
+                   return s.recording.active          ? tr("A recording is already running.")
                           : s.link != LinkState::Live ? tr("Connect to a robot first.")
                                                       : QString();
                }});
-    table.add(
-        {"plots.action.stopRecording",
-         tr("Stop recording"),
-         tr("Ends the recording; its file is complete."),
-         {},
-         [&plots] { plots.toggleRecording(); },
-         [](const SessionState& s) { return s.recording.active ? QString() : tr("Nothing is recorded."); }});
+    table.add({"plots.action.stopRecording",
+               tr("Stop recording"),
+               tr("Stops the recording and completes its file."),
+               {},
+               [&plots] { plots.toggleRecording(); },
+               [](const SessionState& s) {
+                   return s.recording.active ? QString() : tr("No recording is running.");
+               }});
     table.add({"plots.action.pause",
                tr("Pause or resume the plots"),
-               tr("Holds the plots still; data and recording go on. Once more: back to the newest samples."),
+               tr("Freezes the plots while data and recording continue. Press again to return to the newest "
+                  "samples."),
                {},
                [&plots] { plots.setPaused(plots.view().window().follows()); }});
     table.add({"plots.action.export",
                tr("Export the plots…"),
-               tr("Saves the shown range as a picture, a drawing, a page or values."),
+               tr("Saves the visible range as an image, a drawing, a page or values."),
                {},
                [&plots] { plots.askExport(); }});
-    table.add(
-        {"plots.action.signals",
-         tr("Search signals for the plots"),
-         tr("Opens the list of everything the robot tells: onto a plot by dragging, double click or Return."),
-         {},
-         [&plots] { plots.searchSignals(); }});
+    table.add({"plots.action.signals",
+               tr("Search signals for the plots"),
+               tr("Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing "
+                  "Return."),
+               {},
+               [&plots] { plots.searchSignals(); }});
     table.add({"plots.action.addPage",
                tr("New page of plots"),
-               tr("An empty page behind the others; all pages show the same time."),
+               tr("Adds an empty page after the others. All pages share the time axis."),
                {},
                [&plots] { plots.addPage(); }});
     table.add({"plots.action.fit",
-               tr("Show all of the plots' history"),
-               tr("All that is in memory, each plot at its best scale."),
+               tr("Show the entire history"),
+               tr("Shows all data in memory and scales each plot automatically."),
                {},
                [&plots] { plots.view().fit(); }});
     for (const PlotDock::Span& span : plots.spans()) {
         table.add({QStringLiteral("plots.action.span.%1").arg(span.seconds),
                    tr("Plots show %1").arg(span.text),
-                   tr("How much time the plots show."),
+                   tr("Sets the time range of the plots."),
                    {},
                    [&plots, seconds = span.seconds] { plots.view().setSpan(seconds); }});
     }
@@ -72,18 +74,18 @@ void PanelActions::addIo(ActionTable& table, IoTab& io, const std::function<void
                    io.focusSearch();
                }});
     table.add({"io.action.rename",
-               tr("Rename the chosen input or output"),
-               tr("The row of the tab I/O that has the focus."),
+               tr("Rename selected input or output"),
+               tr("Applies to the focused row of the I/O tab."),
                {},
                [&io] { io.renameChosen(); }});
     table.add({"io.action.switch",
-               tr("Switch the chosen output"),
-               tr("The output of the tab I/O that has the focus: on, or off again."),
+               tr("Switch selected output"),
+               tr("Switches the focused output of the I/O tab on or off."),
                {},
                [&io] { io.switchChosen(); }});
     table.add({"io.action.pulse",
-               tr("Pulse the chosen output"),
-               tr("The output of the tab I/O that has the focus: on for half a second, then off."),
+               tr("Pulse selected output"),
+               tr("Switches the focused output of the I/O tab on for 0.5 s, then off."),
                {},
                [&io] { io.pulseChosen(); }});
 }
@@ -91,19 +93,19 @@ void PanelActions::addIo(ActionTable& table, IoTab& io, const std::function<void
 void PanelActions::addLog(ActionTable& table, LogTab& log, const std::function<void()>& bringToFront) {
     table.add({"log.action.search",
                tr("Search the log"),
-               tr("Shows only the lines with these words."),
+               tr("Shows only entries that contain these words."),
                {},
                [&log, bringToFront] {
                    bringToFront();
                    log.focusSearch();
                }});
     const std::pair<Severity, QString> kinds[] = {{Severity::Info, tr("Log: show all")},
-                                                  {Severity::Warning, tr("Log: show warnings and worse")},
+                                                  {Severity::Warning, tr("Log: show warnings and errors")},
                                                   {Severity::Error, tr("Log: show errors")}};
     for (const auto& [severity, text] : kinds) {
         table.add({QStringLiteral("log.action.from.%1").arg(static_cast<int>(severity)),
                    text,
-                   tr("Chooses which lines of the log are shown."),
+                   tr("Selects which log entries are shown."),
                    {},
                    [&log, bringToFront, severity = severity] {
                        bringToFront();
@@ -112,14 +114,13 @@ void PanelActions::addLog(ActionTable& table, LogTab& log, const std::function<v
     }
     table.add({"log.action.copy",
                tr("Copy the log"),
-               tr("Copies the selected lines, or all that are shown."),
+               tr("Copies the selected entries, or all visible entries."),
                {},
                [&log] { log.copy(); }});
-    table.add({"log.action.export",
-               tr("Export the log…"),
-               tr("Writes the lines that are shown to a file."),
-               {},
-               [&log] { log.exportToFile(); }});
+    table.add(
+        {"log.action.export", tr("Export the log…"), tr("Writes the visible entries to a file."), {}, [&log] {
+             log.exportToFile();
+         }});
 }
 
 }  // namespace tiller::app

@@ -36,10 +36,10 @@ public:
     explicit Bar(PanelDock& dock) : QWidget(&dock), layout_(new QHBoxLayout(this)) {
         auto* name = new QLabel(dock.windowTitle());
         name->setFont(textFont(14, QFont::Bold));
-        auto* back = quietKey(PanelDock::tr("Put back"), "dock.back." + dock.objectName());
-        back->setToolTip(PanelDock::tr("Back into the main window"));
+        auto* back = quietKey(PanelDock::tr("Dock"), "dock.back." + dock.objectName());
+        back->setToolTip(PanelDock::tr("Move the panel back to the main window"));
         auto* close = quietKey(PanelDock::tr("Close"), "dock.close." + dock.objectName());
-        close->setToolTip(PanelDock::tr("Closes this panel. The menu View brings it back."));
+        close->setToolTip(PanelDock::tr("Closes this panel. Use the View menu to show it again."));
         connect(back, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(false); });
         connect(close, &QToolButton::clicked, &dock, [&dock] { dock.close(); });
         parts_ = {name, back, close};
@@ -73,7 +73,7 @@ public:
         setFocusPolicy(Qt::TabFocus);
         setText(QStringLiteral("···"));
         setAccessibleName(PanelDock::tr("Move, float or close %1").arg(dock.windowTitle()));
-        setToolTip(PanelDock::tr("Click: move, float or close this panel. Drag: take it elsewhere."));
+        setToolTip(PanelDock::tr("Click to move, float or close this panel. Drag to move it."));
         connect(this, &QToolButton::clicked, this,
                 [this] { dock_.menu_->popup(mapToGlobal(QPoint(0, height()))); });
     }

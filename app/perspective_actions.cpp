@@ -48,13 +48,13 @@ void PerspectiveActions::addCommands() {
     };
     table_.add({"perspective.save",
                 tr("Save perspective"),
-                tr("The panels as they stand now, into the current perspective."),
+                tr("Saves the current panel layout to the current perspective."),
                 {},
                 [this] { perspectives_.save(); },
-                own(tr("This perspective is built in. Save it under a name of your own."))});
+                own(tr("This perspective is built in. Save it under another name."))});
     table_.add({"perspective.saveAs",
                 tr("Save perspective as…"),
-                tr("The panels as they stand now, under a name of your own."),
+                tr("Saves the current panel layout under a new name."),
                 {},
                 [this] {
                     askForName(tr("Save perspective as"), {}, {},
@@ -62,7 +62,7 @@ void PerspectiveActions::addCommands() {
                 }});
     table_.add({"perspective.rename",
                 tr("Rename perspective…"),
-                tr("Gives the current perspective another name."),
+                tr("Renames the current perspective."),
                 {},
                 [this] {
                     const Perspectives::Entry current = perspectives_.current();
@@ -70,13 +70,13 @@ void PerspectiveActions::addCommands() {
                         tr("Rename perspective"), current.name, current.id,
                         [this, current](const QString& name) { perspectives_.rename(current.id, name); });
                 },
-                own(tr("This perspective is built in and keeps its name."))});
+                own(tr("This perspective is built in and cannot be renamed."))});
     table_.add({"perspective.delete",
                 tr("Delete perspective…"),
-                tr("Forgets the current perspective. The panels stay as they are."),
+                tr("Deletes the current perspective. The panel layout does not change."),
                 {},
                 [this] { askToDelete(); },
-                own(tr("This perspective is built in and stays."))});
+                own(tr("This perspective is built in and cannot be deleted."))});
 }
 
 // Anew where the list is another one: the commands of the table have the names of the perspectives.
@@ -115,7 +115,7 @@ void PerspectiveActions::showCurrent() {
         key_->setText(metrics.elidedText(current.name, Qt::ElideRight, room) + arrow);
         key_->setAccessibleName(tr("Perspective %1").arg(current.name));
         key_->setToolTip(
-            tr("Perspective %1. Choose how the panels stand, or save how they stand now.").arg(current.name));
+            tr("Perspective %1. Select a panel layout, or save the current one.").arg(current.name));
     }
     hooks_.refresh();
 }
@@ -220,7 +220,7 @@ void PerspectiveActions::askToDelete() {
     question->setText(tr("Delete the perspective “%1”? This cannot be undone.").arg(current.name));
     QPushButton* remove = question->addButton(tr("Delete"), QMessageBox::DestructiveRole);
     remove->setObjectName("perspectiveDeleteYes");
-    QPushButton* keep = question->addButton(tr("Keep it"), QMessageBox::RejectRole);
+    QPushButton* keep = question->addButton(tr("Keep"), QMessageBox::RejectRole);
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);
     connect(remove, &QPushButton::clicked, this, [this, current] { perspectives_.remove(current.id); });

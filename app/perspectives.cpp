@@ -26,21 +26,20 @@ const std::array<BuiltIn, 3>& builtIns() {
         {{"teach",
           QT_TRANSLATE_NOOP("tiller::app::Perspectives", "Teach"),
           QT_TRANSLATE_NOOP("tiller::app::Perspectives",
-                            "Shows the view, the waypoints beside it and the plots below."),
+                            "Shows the view, the waypoints next to it and the plots below."),
           Qt::Key_F6,
           "waypoints",
           {{{"viewDock"}, {"tabsDock", 29}}, "plotsDock", 36}},
          {"monitor",
           QT_TRANSLATE_NOOP("tiller::app::Perspectives", "Monitor"),
           QT_TRANSLATE_NOOP("tiller::app::Perspectives",
-                            "Shows inputs and outputs, a smaller view beside them and higher plots below."),
+                            "Shows inputs and outputs, a smaller view next to them and taller plots below."),
           Qt::Key_F7,
           "io",
           {{{"tabsDock"}, {"viewDock", 29}}, "plotsDock", 45}},
          {"plots",
           QT_TRANSLATE_NOOP("tiller::app::Perspectives", "Plots"),
-          QT_TRANSLATE_NOOP("tiller::app::Perspectives",
-                            "Shows the plots alone, as large as the window allows."),
+          QT_TRANSLATE_NOOP("tiller::app::Perspectives", "Shows only the plots, as large as possible."),
           Qt::Key_F8,
           "",
           {{{"viewDock", 0, false}, {"tabsDock", 29, false}}, "plotsDock", 0}}}};
@@ -107,10 +106,9 @@ void Perspectives::choose(const QString& id) {
     hooks_.stop(StopCause::SelectionChanged);
     if (!bring(id)) {
         const SavedPerspective* saved = savedOf(id);
-        fallBack(
-            tr("The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the "
-               "panels and save it anew.")
-                .arg(saved != nullptr ? saved->name : id));
+        fallBack(tr("The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels "
+                    "and save it again.")
+                     .arg(saved != nullptr ? saved->name : id));
     }
 }
 
@@ -149,13 +147,13 @@ QString Perspectives::obstacle(const QString& name, const QString& except) const
         return tr("The name is too long.");
     }
     if (except.isEmpty() && saved_.size() >= kMostPerspectives) {
-        return tr("There are as many perspectives as can be kept. Delete one first.");
+        return tr("The maximum number of perspectives is reached. Delete a perspective first.");
     }
     const QList<Entry> entries = all();
     const bool taken = std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {
         return entry.id != except && entry.name.compare(wanted, Qt::CaseInsensitive) == 0;
     });
-    return taken ? tr("There is a perspective of this name. Choose another name.") : QString();
+    return taken ? tr("A perspective with this name exists. Choose another name.") : QString();
 }
 
 void Perspectives::saveAs(const QString& name) {
@@ -209,8 +207,8 @@ void Perspectives::restoreLast() {
         case LastArrangement::Found::Nothing:
             return;
         case LastArrangement::Found::Older:
-            fallBack(tr("The panels stand as in the perspective “%1”: the layout of the earlier version does "
-                        "not fit this one. Arrange them anew; it is remembered.")
+            fallBack(tr("The panel layout was reset to the perspective “%1”: the layout of the earlier "
+                        "version is not compatible. Arrange the panels again; the layout is stored.")
                          .arg(first));
             return;
         case LastArrangement::Found::Usable:
@@ -228,8 +226,8 @@ void Perspectives::restoreLast() {
         case LastArrangement::Found::Damaged:
             break;
     }
-    fallBack(tr("The panels stand as in the perspective “%1”: the layout in the settings is damaged or of "
-                "another version. Arrange them anew; it is remembered.")
+    fallBack(tr("The panel layout was reset to the perspective “%1”: the stored layout is damaged or from "
+                "another version. Arrange the panels again; the layout is stored.")
                  .arg(first));
 }
 

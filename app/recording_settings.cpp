@@ -89,18 +89,18 @@ void RecordingSettings::build() {
     place->addWidget(choose);
 
     pattern_->setObjectName(QStringLiteral("settings.recording.pattern"));
-    pattern_->setAccessibleName(tr("Pattern of the file name"));
+    pattern_->setAccessibleName(tr("File name pattern"));
     pattern_->setText(choice_.pattern);
-    pattern_->setToolTip(tr("{date}, {time}, {robot} and {number} are filled in when a recording begins."));
+    pattern_->setToolTip(tr("{date}, {time}, {robot} and {number} are replaced when a recording starts."));
 
     every_->setObjectName(QStringLiteral("settings.recording.every"));
-    every_->setAccessibleName(tr("One row every so many packets"));
+    every_->setAccessibleName(tr("Packets per row"));
     every_->setDecimals(0);
     every_->setRange(1, RecordingChoice::kMostSparse);
     every_->setValue(choice_.every);
 
     format_->setObjectName(QStringLiteral("settings.recording.format"));
-    format_->setAccessibleName(tr("Format of a recording"));
+    format_->setAccessibleName(tr("Recording format"));
     for (const auto& [format, text] :
          {std::pair{RecordingChoice::Format::Csv, tr("CSV: text, for pandas and spreadsheets")},
           {RecordingChoice::Format::Mcap, tr("MCAP: every field, the log and the project, for ROS tools")}}) {
@@ -108,11 +108,12 @@ void RecordingSettings::build() {
     }
     format_->setCurrentIndex(format_->findData(formatName(choice_.format)));
     keepFree_->setObjectName(QStringLiteral("settings.recording.keepFree"));
-    keepFree_->setAccessibleName(tr("Megabytes of the disk that stay free"));
+    keepFree_->setAccessibleName(tr("Free disk space to keep, in megabytes"));
     keepFree_->setDecimals(0);
     keepFree_->setRange(0, RecordingChoice::kMostKeptFree);
     keepFree_->setSuffix(tr(" MB"));
-    keepFree_->setToolTip(tr("A recording ends in order, and is whole, before less of the disk is free."));
+    keepFree_->setToolTip(
+        tr("A recording stops and is completed before the free disk space falls below this value."));
     keepFree_->setValue(choice_.keepFree);
 
     search_->setObjectName(QStringLiteral("settings.recording.search"));
@@ -204,14 +205,14 @@ void RecordingSettings::showExample() {
     }
     const QString file =
         QFileInfo(recordingPath(typed, tr("Lab UR5e"), QDateTime::currentDateTime())).fileName();
-    example_->setText(problem.isEmpty()
-                          ? tr("For example %1. {date}, {time}, {robot} and {number} are filled in; "
-                               "a file that is there is never replaced.")
-                                .arg(file)
-                          : QStringLiteral("▲ ") + problem);
-    rate_->setText(tr("%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.",
-                      nullptr, choice_.every)
-                       .arg(format::number(kPacketRate / choice_.every, choice_.every > 50 ? 1 : 0)));
+    example_->setText(problem.isEmpty() ? tr("For example %1. {date}, {time}, {robot} and {number} are "
+                                             "replaced. Existing files are never overwritten.")
+                                              .arg(file)
+                                        : QStringLiteral("▲ ") + problem);
+    rate_->setText(
+        tr("%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.",
+           nullptr, choice_.every)
+            .arg(format::number(kPacketRate / choice_.every, choice_.every > 50 ? 1 : 0)));
 }
 
 void RecordingSettings::takeSignals() {

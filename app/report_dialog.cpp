@@ -36,7 +36,7 @@ ReportDialog::ReportDialog(ReportSources sources, QWidget* parent)
     : QDialog(parent)
     , sources_(std::move(sources))
     , words_(new QPlainTextEdit)
-    , names_(new QCheckBox(tr("With names and addresses of robots, inputs, outputs and files")))
+    , names_(new QCheckBox(tr("Include names and addresses of robots, inputs, outputs and files")))
     , list_(new QListWidget)
     , content_(new QPlainTextEdit)
     , failure_(line({})) {
@@ -53,7 +53,7 @@ ReportDialog::ReportDialog(ReportSources sources, QWidget* parent)
     list_->setAccessibleName(tr("Files of the report"));
     list_->setFixedWidth(190);
     content_->setObjectName("report.content");
-    content_->setAccessibleName(tr("What this file says"));
+    content_->setAccessibleName(tr("Content of this file"));
     content_->setReadOnly(true);
     content_->setLineWrapMode(QPlainTextEdit::NoWrap);
     failure_->setObjectName("report.failure");
@@ -78,8 +78,8 @@ ReportDialog::ReportDialog(ReportSources sources, QWidget* parent)
     layout->setContentsMargins(24, 20, 24, 20);
     layout->setSpacing(12);
     layout->addWidget(
-        line(tr("One file with what somebody who helps you needs to know. Below is all that will "
-                "be in it. It is saved where you choose; Tiller sends it nowhere.")));
+        line(tr("One file with the information that support needs. Its complete content is listed below. The "
+                "file is saved where you choose; Tiller does not send it.")));
     layout->addWidget(words_);
     layout->addWidget(names_);
     layout->addLayout(files, 1);

@@ -36,7 +36,7 @@ QString needsForeignProgram(const SessionState& state, RobotCommand command, boo
         state.runtimeState == RuntimeState::Playing || state.runtimeState == RuntimeState::Resuming;
     return runs == running ? QString()
            : running       ? RobotActions::tr("No program runs on the robot.")
-                           : RobotActions::tr("A program runs already.");
+                           : RobotActions::tr("A program is already running.");
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void RobotActions::addTo(ActionTable& table, RobotSession& session, const RobotA
 }
 
 void RobotActions::addConnection(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks) {
-    table.add({"robot.connect", tr("Connect…"), tr("Choose the simulator, a robot or a project."),
+    table.add({"robot.connect", tr("Connect…"), tr("Select the simulator, a robot or a project."),
                QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), hooks.askForRobot});
     table.add({"robot.simulator",
                tr("Simulated robot"),
@@ -57,18 +57,18 @@ void RobotActions::addConnection(ActionTable& table, RobotSession& session, cons
                hooks.connectSimulator});
     table.add({"robot.check",
                tr("Check the connection…"),
-               tr("Looks at everything between this PC and the robot, each with its fix."),
+               tr("Checks everything between this PC and the robot and suggests fixes."),
                {},
                [&session, check = hooks.check] {
                    const SessionState& state = session.state();
                    check({state.robotName, state.address, state.portOffset, state.simulated});
                },
                [](const SessionState& s) {
-                   return s.link == LinkState::Disconnected ? tr("Choose a robot first.") : QString();
+                   return s.link == LinkState::Disconnected ? tr("Select a robot first.") : QString();
                }});
     table.add({"robot.disconnect",
                tr("Disconnect"),
-               tr("Ends the connection; a motion of ours stops first."),
+               tr("Stops our motion, then closes the connection."),
                {},
                [&session] { session.disconnectFromRobot(); },
                [](const SessionState& s) {
@@ -90,7 +90,7 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                    const QString why = service.isEmpty() ? needsNormalSafety(s) : service;
                    return !why.isEmpty() || s.robotMode == RobotMode::PowerOff
                               ? why
-                              : tr("The arm has power, or is getting it.");
+                              : tr("The arm is powered on or powering on.");
                }});
     table.add({"power.brakes",
                commandText(RobotCommand::ReleaseBrakes),
@@ -106,26 +106,29 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                }});
     table.add({"power.off",
                commandText(RobotCommand::PowerOff),
-               tr("Engages the brakes and takes the arm's power away; programs stop."),
+               tr("Stops programs, engages the brakes and powers the arm off."),
                {},
                perform(RobotCommand::PowerOff),
                [](const SessionState& s) {
                    const QString why = needsService(s, RobotCommand::PowerOff);
-                   return !why.isEmpty() || s.robotMode != RobotMode::PowerOff ? why : tr("The arm is off.");
+                   return !why.isEmpty() || s.robotMode != RobotMode::PowerOff
+                              ? why
+                              : tr("The arm is powered off.");
                }});
     table.add({"power.recover",
                tr("Recover…"),
-               tr("Shows what stopped the arm, and the way back."),
+               tr("Shows what stopped the arm and the recovery steps."),
                {},
                hooks.showRecovery,
                [](const SessionState& s) {
                    const QString why = needsLink(s);
-                   return !why.isEmpty() || !allowsMotion(s.safety()) ? why
-                                                                      : tr("No stop of the safety system.");
+                   return !why.isEmpty() || !allowsMotion(s.safety())
+                              ? why
+                              : tr("The safety system reports no stop.");
                }});
     table.add({"power.restartSafety",
                commandText(RobotCommand::RestartSafety),
-               tr("After a violation or a fault, once its cause is found. The arm stays off."),
+               tr("After a violation or a fault, once the cause is found. The arm stays powered off."),
                {},
                // Through the page that asks for a look at the arm first.
                hooks.showRecovery,
@@ -155,7 +158,7 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
                    const QString why = s.monitorOnly ? texts::monitorOnlyObstacle() : needsNormalSafety(s);
                    return !why.isEmpty()                         ? why
                           : s.robotMode != RobotMode::Running    ? robotModeWords(s.robotMode).advice
-                          : s.control == ControlState::InControl ? tr("In control already.")
+                          : s.control == ControlState::InControl ? tr("Already in control.")
                           : s.remoteNeeded                       ? texts::remoteObstacle()
                                                                  : QString();
                }});
@@ -169,18 +172,18 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
                }});
     table.add({"control.stop",
                tr("Stop"),
-               tr("Software stop of whatever moves. Not an emergency stop."),
+               tr("Software stop of all motion. Not an emergency stop."),
                {},
                hooks.stop});
     table.add({"control.load",
                tr("Load program…"),
-               tr("Loads a program of the robot's own by its name."),
+               tr("Loads a program stored on the robot by name."),
                {},
                hooks.askForProgram,
                [](const SessionState& s) { return needsForeignProgram(s, RobotCommand::Play, false); }});
     table.add({"control.play",
                commandText(RobotCommand::Play),
-               tr("Starts the loaded program, or goes on with a paused one: the arm may move at once."),
+               tr("Starts the loaded program or resumes a paused one: the arm may move at once."),
                {},
                perform(RobotCommand::Play),
                [](const SessionState& s) {
@@ -189,13 +192,13 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
                }});
     table.add({"control.pause",
                commandText(RobotCommand::Pause),
-               tr("Pauses the program that runs."),
+               tr("Pauses the running program."),
                {},
                perform(RobotCommand::Pause),
                [](const SessionState& s) { return needsForeignProgram(s, RobotCommand::Pause, true); }});
     table.add({"control.stopProgram",
                commandText(RobotCommand::StopProgram),
-               tr("Stops the robot's own program."),
+               tr("Stops the program on the robot."),
                {},
                perform(RobotCommand::StopProgram),
                [](const SessionState& s) {

@@ -25,16 +25,16 @@ QList<SampleProject> sampleProjects() {
         return QStringLiteral(":/tiller/samples/%1.tiller").arg(QLatin1String(id));
     };
     return {{QStringLiteral("pick-and-place"), SampleText::tr("Pick and place"),
-             SampleText::tr("A part is taken from a feeder and put into one of six places of a tray. The "
-                            "places are given in the frame of the tray and move with it."),
+             SampleText::tr("Picks a part from a feeder and places it in one of six tray cells. The cells "
+                            "are defined in the frame of the tray and move with it."),
              path("pick-and-place")},
             {QStringLiteral("gluing"), SampleText::tr("Gluing along a path"),
-             SampleText::tr("A seam around a lid with rounded corners, slow and in straight lines. Blends "
-                            "keep the nozzle moving through the corners."),
+             SampleText::tr("Applies a bead around a lid with rounded corners, slowly and in straight lines. "
+                            "Blends keep the nozzle moving through the corners."),
              path("gluing")},
-            {QStringLiteral("measuring-round"), SampleText::tr("Measuring round"),
+            {QStringLiteral("measuring-round"), SampleText::tr("Measuring"),
              SampleText::tr("A probe touches a part from above and from four sides, each from an approach "
-                            "point and with the tool tilted."),
+                            "waypoint with a tilted tool."),
              path("measuring-round")}};
 }
 
@@ -46,10 +46,9 @@ SampleDialog::SampleDialog(QWidget* parent) : QDialog(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 20, 24, 20);
     layout->setSpacing(14);
-    auto* about = new QLabel(
-        tr("Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: "
-           "saving asks for a file of your own."),
-        this);
+    auto* about = new QLabel(tr("Each project is taught for a UR5e and runs on the simulated robot. You work "
+                                "on a copy: saving asks for a new file."),
+                             this);
     about->setObjectName(QStringLiteral("sampleAbout"));
     about->setProperty("role", QStringLiteral("secondary"));
     about->setWordWrap(true);

@@ -15,8 +15,8 @@ void SceneActions::addTo(ActionTable& table, SceneView& view) {
         StandardView from;
     };
     // Function keys: letters and digits belong to teaching and to the armed keyboard.
-    const Side sides[] = {{"view.look.home", tr("Look from the first side, in perspective"),
-                           tr("From between front and side, a little above, with everything in the picture."),
+    const Side sides[] = {{"view.look.home", tr("Default view, perspective"),
+                           tr("From between front and side, slightly above, with everything visible."),
                            Qt::Key_F5, StandardView::Home},
                           {"view.look.front", tr("Look from the front"),
                            tr("X of the base to the right, Z up."), Qt::Key_F6, StandardView::Front},
@@ -28,8 +28,8 @@ void SceneActions::addTo(ActionTable& table, SceneView& view) {
         table.add({QLatin1String(side.id), side.text, side.help, QKeySequence(side.key),
                    [&view, from = side.from] { view.lookFrom(from); }});
     }
-    table.add({"view.look.fit", tr("Fit everything into the view"),
-               tr("Arm, target and waypoints into the picture, from the side it is looked from now."),
+    table.add({"view.look.fit", tr("Fit everything in the view"),
+               tr("Fit the arm, target and waypoints in the view without changing the viewing direction."),
                QKeySequence(Qt::Key_F9), [&view] { view.fitAll(); }});
 }
 

@@ -33,11 +33,11 @@ Error corrupt(const QString& why) {
 }
 
 Error tooLarge() {
-    return corrupt(SettingsFile::tr("The file is too large for settings."));
+    return corrupt(SettingsFile::tr("The file is too large for a settings file."));
 }
 
 Error badValue(const QString& key) {
-    return corrupt(SettingsFile::tr("The value of \"%1\" is none that settings can have.").arg(key));
+    return corrupt(SettingsFile::tr("Invalid value for the setting \"%1\".").arg(key));
 }
 
 bool isKey(const QString& key) {
@@ -200,7 +200,7 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
     }
     const QJsonObject root = document.object();
     if (root.value(QLatin1String("format")).toString() != QLatin1String(kFormat)) {
-        return corrupt(SettingsFile::tr("The file holds no settings of Tiller."));
+        return corrupt(SettingsFile::tr("The file contains no Tiller settings."));
     }
     const double version = root.value(QLatin1String("version")).toDouble(0);
     if (version > kSettingsFormatVersion) {
@@ -209,18 +209,18 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
                      {}};
     }
     if (version != kSettingsFormatVersion) {
-        return corrupt(SettingsFile::tr("The file does not say which version it has."));
+        return corrupt(SettingsFile::tr("The file does not state its version."));
     }
     const QJsonValue values = root.value(QLatin1String("values"));
     if (!values.isObject() || values.toObject().size() > kMostValues) {
-        return corrupt(SettingsFile::tr("The file has no list of values, or one that is too long."));
+        return corrupt(SettingsFile::tr("The list of values is missing or too long."));
     }
     SettingsBundle bundle;
     bundle.writtenBy = root.value(QLatin1String("writtenBy")).toString().left(40);
     const QJsonObject object = values.toObject();
     for (auto it = object.constBegin(); it != object.constEnd(); ++it) {
         if (!isKey(it.key())) {
-            return corrupt(SettingsFile::tr("\"%1\" is no name of a setting.").arg(it.key().left(40)));
+            return corrupt(SettingsFile::tr("\"%1\" is not a valid setting name.").arg(it.key().left(40)));
         }
         const std::optional<QVariant> value = fromJson(it.value());
         if (!value) {

@@ -72,22 +72,21 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     pages_->setAccessibleName(tr("Settings"));
     pages_->tabBar()->setAccessibleName(tr("Settings"));
     pages_->tabBar()->setDrawBase(false);
-    pages_->addTab(scrolling(buildLook(theme), tr("Look and motion")), tr("Look and motion"));
+    pages_->addTab(scrolling(buildLook(theme), tr("Appearance and motion")), tr("Appearance and motion"));
     pages_->addTab(scrolling(buildDevices(devices), tr("Devices")), tr("Devices"));
     recording_ = buildRecording();
     pages_->addTab(recording_, tr("Recording"));
-    pages_->addTab(buildShortcuts(), tr("Keys"));
+    pages_->addTab(buildShortcuts(), tr("Shortcuts"));
     auto* close = new QPushButton(tr("Close"));
     close->setObjectName("settingsClose");
     close->setAutoDefault(false);
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     auto* buttons = new QHBoxLayout;
-    buttons->addWidget(
-        fileKey("settingsExport", tr("Export settings…"),
-                tr("One file with everything that is remembered, for another computer or as a copy"),
-                &SettingsPage::exportWanted));
+    buttons->addWidget(fileKey("settingsExport", tr("Export settings…"),
+                               tr("Save all settings to one file, for another computer or as a backup"),
+                               &SettingsPage::exportWanted));
     buttons->addWidget(fileKey("settingsImport", tr("Import settings…"),
-                               tr("Takes over what such a file holds; says first what it replaces"),
+                               tr("Import settings from a file after showing what will be replaced"),
                                &SettingsPage::importWanted));
     buttons->addStretch(1);
     buttons->addWidget(close);
@@ -121,14 +120,14 @@ QComboBox* SettingsPage::choice(const QString& name, const QString& accessible, 
 QWidget* SettingsPage::buildLook(const QString& theme) {
     auto* page = new QWidget;
     theme_ = choice("settings.theme", tr("Colours"), {tr("Light"), tr("Dark")}, theme == "dark" ? 1 : 0);
-    density_ = choice("settings.density", tr("Size of keys and rows"),
-                      {tr("Compact"), tr("Mouse"), tr("Touch")}, static_cast<int>(preferences_.density));
+    density_ = choice("settings.density", tr("Size of controls"), {tr("Compact"), tr("Mouse"), tr("Touch")},
+                      static_cast<int>(preferences_.density));
     QStringList sizes;
     for (const int size : kInterfaceSizes) {
         sizes << tr("%1 %").arg(size);
     }
     const auto chosen = std::find(kInterfaceSizes.begin(), kInterfaceSizes.end(), preferences_.interfaceSize);
-    size_ = choice("settings.size", tr("Size of everything"), sizes,
+    size_ = choice("settings.size", tr("Interface size"), sizes,
                    static_cast<int>(chosen - kInterfaceSizes.begin()));
     sizeNote_ = note({}, "secondary");
     sizeNote_->setObjectName("settings.sizeNote");
@@ -153,15 +152,15 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
 
     longestHold_ = new FigureBox;
     longestHold_->setObjectName("settings.longestHold");
-    longestHold_->setAccessibleName(tr("Longest hold"));
+    longestHold_->setAccessibleName(tr("Maximum hold time"));
     longestHold_->setDecimals(0);
     longestHold_->setRange(Preferences::kShortestLongestHold, Preferences::kLongestLongestHold);
     longestHold_->setSingleStep(5);
     longestHold_->setSuffix(tr(" s"));
     longestHold_->setValue(preferences_.longestHold);
     longestHold_->setToolTip(
-        tr("After this time a jog ends and its key has to be pressed again. Freedrive "
-           "has five minutes, a move to a place the time it takes and 5 s."));
+        tr("After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to "
+           "a position: its duration plus 5 s."));
     holdNote_ = note({}, "secondary");
     holdNote_->setObjectName("settings.holdNote");
 
@@ -172,28 +171,25 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     form->addRow(tr("Language"), buildLanguage());
     form->addRow(QString(), languageNote_);
     form->addRow(tr("Colours"), theme_);
-    form->addRow(tr("Size of everything"), size_);
+    form->addRow(tr("Interface size"), size_);
     form->addRow(QString(), sizeNote_);
-    form->addRow(tr("Size of keys and rows"), density_);
-    form->addRow(QString(),
-                 note(tr("Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, "
-                         "tabs and title bars stay smaller.")
-                          .arg(kRoomForTouch),
-                      "secondary"));
+    form->addRow(tr("Size of controls"), density_);
+    form->addRow(QString(), note(tr("Touch: large enough for fingers. In windows lower than %1 px, joint "
+                                    "keys, tabs and title bars remain smaller.")
+                                     .arg(kRoomForTouch),
+                                 "secondary"));
     form->addRow(tr("Lengths"), lengths_);
     form->addRow(tr("Rotations"), rotations_);
-    form->addRow(QString(),
-                 note(tr("How lengths, speeds of the TCP and orientations are shown and typed. Plots "
-                         "and files keep metres, millimetres and degrees."),
-                      "secondary"));
+    form->addRow(QString(), note(tr("Units for displaying and entering lengths, TCP speeds and orientations. "
+                                    "Plots and files always use metres, millimetres and degrees."),
+                                 "secondary"));
     form->addRow(tr("Robot"), monitorOnly_);
-    form->addRow(QString(),
-                 note(tr("For a PC that only watches: this window changes nothing on the robot. It takes no "
-                         "control, sets no outputs and starts no programs. STOP still works."),
-                      "secondary"));
+    form->addRow(QString(), note(tr("For PCs that only monitor: this window does not take control, set "
+                                    "outputs or start programs. STOP still works."),
+                                 "secondary"));
     form->addRow(tr("Speed cap"), cap_);
     form->addRow(QString(), capNote_);
-    form->addRow(tr("Longest hold"), longestHold_);
+    form->addRow(tr("Maximum hold time"), longestHold_);
     form->addRow(QString(), holdNote_);
     showCap();
 
@@ -235,22 +231,21 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
 
 QWidget* SettingsPage::buildLanguage() {
     // In the words of those who look for it: whoever cannot read this window can read that.
-    QStringList names{tr("As the system: %1").arg(QString())};
+    QStringList names{tr("System language: %1").arg(QString())};
     int current = 0;
     for (const Language& one : languages()) {
         if (one.code == languageFor({})) {
-            names.front() = tr("As the system: %1").arg(one.name);
+            names.front() = tr("System language: %1").arg(one.name);
         }
         names << one.name;
         current = one.code == preferences_.language ? static_cast<int>(names.size()) - 1 : current;
     }
     language_ = choice("settings.language", tr("Language"), names, current);
-    anew_ = new QPushButton(tr("Open the window anew"));
+    anew_ = new QPushButton(tr("Reopen window"));
     anew_->setObjectName("settings.windowAnew");
     anew_->setAutoDefault(false);
     anew_->setToolTip(
-        tr("Stops the arm, gives control back and connects again; what the plots show begins anew. "
-           "The project is saved."));
+        tr("Stops the arm, gives control back and reconnects. The plots start again. The project is saved."));
     connect(language_, &QComboBox::activated, this, [this](int index) {
         preferences_.language = index == 0 ? QString() : languages()[index - 1].code;
         showLanguageNote();
@@ -269,9 +264,10 @@ QWidget* SettingsPage::buildLanguage() {
 void SettingsPage::showLanguageNote() {
     const bool shown = languageFor(preferences_.language) == shownLanguage();
     anew_->setEnabled(!shown);
-    languageNote_->setText(shown
-                               ? tr("Of the window and of the checks. Files and scripts are the same in all.")
-                               : tr("Holds at the next start of Tiller, or once the window is opened anew."));
+    languageNote_->setText(
+        shown
+            ? tr("Language of the window and of the connection check. Files and scripts do not depend on it.")
+            : tr("Takes effect at the next start of Tiller, or when the window is reopened."));
 }
 
 void SettingsPage::refuseAnew(const QString& reason) {
@@ -281,12 +277,11 @@ void SettingsPage::refuseAnew(const QString& reason) {
 void SettingsPage::showSizeNote() {
     const int chosen = preferences_.interfaceSize;
     const int fitting = fittingInterfaceSize(chosen, availableAtNormalSize(*screen()));
-    sizeNote_->setText(chosen == interfaceSize() ? tr("Text, keys, rows, plots and the view, all alike.")
-                       : fitting < chosen
-                           ? tr("Holds at the next start of Tiller. The screen has room for %1 % only, which "
-                                "it will have there.")
-                                 .arg(fitting)
-                           : tr("Holds at the next start of Tiller."));
+    sizeNote_->setText(chosen == interfaceSize() ? tr("Scales text, controls, plots and the view.")
+                       : fitting < chosen        ? tr("Takes effect at the next start of Tiller. This screen "
+                                                             "supports at most %1 %, which will be used.")
+                                                .arg(fitting)
+                                          : tr("Takes effect at the next start of Tiller."));
 }
 
 void SettingsPage::showCapFigure() {
@@ -313,12 +308,12 @@ void SettingsPage::showCap() {
     capNote_->setProperty("role", raised ? QStringLiteral("warning") : QStringLiteral("secondary"));
     // The style sheet looks at the role only when the style is set.
     capNote_->setStyleSheet(capNote_->styleSheet());
-    capNote_->setText(
-        raised ? tr("▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the "
-                    "enabling device of the pendant. The header says so, and it ends with the program.")
-                     .arg(format::speed(Preferences::kOrdinaryCap))
-               : tr("No motion of this program gets above it, at the TCP and at the elbow. It holds at once "
-                    "and stops what moves."));
+    capNote_->setText(raised ? tr("▲ Above %1. No other limit applies to jogging from a PC: neither manual "
+                                  "mode nor the enabling device of the pendant. The header shows a warning. "
+                                  "The cap resets when Tiller is closed.")
+                                   .arg(format::speed(Preferences::kOrdinaryCap))
+                             : tr("Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at "
+                                  "once and stops running motion."));
 }
 
 QWidget* SettingsPage::buildDevices(DeviceJog& devices) {
@@ -351,8 +346,8 @@ QWidget* SettingsPage::buildShortcuts() {
     auto* page = new QWidget;
     shortcuts_ = new QTableWidget(0, 2);
     shortcuts_->setObjectName("settings.shortcuts");
-    shortcuts_->setAccessibleName(tr("Keys of the commands"));
-    shortcuts_->setHorizontalHeaderLabels({tr("Command"), tr("Key")});
+    shortcuts_->setAccessibleName(tr("Keyboard shortcuts"));
+    shortcuts_->setHorizontalHeaderLabels({tr("Command"), tr("Shortcut")});
     shortcuts_->verticalHeader()->hide();
     shortcuts_->verticalHeader()->setDefaultSectionSize(keyRowHeight());
     shortcuts_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -379,8 +374,8 @@ QWidget* SettingsPage::buildShortcuts() {
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 12, 0, 0);
     layout->addWidget(
-        note(tr("Press the new key in the field; Backspace takes it away. In control, Space and "
-                "Esc always stop the arm."),
+        note(tr("Press the new shortcut in the field; Backspace removes it. In control, Space and Esc "
+                "always stop the arm."),
              "secondary"));
     layout->addWidget(shortcuts_, 1);
     layout->addLayout(row);
@@ -398,7 +393,7 @@ void SettingsPage::showShortcuts() {
         shortcuts_->setItem(row, 0, name);
         auto* keys = new QKeySequenceEdit(action->shortcut());
         keys->setObjectName("settings.key." + action->objectName());
-        keys->setAccessibleName(tr("Key for %1").arg(plain(*action)));
+        keys->setAccessibleName(tr("Shortcut for %1").arg(plain(*action)));
         const QString id = action->objectName();
         connect(keys, &QKeySequenceEdit::editingFinished, this, [this, keys, id] {
             const QAction* edited = actions_.find(id);
@@ -423,7 +418,8 @@ void SettingsPage::showCommandNames() {
 
 bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
     if (stopsTheArm(keys)) {
-        hint_->setText(tr("%1 stops the arm and nothing else.").arg(keys.toString(QKeySequence::NativeText)));
+        hint_->setText(
+            tr("%1 is reserved for stopping the arm.").arg(keys.toString(QKeySequence::NativeText)));
         return false;
     }
     const QAction* action = actions_.find(id);
@@ -433,7 +429,7 @@ bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
     for (const QAction* other : actions_.all()) {
         if (other != action && !keys.isEmpty() && other->shortcut() == keys &&
             ActionTable::share(*action, *other)) {
-            hint_->setText(tr("%1 belongs to \"%2\". Take it away there first.")
+            hint_->setText(tr("%1 is assigned to \"%2\". Remove it there first.")
                                .arg(keys.toString(QKeySequence::NativeText), plain(*other)));
             return false;
         }
@@ -452,7 +448,7 @@ void SettingsPage::lockMonitorOnly() {
     const QSignalBlocker quiet(monitorOnly_);
     monitorOnly_->setChecked(true);
     monitorOnly_->setEnabled(false);
-    monitorOnly_->setText(tr("Monitor only (chosen on the command line)"));
+    monitorOnly_->setText(tr("Monitor only (set on the command line)"));
 }
 
 void SettingsPage::setHoldNote(const QString& text) {

@@ -34,9 +34,9 @@ QString titleOf(SettingsPart part) {
         case SettingsPart::Look:
             return ImportDialog::tr("Colours, sizes and units");
         case SettingsPart::Motion:
-            return ImportDialog::tr("Speed cap and longest hold");
+            return ImportDialog::tr("Speed cap and maximum hold time");
         case SettingsPart::Keys:
-            return ImportDialog::tr("Keys of the commands");
+            return ImportDialog::tr("Keyboard shortcuts");
         case SettingsPart::Devices:
             return ImportDialog::tr("Gamepad and SpaceMouse");
         case SettingsPart::Robots:
@@ -115,10 +115,10 @@ ImportDialog::ImportDialog(const QString& path, const Result<SettingsBundle>& fo
         cancel->setDefault(true);
         return;
     }
-    head_->setText(found->writtenBy.isEmpty() ? tr("What is ticked is replaced by what %1 holds:").arg(name)
-                                              : tr("What is ticked is replaced by what %1, written by Tiller "
-                                                   "%2, holds:")
-                                                    .arg(name, found->writtenBy));
+    head_->setText(found->writtenBy.isEmpty()
+                       ? tr("The selected settings are replaced by those in %1:").arg(name)
+                       : tr("The selected settings are replaced by those in %1 (written by Tiller %2):")
+                             .arg(name, found->writtenBy));
     head_->setToolTip(head_->text());
     listParts(*found, present);
 }
@@ -134,8 +134,8 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
         }
         const bool same = found.saysTheSame(present, part);
         const int count = countOf(found, part);
-        auto* box = new QCheckBox(same        ? tr("%1: the same already").arg(titleOf(part))
-                                  : none      ? tr("%1: none in the file").arg(titleOf(part))
+        auto* box = new QCheckBox(same        ? tr("%1: identical").arg(titleOf(part))
+                                  : none      ? tr("%1: not in the file").arg(titleOf(part))
                                   : count < 0 ? titleOf(part)
                                               : tr("%1: %2 here, %3 in the file")
                                                     .arg(titleOf(part))
@@ -151,8 +151,9 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
         any = any || !same;
     }
     note_->setProperty("role", QStringLiteral("secondary"));
-    note_->setText(any ? tr("What is replaced is kept in a file of its own, which can be imported again.")
-                       : tr("There is nothing in the file that is not here already."));
+    note_->setText(
+        any ? tr("The replaced settings are saved to a separate file, which can be imported again.")
+            : tr("All settings in the file match the current settings."));
     updateKey();
 }
 
@@ -226,8 +227,9 @@ void SettingsTransfer::importFrom(const QString& path, QWidget* over) {
             return;
         }
         dialog->accept();
-        Q_EMIT message(Severity::Info,
-                       tr("Settings imported from %1. What was here before is in %2").arg(path, *backup));
+        Q_EMIT message(
+            Severity::Info,
+            tr("Settings imported from %1. The previous settings were saved to %2").arg(path, *backup));
         Q_EMIT imported();
     });
     dialog->open();

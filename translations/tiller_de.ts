@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
         <translation>Dieser Roboter hat hier keinen Greifer. Wählen Sie ihn unter E/A, Greifer.</translation>
     </message>
     <message>
@@ -12,19 +12,19 @@
         <translation>Durchfahren</translation>
     </message>
     <message>
-        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
         <translation>%1 ging nicht innerhalb von %2 s an. Sehen Sie nach, worauf gewartet wird, und drücken Sie erneut.</translation>
     </message>
     <message>
-        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
         <translation>%1 ging nicht innerhalb von %2 s aus. Sehen Sie nach, worauf gewartet wird, und drücken Sie erneut.</translation>
     </message>
     <message>
-        <source>%1 was not done. %2</source>
+        <source>%1 was not completed. %2</source>
         <translation>%1 wurde nicht ausgeführt. %2</translation>
     </message>
     <message>
-        <source>The gripper did not come to rest within %1 s.</source>
+        <source>The gripper did not stop moving within %1 s.</source>
         <translation>Der Greifer kam nicht innerhalb von %1 s zur Ruhe.</translation>
     </message>
 </context>
@@ -110,19 +110,19 @@
         <translation>%1 aus für %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 on, at most %2 s</source>
+        <source>Wait until %1 is on, %2 s at most</source>
         <translation>Warten, bis %1 an ist, höchstens %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 off, at most %2 s</source>
+        <source>Wait until %1 is off, %2 s at most</source>
         <translation>Warten, bis %1 aus ist, höchstens %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 on</source>
+        <source>Wait until %1 is on</source>
         <translation>Warten, bis %1 an ist</translation>
     </message>
     <message>
-        <source>Wait for %1 off</source>
+        <source>Wait until %1 is off</source>
         <translation>Warten, bis %1 aus ist</translation>
     </message>
     <message>
@@ -150,14 +150,14 @@
         <translation>Auf einen Eingang warten</translation>
     </message>
     <message>
-        <source>Wait a while</source>
+        <source>Wait</source>
         <translation>Eine Zeit lang warten</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
-        <source>go back: nothing left to undo</source>
+        <source>go back: no recorded motion left</source>
         <translation>zurückfahren: Es ist nichts mehr rückgängig zu machen</translation>
     </message>
 </context>
@@ -176,7 +176,7 @@
         <translation>Mit dem Roboter an dieser Adresse oder diesem Hostnamen verbinden.</translation>
     </message>
     <message>
-        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
         <translation>Die Vorführung am simulierten Roboter ablaufen lassen, ihre Dateien in diesem Ordner ablegen, beenden.</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>siehe tiller --help</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not expected</source>
+        <source>unexpected argument &quot;%1&quot;</source>
         <translation>&quot;%1&quot; wurde nicht erwartet</translation>
     </message>
     <message>
@@ -200,11 +200,11 @@
         <translation>--theme nimmt light oder dark, nicht &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--robot and --simulator exclude each other</source>
+        <source>--robot and --simulator cannot be combined</source>
         <translation>--robot und --simulator schließen einander aus</translation>
     </message>
     <message>
-        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
         <translation>--demo läuft nur am simulierten Roboter, nicht mit --robot</translation>
     </message>
     <message>
@@ -212,12 +212,20 @@
         <translation>--demo braucht einen Ordner</translation>
     </message>
     <message>
-        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot braucht eine Adresse, etwa --robot 192.168.0.10</translation>
     </message>
     <message>
-        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <source>only one project can be opened; remove &quot;%1&quot;</source>
         <translation>nur ein Projekt kann geöffnet werden, nicht auch &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
+        <translation>Nur beobachten: am Roboter außer durch STOP nichts ändern. Lässt sich in den Einstellungen nicht ausschalten.</translation>
+    </message>
+    <message>
+        <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
+        <translation>--demo bewegt den simulierten Roboter und lässt sich nicht mit --monitor-only kombinieren</translation>
     </message>
 </context>
 <context>
@@ -243,7 +251,7 @@
         <translation>%1: nicht verglichen</translation>
     </message>
     <message>
-        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
         <translation>%1: nicht verglichen, die Aufzeichnung hat kein %2; alle Signale aufzeichnen, als MCAP</translation>
     </message>
     <message>
@@ -251,11 +259,11 @@
         <translation>%1: keine Werte</translation>
     </message>
     <message>
-        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <source>%1: within %2 at all times, maximum %3 at %4 s</source>
         <translation>%1: nie über %2, höchstens %3 bei %4 s</translation>
     </message>
     <message>
-        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
         <translation>%1: über %2 ab %3 s (%4), höchstens %5 bei %6 s</translation>
     </message>
     <message>
@@ -268,43 +276,43 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
         <translation>Arm und Modell trennen sich bei %1 s: %2 liegt um %3 daneben</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
         <translation>Arm und Modell trennen sich bei %1 s: der TCP liegt um %2 daneben</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
         <translation>Arm und Modell trennen sich bei %1 s: %2 braucht %3 mehr oder weniger als erwartet</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
         <translation>Arm und Modell trennen sich bei %1 s: eine Kraft von %2 drückt auf den TCP</translation>
     </message>
     <message>
-        <source>The arm did what the model of a %1 does</source>
+        <source>The arm moved as the model of a %1 does</source>
         <translation>Der Arm tat, was das Modell eines %1 tut</translation>
     </message>
     <message>
-        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>Nichts konnte verglichen werden: der Arm war immer stromlos oder wurde von Hand geführt.</translation>
     </message>
     <message>
-        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
         <translation>Sie waren nie beisammen: prüfen Sie die dem Roboter genannte Nutzlast, das Modell und was den Arm berührt.</translation>
     </message>
     <message>
-        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
         <translation>Von da an drückte oder hielt etwas den Arm, seine Last war eine andere, oder ein Gelenk folgte nicht.</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
         <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: es fehlt, was den Gelenken befohlen war oder wo sie standen. Zeichnen Sie alle Signale auf, als MCAP.</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: ihre Zeilen liegen zu weit auseinander. Zeichnen Sie jedes Paket auf.</translation>
     </message>
     <message>
@@ -355,11 +363,11 @@
         <translation>Position weicht von der Bahn ab</translation>
     </message>
     <message>
-        <source>The arm is not where the controller sent it.</source>
+        <source>The arm is not at the commanded position.</source>
         <translation>Der Arm ist nicht, wohin die Steuerung ihn geschickt hat.</translation>
     </message>
     <message>
-        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
         <translation>Suchen Sie nach einem Hindernis; prüfen Sie Nutzlast, Schwerpunkt und Montage; verringern Sie die Beschleunigung.</translation>
     </message>
     <message>
@@ -367,11 +375,11 @@
         <translation>Singularität</translation>
     </message>
     <message>
-        <source>The straight move leads through a singular position of the arm.</source>
+        <source>The linear move passes through a singularity of the arm.</source>
         <translation>Die gerade Bewegung führt durch eine singuläre Stellung des Arms.</translation>
     </message>
     <message>
-        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints out of it; use MoveJ through this region.</source>
         <translation>Fahren Sie einzelne Gelenke heraus; verwenden Sie in diesem Bereich MoveJ.</translation>
     </message>
     <message>
@@ -379,7 +387,7 @@
         <translation>Kann seine Position nicht halten</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed while it stood.</source>
+        <source>The arm sagged or was pushed at standstill.</source>
         <translation>Der Arm sackte ab oder wurde im Stand geschoben.</translation>
     </message>
     <message>
@@ -391,19 +399,19 @@
         <translation>Falsche Nutzlast oder Montage</translation>
     </message>
     <message>
-        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
         <translation>Die Kräfte passen nicht zur Nutzlast, oder etwas schob den Arm, als Freedrive begann.</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <source>Correct payload and mounting, release the arm, and try again.</source>
         <translation>Berichtigen Sie Nutzlast und Montage, lassen Sie den Arm los und versuchen Sie es erneut.</translation>
     </message>
     <message>
-        <source>Collision noticed by a joint</source>
+        <source>Collision detected by a joint</source>
         <translation>Ein Gelenk hat eine Kollision bemerkt</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion explains.</source>
+        <source>A joint needed more torque than the motion requires.</source>
         <translation>Ein Gelenk brauchte mehr Drehmoment, als die Bewegung erklärt.</translation>
     </message>
     <message>
@@ -411,11 +419,11 @@
         <translation>Entfernen Sie das Hindernis; war keines da, prüfen Sie die Nutzlast.</translation>
     </message>
     <message>
-        <source>Collision noticed by the tool force</source>
+        <source>Collision detected by the tool force</source>
         <translation>Kollision an der Werkzeugkraft bemerkt</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded what is allowed.</source>
+        <source>The force at the tool exceeded its limit.</source>
         <translation>Die Kraft am Werkzeug überschritt das Erlaubte.</translation>
     </message>
     <message>
@@ -427,7 +435,7 @@
         <translation>Ein Gelenk verließ seine Sollposition.</translation>
     </message>
     <message>
-        <source>Look for an obstacle and check payload and mounting.</source>
+        <source>Check for obstacles, and check payload and mounting.</source>
         <translation>Suchen Sie nach einem Hindernis und prüfen Sie Nutzlast und Montage.</translation>
     </message>
     <message>
@@ -439,7 +447,7 @@
         <translation>Ein Gelenk hatte in acht Stunden mehr als fünfzig Schutzstopps.</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>Finden Sie die Ursache der Stopps, bevor Sie weitermachen; starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
@@ -447,11 +455,11 @@
         <translation>Plötzlicher Sprung der Sollposition</translation>
     </message>
     <message>
-        <source>A program asked for a jump in position.</source>
+        <source>A program commanded a step in position.</source>
         <translation>Ein Programm verlangte einen Sprung der Position.</translation>
     </message>
     <message>
-        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
         <translation>Lassen Sie das Programm dort beginnen, wo der Arm ist, und halten Sie seine Servo-Schritte klein.</translation>
     </message>
     <message>
@@ -459,23 +467,23 @@
         <translation>Plötzlicher Sprung der Sollgeschwindigkeit</translation>
     </message>
     <message>
-        <source>A program asked for a jump in speed.</source>
+        <source>A program commanded a step in speed.</source>
         <translation>Ein Programm verlangte einen Sprung der Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Lower the acceleration, or smooth the path.</source>
+        <source>Reduce the acceleration, or smooth the path.</source>
         <translation>Verringern Sie die Beschleunigung oder glätten Sie die Bahn.</translation>
     </message>
     <message>
-        <source>Protective stop by a program</source>
+        <source>Protective stop requested by a program</source>
         <translation>Schutzstopp durch ein Programm</translation>
     </message>
     <message>
-        <source>The running program itself asked for the stop.</source>
+        <source>The running program requested the stop.</source>
         <translation>Das laufende Programm hat den Stopp selbst verlangt.</translation>
     </message>
     <message>
-        <source>See the program&apos;s own messages before it.</source>
+        <source>See the messages of the program before this one.</source>
         <translation>Sehen Sie sich die Meldungen des Programms davor an.</translation>
     </message>
     <message>
@@ -483,7 +491,7 @@
         <translation>Der Roboter ist in lokaler Steuerung</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
         <translation>Ein Skript wurde gesendet, aber der Roboter hört nur auf sein Teach-Pendant.</translation>
     </message>
     <message>
@@ -499,7 +507,7 @@
         <translation>Die Steuerung hat diese Nummer gemeldet.</translation>
     </message>
     <message>
-        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>Schlagen Sie C%1 im Fehlercode-Verzeichnis des Herstellers nach.</translation>
     </message>
 </context>
@@ -510,19 +518,19 @@
         <translation>ein Signal berechnen</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <source>There is no signal “%1”. See the signal list for the names.</source>
         <translation>Es gibt kein Signal „%1“. Die Liste der Signale zeigt die Namen.</translation>
     </message>
     <message>
-        <source>There is no signal in it.</source>
+        <source>The expression contains no signal.</source>
         <translation>Es steht kein Signal darin.</translation>
     </message>
     <message>
-        <source>There are too many signals in it.</source>
+        <source>The expression contains too many signals.</source>
         <translation>Es stehen zu viele Signale darin.</translation>
     </message>
     <message>
-        <source>It must give one number.</source>
+        <source>The expression must evaluate to one number.</source>
         <translation>Es muss eine Zahl ergeben.</translation>
     </message>
     <message>
@@ -530,15 +538,15 @@
         <translation>Der Text ist zu lang.</translation>
     </message>
     <message>
-        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>Schreiben Sie einen Namen, ein Gleichheitszeichen und einen Ausdruck: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <source>There is one equals sign too many. For a comparison, use ==</source>
         <translation>Ein Gleichheitszeichen zu viel; ein Vergleich hat zwei: ==</translation>
     </message>
     <message>
-        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <source>The time window must be between 0.001 and 60 seconds.</source>
         <translation>Die Zeitspanne liegt zwischen 0.001 und 60 Sekunden.</translation>
     </message>
 </context>
@@ -568,27 +576,27 @@
         <translation>Einige Werte und die Register zum Steuern fehlen. Bringen Sie den Roboter auf %1.%2 oder neuer.</translation>
     </message>
     <message>
-        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
         <translation>Sehen Sie sich den Arm an, beseitigen Sie die Ursache, stellen Sie dann wieder her: Wiederherstellen… in der Kopfzeile oder am Teach-Pendant.</translation>
     </message>
     <message>
-        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <source>Power on and release the brakes with the button in the header.</source>
         <translation>Schalten Sie ein und lösen Sie die Bremsen: Der Knopf in der Kopfzeile führt hin.</translation>
     </message>
     <message>
-        <source>the RTDE port takes connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not answer</source>
         <translation>der RTDE-Port nimmt Verbindungen an, antwortet aber nicht</translation>
     </message>
     <message>
-        <source>what answers on port %1 does not speak RTDE</source>
+        <source>the service on port %1 does not use RTDE</source>
         <translation>was auf Port %1 antwortet, spricht kein RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>Zu viele RTDE-Clients oder eine Steuerung, die hängt: Schließen Sie andere Programme, starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program took the port.</source>
+        <source>Check the address: this is another device, or another program uses the port.</source>
         <translation>Prüfen Sie die Adresse: Dies ist ein anderes Gerät, oder ein anderes Programm belegt den Port.</translation>
     </message>
     <message>
@@ -596,11 +604,11 @@
         <translation>Protokollversion %1</translation>
     </message>
     <message>
-        <source>another program holds %1</source>
+        <source>another program uses %1</source>
         <translation>ein anderes Programm belegt %1</translation>
     </message>
     <message>
-        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
         <translation>Beenden Sie das andere Programm, das diesen Roboter steuert (ein anderes Fenster, ROS, ur_rtde).</translation>
     </message>
     <message>
@@ -612,23 +620,23 @@
         <translation>Bringen Sie die Software des Roboters auf 3.9 oder 5.3.</translation>
     </message>
     <message>
-        <source>24 to 47 are free</source>
+        <source>registers 24 to 47 are free</source>
         <translation>24 bis 47 sind frei</translation>
     </message>
     <message>
-        <source>a fieldbus adapter or another program holds %1</source>
+        <source>a fieldbus adapter or another program uses %1</source>
         <translation>ein Feldbus-Adapter oder ein anderes Programm belegt %1</translation>
     </message>
     <message>
-        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <source>No action needed for jogging. To use these registers, disable EtherNet/IP, PROFINET or MODBUS in the robot&apos;s installation.</source>
         <translation>Zum Verfahren ist nichts zu tun. Um diese Register zu nutzen, schalten Sie EtherNet/IP, PROFINET oder MODBUS in der Installation des Roboters aus.</translation>
     </message>
     <message>
-        <source>0 to 23 are free</source>
+        <source>registers 0 to 23 are free</source>
         <translation>0 bis 23 sind frei</translation>
     </message>
     <message>
-        <source>the robot takes the subscription but sends no data</source>
+        <source>the robot accepts the subscription but sends no data</source>
         <translation>der Roboter nimmt das Abonnement an, sendet aber keine Daten</translation>
     </message>
     <message>
@@ -636,11 +644,11 @@
         <translation>Schließen Sie andere RTDE-Programme, starten Sie dann die Steuerung des Roboters neu.</translation>
     </message>
     <message>
-        <source>%1 of %2 packages a second</source>
+        <source>%1 of %2 packets per second</source>
         <translation>%1 von %2 Paketen je Sekunde</translation>
     </message>
     <message>
-        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
         <translation>Es fehlen Pakete: Verwenden Sie ein Kabel, keine Funkverbindung; schließen Sie andere Programme, die den Roboter oder diesen PC belasten.</translation>
     </message>
     <message>
@@ -648,15 +656,15 @@
         <translation>Priorität %1</translation>
     </message>
     <message>
-        <source>the system grants this user no real-time priority</source>
+        <source>the system does not grant this user real-time priority</source>
         <translation>das System gewährt diesem Benutzer keine Echtzeitpriorität</translation>
     </message>
     <message>
-        <source>permitted, and asked for by loops with priority</source>
+        <source>permitted, and requested by real-time loops</source>
         <translation>erlaubt, und von Schleifen mit Priorität angefordert</translation>
     </message>
     <message>
-        <source>processors may sleep deeply, loops begin later</source>
+        <source>CPUs may enter deep sleep states, which delays loops</source>
         <translation>Prozessoren dürfen tief schlafen, Schleifen beginnen später</translation>
     </message>
     <message>
@@ -668,11 +676,11 @@
         <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive absacken.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
         <translation>&quot;%1&quot; ist keine Adresse, und kein Host dieses Namens ist bekannt</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
         <translation>Geben Sie die vier Zahlen ein, die das Teach-Pendant unter „Über“ zeigt, oder fragen Sie den Betreiber des Netzes nach dem Namen.</translation>
     </message>
     <message>
@@ -680,11 +688,11 @@
         <translation>%1 antwortet nicht</translation>
     </message>
     <message>
-        <source>There is no way to %1</source>
+        <source>There is no route to %1</source>
         <translation>Es führt kein Weg zu %1</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>Prüfen Sie, dass der Roboter eingeschaltet und das Kabel gesteckt ist und dass keine Firewall dazwischensteht.</translation>
     </message>
     <message>
@@ -692,11 +700,11 @@
         <translation>Geben Sie diesem PC eine Adresse im Netz des Roboters (die gleichen ersten drei Zahlen) und prüfen Sie das Kabel.</translation>
     </message>
     <message>
-        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <source>%1 answers, but offers none of a robot&apos;s services</source>
         <translation>%1 antwortet, aber keiner der Dienste eines Roboters ist da</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
         <translation>Prüfen Sie, dass dies die Adresse des Roboters selbst ist. Ein eben eingeschalteter Roboter braucht noch eine Minute.</translation>
     </message>
     <message>
@@ -720,31 +728,31 @@
         <translation>Port %1 antwortet nicht</translation>
     </message>
     <message>
-        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <source>Enable this interface on the robot: Settings, Security, Services.</source>
         <translation>Schalten Sie diese Schnittstelle am Roboter ein: Einstellungen, Sicherheit, Dienste.</translation>
     </message>
     <message>
-        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
         <translation>Eine Firewall verschluckt diesen Port: Erlauben Sie TCP-Port %1 zum Roboter.</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
         <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung. Ohne das beobachtet Tiller nur.</translation>
     </message>
     <message>
-        <source>the dashboard takes connections but does not answer</source>
+        <source>the dashboard accepts connections but does not answer</source>
         <translation>das Dashboard nimmt Verbindungen an, antwortet aber nicht</translation>
     </message>
     <message>
-        <source>what answers on port %1 is not a dashboard</source>
+        <source>the service on port %1 is not a dashboard server</source>
         <translation>was auf Port %1 antwortet, ist kein Dashboard</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
         <translation>Starten Sie die Steuerung des Roboters neu; bleibt es so, sehen Sie in ihr Protokoll.</translation>
     </message>
     <message>
-        <source>Check the address, and that no other program uses this port.</source>
+        <source>Check the address, and check that no other program uses this port.</source>
         <translation>Prüfen Sie die Adresse und dass kein anderes Programm diesen Port benutzt.</translation>
     </message>
     <message>
@@ -760,15 +768,15 @@
         <translation>Lokal</translation>
     </message>
     <message>
-        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
         <translation>weder das Dashboard (Port %1) noch die Robot API (Port %2) ist da</translation>
     </message>
     <message>
-        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
         <translation>Schalten Sie den Dashboard-Server am Roboter ein: Einstellungen, Sicherheit, Dienste. PolyScope X braucht 10.11 oder neuer für die Robot API.</translation>
     </message>
     <message>
-        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
         <translation>Robot API %1, Port %2; Meldungsfenster werden am Tablet geschlossen</translation>
     </message>
     <message>
@@ -776,15 +784,15 @@
         <translation>die primäre Schnittstelle beschreibt den Arm nicht</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <source>Check that this is the address of the robot, and restart its controller.</source>
         <translation>Prüfen Sie, dass dies die Adresse des Roboters selbst ist, und starten Sie seine Steuerung neu.</translation>
     </message>
     <message>
-        <source>robot type %1 is newer than this program</source>
+        <source>robot type %1 is not known to this version of Tiller</source>
         <translation>Robotertyp %1 ist neuer als dieses Programm</translation>
     </message>
     <message>
-        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
         <translation>Beobachten geht. Grenzen und Vorschau verwenden die Maße, die der Roboter meldet; verfahren Sie zuerst langsam.</translation>
     </message>
     <message>
@@ -816,7 +824,7 @@
         <translation>Dashboard oder Robot API</translation>
     </message>
     <message>
-        <source>RTDE is understood</source>
+        <source>RTDE protocol</source>
         <translation>RTDE wird verstanden</translation>
     </message>
     <message>
@@ -844,7 +852,7 @@
         <translation>Register zum Steuern frei</translation>
     </message>
     <message>
-        <source>No fieldbus holds registers</source>
+        <source>No fieldbus uses registers</source>
         <translation>Kein Feldbus belegt Register</translation>
     </message>
     <message>
@@ -852,11 +860,11 @@
         <translation>Datenrate</translation>
     </message>
     <message>
-        <source>Real-time privilege of this PC</source>
+        <source>Real-time priority on this PC</source>
         <translation>Echtzeitrecht dieses PCs</translation>
     </message>
     <message>
-        <source>Fast wake-ups of this PC</source>
+        <source>Timer wake-ups of this PC</source>
         <translation>Schnelles Aufwachen dieses PCs</translation>
     </message>
     <message>
@@ -887,11 +895,11 @@
         <translation>Linie Z</translation>
     </message>
     <message>
-        <source>Let the arm come to rest before freedrive.</source>
+        <source>Wait until the arm is at standstill before Freedrive.</source>
         <translation>Lassen Sie den Arm vor Freedrive zur Ruhe kommen.</translation>
     </message>
     <message>
-        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
         <translation>Der Arm spürt %1 bei einer Nutzlast von %2 kg: Er würde sich von selbst bewegen. Lassen Sie das Werkzeug los oder berichtigen Sie Nutzlast und TCP.</translation>
     </message>
 </context>
@@ -902,29 +910,29 @@
         <translation>linke Schultertaste</translation>
     </message>
     <message>
-        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
         <translation>Linker Stick X und Y, rechter Stick Z und Drehen. Rechte Schultertaste: Die Sticks drehen.</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
-        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
         <translation>Kein zweiter Zeuge an diesem Bildschirm (%1): Ob eine Taste noch gehalten wird, ist nur aus den Ereignissen des Fensters bekannt.</translation>
     </message>
     <message>
-        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>Der Display-Server wird alle 10 ms gefragt, ob der Knopf oder die Taste noch gedrückt ist.</translation>
     </message>
     <message>
-        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
         <translation>Der Display-Server kann nicht ein zweites Mal gefragt werden: Ob eine Taste noch gehalten wird, ist nur aus den Ereignissen des Fensters bekannt.</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
         <translation>Dieser Bildschirm hat kleine Pixel. „Größe von allem“ in den Einstellungen macht Text, Tasten und Diagramme größer.</translation>
     </message>
 </context>
@@ -943,7 +951,7 @@
         <translation>Tastatur scharf schalten oder abschalten</translation>
     </message>
     <message>
-        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
         <translation>Scharf bewegen die Pfeiltasten den Arm; ein Rahmen steht um das Fenster. Endet nach einer halben Minute von selbst.</translation>
     </message>
     <message>
@@ -951,7 +959,7 @@
         <translation>Gamepad und SpaceMouse…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>Was jedes Gerät jetzt meldet und wohin es fahren wird.</translation>
     </message>
     <message>
@@ -959,27 +967,27 @@
         <translation>Hier null</translation>
     </message>
     <message>
-        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
         <translation>Zählt den Weg des TCP von hier an; noch einmal: wieder seit dem Druck.</translation>
     </message>
     <message>
-        <source>Stops the arm; the next press has this speed.</source>
+        <source>Stops the arm. The next press uses this speed.</source>
         <translation>Stoppt den Arm; der nächste Druck hat diese Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Moves by this much, only while the key is held.</source>
+        <source>Moves by this distance, only while the key is held.</source>
         <translation>Bewegt um diesen Betrag, nur solange die Taste gehalten wird.</translation>
     </message>
     <message>
-        <source>Moves by this much at each press.</source>
+        <source>Moves by this distance at each press.</source>
         <translation>Bewegt bei jedem Druck um diesen Betrag.</translation>
     </message>
     <message>
-        <source>Jog until contact, %1 N</source>
+        <source>Jog until contact (%1 N)</source>
         <translation>Verfahren bis Kontakt, %1 N</translation>
     </message>
     <message>
-        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
         <translation>Eine gehaltene Taste bewegt langsam und endet, wenn das Werkzeug auf diese Kraft trifft.</translation>
     </message>
     <message>
@@ -987,7 +995,7 @@
         <translation>Andere Verfahrgeschwindigkeit…</translation>
     </message>
     <message>
-        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
         <translation>Fragt nach der Geschwindigkeit des TCP; Drehungen und Gelenke im Verhältnis.</translation>
     </message>
     <message>
@@ -995,7 +1003,7 @@
         <translation>Andere Schrittweite…</translation>
     </message>
     <message>
-        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <source>Asks for the step length. The step angle does not change.</source>
         <translation>Fragt nach der Länge eines Schritts; der Winkel von Drehungen bleibt.</translation>
     </message>
     <message>
@@ -1003,7 +1011,7 @@
         <translation>Anderer Drehschritt…</translation>
     </message>
     <message>
-        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
         <translation>Fragt nach dem Winkel eines Schritts, der Werkzeug oder Gelenk dreht; die Länge bleibt.</translation>
     </message>
     <message>
@@ -1011,7 +1019,7 @@
         <translation>Verfahren bis Kontakt, andere Kraft…</translation>
     </message>
     <message>
-        <source>Asks for the force in N at which the motion ends.</source>
+        <source>Asks for the contact force in N that ends the motion.</source>
         <translation>Fragt nach der Kraft in N, bei der die Bewegung endet.</translation>
     </message>
     <message>
@@ -1019,7 +1027,7 @@
         <translation>Freedrive: %1</translation>
     </message>
     <message>
-        <source>What the hand can move while Freedrive is held.</source>
+        <source>Selects the axes that can be moved by hand during Freedrive.</source>
         <translation>Was die Hand bewegen kann, während Freedrive gehalten wird.</translation>
     </message>
 </context>
@@ -1096,7 +1104,7 @@
         <translation>nach außen fahren</translation>
     </message>
     <message>
-        <source>jog %1 or turn the base</source>
+        <source>jog %1 or rotate the base</source>
         <translation>%1 fahren oder die Basis drehen</translation>
     </message>
     <message>
@@ -1108,11 +1116,11 @@
         <translation>Handgelenk 2 nahe 0° oder 180°: %1 der Geschwindigkeit</translation>
     </message>
     <message>
-        <source>turn wrist 2</source>
+        <source>rotate wrist 2</source>
         <translation>Handgelenk 2 drehen</translation>
     </message>
     <message>
-        <source>jog %1 or turn wrist 2</source>
+        <source>jog %1 or rotate wrist 2</source>
         <translation>%1 fahren oder Handgelenk 2 drehen</translation>
     </message>
     <message>
@@ -1120,23 +1128,23 @@
         <translation>%1 %2° vor der Grenze</translation>
     </message>
     <message>
-        <source>turn %1 %2</source>
+        <source>rotate %1 %2</source>
         <translation>%1 %2 drehen</translation>
     </message>
     <message>
-        <source>jog %1 or turn %2 %3</source>
+        <source>jog %1 or rotate %2 %3</source>
         <translation>%1 fahren oder %2 %3 drehen</translation>
     </message>
     <message>
-        <source>TCP at its speed cap: %1</source>
+        <source>TCP at the speed cap of %1</source>
         <translation>TCP an seiner Geschwindigkeitsgrenze: %1</translation>
     </message>
     <message>
-        <source>the cap is in the settings</source>
+        <source>change the cap in Settings</source>
         <translation>die Grenze steht in den Einstellungen</translation>
     </message>
     <message>
-        <source>Elbow at its speed cap: %1</source>
+        <source>Elbow at the speed cap of %1</source>
         <translation>Ellbogen an seiner Geschwindigkeitsgrenze: %1</translation>
     </message>
     <message>
@@ -1144,16 +1152,32 @@
         <translation>weniger seitwärts fahren</translation>
     </message>
     <message>
-        <source>Turning at its cap: %1</source>
+        <source>Rotation at its cap of %1</source>
         <translation>Drehung an ihrer Grenze: %1</translation>
     </message>
     <message>
-        <source>%1 at its top speed: %2</source>
+        <source>%1 at its maximum speed of %2</source>
         <translation>%1 an der Höchstgeschwindigkeit: %2</translation>
     </message>
     <message>
-        <source>choose a slower class</source>
+        <source>choose a lower speed</source>
         <translation>eine langsamere Stufe wählen</translation>
+    </message>
+    <message>
+        <source>move away from it</source>
+        <translation>davon wegbewegen</translation>
+    </message>
+    <message>
+        <source>jog %1</source>
+        <translation>%1 verfahren</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3: %4 of the speed</source>
+        <translation>%1 ist %2 von %3 entfernt: %4 der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3</source>
+        <translation>%1 ist %2 von %3 entfernt</translation>
     </message>
 </context>
 <context>
@@ -1170,7 +1194,7 @@
         <translation>FREEDRIVE</translation>
     </message>
     <message>
-        <source>The arm follows the hand that moves it.</source>
+        <source>The arm can be moved by hand.</source>
         <translation>Der Arm folgt der Hand, die ihn bewegt.</translation>
     </message>
     <message>
@@ -1238,15 +1262,15 @@
         <translation>beobachtet</translation>
     </message>
     <message>
-        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>Pakete kommen spät oder gar nicht: Verfahren kann von selbst enden, und Diagramme haben Lücken. Verwenden Sie ein Kabel, keine Funkverbindung, und schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
         <translation>Befehle brauchen länger als 20 ms: Der Arm folgt der Taste merklich spät. Verfahren Sie langsam.</translation>
     </message>
     <message>
-        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
         <translation>Gut: Der Arm folgt der Taste sofort, und eine getrennte Verbindung stoppt ihn binnen einer Viertelsekunde.</translation>
     </message>
     <message>
@@ -1258,7 +1282,7 @@
         <translation>Seit dem Verbinden: %1 Pakete, %2 spät, %3 verloren</translation>
     </message>
     <message>
-        <source>Late is a packet that comes more than half a period after its time.</source>
+        <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
         <translation>Spät ist ein Paket, das mehr als eine halbe Periode nach seiner Zeit kommt.</translation>
     </message>
     <message>
@@ -1326,7 +1350,7 @@
         <translation>Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Choose the simulator or the address of a robot</source>
+        <source>Select the simulator or enter the address of a robot</source>
         <translation>Wählen Sie den Simulator oder die Adresse eines Roboters</translation>
     </message>
     <message>
@@ -1338,12 +1362,16 @@
         <translation>Der Arm kann einige Millimeter absacken. Halten Sie Abstand.</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
         <translation>Zeigt, was den Arm gestoppt hat, die letzten fünf Sekunden und den Weg zurück. Nichts bewegt sich.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>Startet das Steuerprogramm auf dem Roboter; jedes andere Programm endet.</translation>
+        <source>Data late</source>
+        <translation>Daten verspätet</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
     </message>
 </context>
 <context>
@@ -1357,7 +1385,7 @@
         <translation>Die Steuerung des Roboters läuft nicht. Starten Sie den Steuerkasten neu.</translation>
     </message>
     <message>
-        <source>Arm off line</source>
+        <source>Arm disconnected</source>
         <translation>Arm getrennt</translation>
     </message>
     <message>
@@ -1385,7 +1413,7 @@
         <translation>Ausgeschaltet</translation>
     </message>
     <message>
-        <source>The arm is off. Power it on.</source>
+        <source>The arm is powered off. Power it on.</source>
         <translation>Der Arm ist aus. Schalten Sie ihn ein.</translation>
     </message>
     <message>
@@ -1393,7 +1421,7 @@
         <translation>Eingeschaltet</translation>
     </message>
     <message>
-        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <source>The arm is powered and initializing. Wait a moment.</source>
         <translation>Der Arm hat Strom und macht sich bereit. Warten Sie einen Moment.</translation>
     </message>
     <message>
@@ -1409,7 +1437,7 @@
         <translation>Zurückdrücken</translation>
     </message>
     <message>
-        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
         <translation>Der Arm wird von Hand gegen seine Bremsen bewegt. Lassen Sie den Freedrive-Knopf los.</translation>
     </message>
     <message>
@@ -1417,7 +1445,7 @@
         <translation>Läuft</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm stands still.</source>
+        <source>Brakes are released. The arm is at standstill.</source>
         <translation>Die Bremsen sind gelöst. Der Arm steht still.</translation>
     </message>
     <message>
@@ -1441,7 +1469,7 @@
         <translation>Reduziert</translation>
     </message>
     <message>
-        <source>The robot keeps to its reduced limits.</source>
+        <source>The reduced safety limits are active.</source>
         <translation>Der Roboter hält seine reduzierten Grenzen ein.</translation>
     </message>
     <message>
@@ -1465,7 +1493,7 @@
         <translation>Safeguard-Stopp</translation>
     </message>
     <message>
-        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
         <translation>Eine Schutzeinrichtung ist offen. Schließen Sie sie; wo ein Zurücksetzen eingerichtet ist, drücken Sie es.</translation>
     </message>
     <message>
@@ -1505,7 +1533,7 @@
         <translation>Gelenke bestätigen</translation>
     </message>
     <message>
-        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <source>A joint was replaced. Validate the joints on the teach pendant.</source>
         <translation>Ein Gelenk wurde getauscht. Bestätigen Sie die Gelenke am Teach-Pendant.</translation>
     </message>
     <message>
@@ -1513,7 +1541,7 @@
         <translation>Unbestimmt</translation>
     </message>
     <message>
-        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <source>The controller does not report its safety mode. Check the teach pendant.</source>
         <translation>Die Steuerung nennt ihren Sicherheitsmodus nicht. Sehen Sie auf das Teach-Pendant.</translation>
     </message>
     <message>
@@ -1561,7 +1589,7 @@
         <translation>PROFIsafe wartet</translation>
     </message>
     <message>
-        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
         <translation>Der Roboter wartet auf seine PROFIsafe-Steuerung. Prüfen Sie den Feldbus und seine Parameter.</translation>
     </message>
     <message>
@@ -1585,7 +1613,7 @@
         <translation>PROFIsafe-Not-Halt</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
         <translation>Die PROFIsafe-Steuerung verlangt einen Not-Halt. Lösen Sie ihn dort, dann schalten Sie ein und lösen die Bremsen.</translation>
     </message>
     <message>
@@ -1601,7 +1629,7 @@
         <translation>Stopp E/A-Ebene</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
         <translation>Das Werkzeug hat eine Sicherheitsebene durchquert, die ein Eingang eingeschaltet hat. Fahren Sie es am Teach-Pendant heraus oder schalten Sie den Eingang aus.</translation>
     </message>
     <message>
@@ -1621,7 +1649,7 @@
         <translation>Auf dem Roboter läuft kein Programm.</translation>
     </message>
     <message>
-        <source>Program plays</source>
+        <source>Program running</source>
         <translation>Programm läuft</translation>
     </message>
     <message>
@@ -1633,7 +1661,7 @@
         <translation>Programm hält an</translation>
     </message>
     <message>
-        <source>The program is coming to a halt.</source>
+        <source>The program is pausing.</source>
         <translation>Das Programm kommt zum Halten.</translation>
     </message>
     <message>
@@ -1641,7 +1669,7 @@
         <translation>Programm pausiert</translation>
     </message>
     <message>
-        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
         <translation>Abspielen setzt die unterbrochene Bewegung fort; stoppen Sie das Programm, um sie zu verwerfen.</translation>
     </message>
     <message>
@@ -1649,7 +1677,7 @@
         <translation>Programm setzt fort</translation>
     </message>
     <message>
-        <source>The program is going on: the arm may move.</source>
+        <source>The program is resuming: the arm may move.</source>
         <translation>Das Programm geht weiter: Der Arm kann sich bewegen.</translation>
     </message>
     <message>
@@ -1668,7 +1696,7 @@
 <context>
     <name>OutputGripper</name>
     <message>
-        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
         <translation>Der Roboter hat die Ausgänge nicht bestätigt. Vielleicht gehören sie einem anderen Programm oder der Installation.</translation>
     </message>
     <message>
@@ -1688,11 +1716,11 @@
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>told to open</source>
+        <source>open requested</source>
         <translation>soll öffnen</translation>
     </message>
     <message>
-        <source>told to close</source>
+        <source>close requested</source>
         <translation>soll schließen</translation>
     </message>
     <message>
@@ -1715,11 +1743,11 @@
         <translation>Aufzeichnen</translation>
     </message>
     <message>
-        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
         <translation>Schreibt jedes Paket des Roboters in eine CSV-Datei, bis es beendet wird.</translation>
     </message>
     <message>
-        <source>A recording runs already.</source>
+        <source>A recording is already running.</source>
         <translation>Es läuft schon eine Aufzeichnung.</translation>
     </message>
     <message>
@@ -1731,11 +1759,11 @@
         <translation>Aufzeichnung beenden</translation>
     </message>
     <message>
-        <source>Ends the recording; its file is complete.</source>
+        <source>Stops the recording and completes its file.</source>
         <translation>Beendet die Aufzeichnung; ihre Datei ist vollständig.</translation>
     </message>
     <message>
-        <source>Nothing is recorded.</source>
+        <source>No recording is running.</source>
         <translation>Es wird nichts aufgezeichnet.</translation>
     </message>
     <message>
@@ -1743,7 +1771,7 @@
         <translation>Diagramme anhalten oder fortsetzen</translation>
     </message>
     <message>
-        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
         <translation>Hält die Diagramme an; Daten und Aufzeichnung gehen weiter. Noch einmal: zurück zu den neuesten Werten.</translation>
     </message>
     <message>
@@ -1751,7 +1779,7 @@
         <translation>Diagramme exportieren…</translation>
     </message>
     <message>
-        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <source>Saves the visible range as an image, a drawing, a page or values.</source>
         <translation>Speichert den gezeigten Bereich als Bild, Zeichnung, Seite oder Werte.</translation>
     </message>
     <message>
@@ -1759,7 +1787,7 @@
         <translation>Diagramme zeigen %1</translation>
     </message>
     <message>
-        <source>How much time the plots show.</source>
+        <source>Sets the time range of the plots.</source>
         <translation>Wie viel Zeit die Diagramme zeigen.</translation>
     </message>
     <message>
@@ -1771,27 +1799,27 @@
         <translation>Findet eine Klemme oder ein Register nach Nummer oder Namen.</translation>
     </message>
     <message>
-        <source>Rename the chosen input or output</source>
+        <source>Rename selected input or output</source>
         <translation>Gewählten Ein- oder Ausgang umbenennen</translation>
     </message>
     <message>
-        <source>The row of the tab I/O that has the focus.</source>
+        <source>Applies to the focused row of the I/O tab.</source>
         <translation>Die Zeile des Registers E/A, die den Fokus hat.</translation>
     </message>
     <message>
-        <source>Switch the chosen output</source>
+        <source>Switch selected output</source>
         <translation>Gewählten Ausgang schalten</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <source>Switches the focused output of the I/O tab on or off.</source>
         <translation>Der Ausgang des Registers E/A, der den Fokus hat: ein, oder wieder aus.</translation>
     </message>
     <message>
-        <source>Pulse the chosen output</source>
+        <source>Pulse selected output</source>
         <translation>Gewählten Ausgang pulsen</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
         <translation>Der Ausgang des Registers E/A, der den Fokus hat: für eine halbe Sekunde ein, dann aus.</translation>
     </message>
     <message>
@@ -1799,7 +1827,7 @@
         <translation>Protokoll durchsuchen</translation>
     </message>
     <message>
-        <source>Shows only the lines with these words.</source>
+        <source>Shows only entries that contain these words.</source>
         <translation>Zeigt nur die Zeilen mit diesen Wörtern.</translation>
     </message>
     <message>
@@ -1807,7 +1835,7 @@
         <translation>Protokoll: alles zeigen</translation>
     </message>
     <message>
-        <source>Log: show warnings and worse</source>
+        <source>Log: show warnings and errors</source>
         <translation>Protokoll: Warnungen und Schlimmeres zeigen</translation>
     </message>
     <message>
@@ -1815,7 +1843,7 @@
         <translation>Protokoll: Fehler zeigen</translation>
     </message>
     <message>
-        <source>Chooses which lines of the log are shown.</source>
+        <source>Selects which log entries are shown.</source>
         <translation>Wählt, welche Zeilen des Protokolls gezeigt werden.</translation>
     </message>
     <message>
@@ -1823,7 +1851,7 @@
         <translation>Protokoll kopieren</translation>
     </message>
     <message>
-        <source>Copies the selected lines, or all that are shown.</source>
+        <source>Copies the selected entries, or all visible entries.</source>
         <translation>Kopiert die gewählten Zeilen oder alle gezeigten.</translation>
     </message>
     <message>
@@ -1831,7 +1859,7 @@
         <translation>Protokoll exportieren…</translation>
     </message>
     <message>
-        <source>Writes the lines that are shown to a file.</source>
+        <source>Writes the visible entries to a file.</source>
         <translation>Schreibt die gezeigten Zeilen in eine Datei.</translation>
     </message>
     <message>
@@ -1839,7 +1867,7 @@
         <translation>Signale für die Diagramme suchen</translation>
     </message>
     <message>
-        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
         <translation>Öffnet die Liste von allem, was der Roboter meldet: auf ein Diagramm durch Ziehen, Doppelklick oder Eingabetaste.</translation>
     </message>
     <message>
@@ -1847,26 +1875,26 @@
         <translation>Neue Seite mit Diagrammen</translation>
     </message>
     <message>
-        <source>An empty page behind the others; all pages show the same time.</source>
+        <source>Adds an empty page after the others. All pages share the time axis.</source>
         <translation>Eine leere Seite hinter den anderen; alle Seiten zeigen dieselbe Zeit.</translation>
     </message>
     <message>
-        <source>Show all of the plots&apos; history</source>
+        <source>Show the entire history</source>
         <translation>Den ganzen Verlauf der Diagramme zeigen</translation>
     </message>
     <message>
-        <source>All that is in memory, each plot at its best scale.</source>
+        <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>Alles, was im Speicher ist, jedes Diagramm in seiner besten Skala.</translation>
     </message>
 </context>
 <context>
     <name>PlotMenu</name>
     <message>
-        <source>Take the lane %1 away</source>
+        <source>Remove lane %1</source>
         <translation>Die Spur %1 wegnehmen</translation>
     </message>
     <message>
-        <source>Note here…</source>
+        <source>Add note here…</source>
         <translation>Hier notieren…</translation>
     </message>
     <message>
@@ -1878,7 +1906,7 @@
         <translation>%1 verbergen</translation>
     </message>
     <message>
-        <source>Let the cursors read %1</source>
+        <source>Read %1 at the cursors</source>
         <translation>Die Cursor %1 ablesen lassen</translation>
     </message>
     <message>
@@ -1886,15 +1914,15 @@
         <translation>%1 in ein eigenes Diagramm</translation>
     </message>
     <message>
-        <source>Take %1 away</source>
+        <source>Remove %1</source>
         <translation>%1 wegnehmen</translation>
     </message>
     <message>
-        <source>Alarm when %1</source>
+        <source>Warn when %1</source>
         <translation>Alarm, wenn %1</translation>
     </message>
     <message>
-        <source>No alarm when %1</source>
+        <source>Do not warn when %1</source>
         <translation>Kein Alarm, wenn %1</translation>
     </message>
     <message>
@@ -1902,7 +1930,7 @@
         <translation>Änderungsrate von %1</translation>
     </message>
     <message>
-        <source>Moving mean of %1 over half a second</source>
+        <source>Moving mean of %1 over 0.5 s</source>
         <translation>Gleitender Mittelwert von %1 über eine halbe Sekunde</translation>
     </message>
     <message>
@@ -1918,15 +1946,15 @@
         <translation>Neues Diagramm darunter</translation>
     </message>
     <message>
-        <source>New plot beside</source>
+        <source>New plot to the right</source>
         <translation>Neues Diagramm daneben</translation>
     </message>
     <message>
-        <source>Take this plot away</source>
+        <source>Remove this plot</source>
         <translation>Dieses Diagramm wegnehmen</translation>
     </message>
     <message>
-        <source>Let the curves decide about the scale</source>
+        <source>Scale to the curves</source>
         <translation>Die Kurven über die Skala entscheiden lassen</translation>
     </message>
     <message>
@@ -1941,11 +1969,11 @@
         <translation>Warte auf den Stopp.</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <source>The arm is in a protective stop. Press Recover… in the header.</source>
         <translation>Der Arm ist in einem Schutzstopp. Drücken Sie Wiederherstellen in der Kopfzeile.</translation>
     </message>
     <message>
-        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
         <translation>Entriegelt. Der Arm läuft noch nicht: Folgen Sie der Seite zur Wiederherstellung.</translation>
     </message>
     <message>
@@ -1953,43 +1981,43 @@
         <translation>Entriegelt. Übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
-        <source>The arm runs and is under your control again.</source>
+        <source>The arm is running and under your control again.</source>
         <translation>Der Arm läuft und ist wieder unter Ihrer Steuerung.</translation>
     </message>
     <message>
-        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <source>No new frame yet. Use 3 points in the Frames tab.</source>
         <translation>Noch kein neues Koordinatensystem. „Drei Punkte“ steht im Register Koordinatensysteme.</translation>
     </message>
     <message>
-        <source>“%1” lies as it was asked for.</source>
+        <source>“%1” meets the requirements.</source>
         <translation>„%1“ liegt wie verlangt.</translation>
     </message>
     <message>
-        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
         <translation>„%1“: Sein Z weicht %2° von dem der Basis ab. Der dritte Punkt liegt auf der Seite von +Y.</translation>
     </message>
     <message>
-        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
         <translation>„%1“: Sein X weicht %2° vom Y der Basis ab.</translation>
     </message>
     <message>
-        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
         <translation>„%1“ wurde nicht mit dem Arm aufgenommen: Der TCP war nicht an seinem Ursprung.</translation>
     </message>
     <message>
-        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <source>The waypoint was deleted. Start adds a new one.</source>
         <translation>Der Wegpunkt ist nicht mehr da. Start setzt einen neuen.</translation>
     </message>
     <message>
-        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
         <translation>„%1“ ist, wo er war. Der Arm ist %2 entlang X davon entfernt.</translation>
     </message>
     <message>
-        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <source>“%1” has moved by %2 and is %3 from the expected position.</source>
         <translation>„%1“ wurde um %2 verschoben und ist %3 von seinem Ziel entfernt.</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the tool was turned.</source>
+        <source>“%1” is at the expected position, but the tool orientation changed.</source>
         <translation>„%1“ ist am Ort, aber das Werkzeug wurde gedreht.</translation>
     </message>
     <message>
@@ -1997,23 +2025,23 @@
         <translation>„%1“ ist wieder am Teil.</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
         <translation>„%1“ ist am Ort, aber der Arm ist nicht dort. Teachen Sie nach, während der Arm am Teil ist.</translation>
     </message>
     <message>
-        <source>Slowed down to %1. Go on.</source>
+        <source>Slowed down to %1. Continue.</source>
         <translation>Auf %1 verlangsamt. Weiter.</translation>
     </message>
     <message>
-        <source>No limit yet. The line below the pad will name it.</source>
+        <source>No limit reached yet. The line below the pad will name it.</source>
         <translation>Noch keine Grenze. Die Zeile unter dem Tastenfeld wird sie nennen.</translation>
     </message>
     <message>
-        <source>That is the limit. Now back: %1 of %2.</source>
+        <source>Limit reached. Now jog back: %1 of %2.</source>
         <translation>Das ist die Grenze. Nun zurück: %1 von %2.</translation>
     </message>
     <message>
-        <source>Found it, and out of it again.</source>
+        <source>You reached the limit and moved out of it again.</source>
         <translation>Gefunden, und wieder heraus.</translation>
     </message>
     <message>
@@ -2025,7 +2053,7 @@
         <translation>Diese Aufzeichnung ist zu kurz. Zeichnen Sie erneut auf.</translation>
     </message>
     <message>
-        <source>No recording yet. Record is above the plots.</source>
+        <source>No recording yet. Press Record above the plots.</source>
         <translation>Noch keine Aufzeichnung. „Aufzeichnen“ steht über den Diagrammen.</translation>
     </message>
     <message>
@@ -2033,11 +2061,11 @@
         <translation>Aufgezeichnet. Geben Sie die Kraft ein, die das Diagramm zeigt.</translation>
     </message>
     <message>
-        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <source>%1 does not match the recording. Look at the Fz curve.</source>
         <translation>%1 ist nicht, was aufgezeichnet wurde. Sehen Sie auf die Kurve Fz.</translation>
     </message>
     <message>
-        <source>Right: it was %1.</source>
+        <source>Correct: it was %1.</source>
         <translation>Richtig: Es waren %1.</translation>
     </message>
     <message>
@@ -2061,23 +2089,23 @@
         <translation>Aufzeichnen und messen</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
         <translation>Start lässt den simulierten Arm kollidieren, und er geht in einen Schutzstopp. Sehen Sie nach, was ihn stoppte, warten Sie die fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Teachen Sie ein Koordinatensystem aus drei Punkten im Register Koordinatensysteme. Sein X soll entlang Y+ der Basis zeigen, sein Z nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter entlang Y+, dann einen weiter entlang X−.</translation>
     </message>
     <message>
-        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>Start setzt einen Wegpunkt „Teil“ dorthin, wo der Arm steht. Das Teil wurde seitdem um %1 entlang X+ der Basis verschoben. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
     </message>
     <message>
-        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>Fahren Sie von der Basis weg nach außen, bis eine Grenze den Arm auf die Hälfte verlangsamt. Die Zeile unter dem Tastenfeld nennt sie und den Weg heraus. Fahren Sie dann %1 zurück.</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>Start lässt eine Hand von oben auf das Werkzeug drücken. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie. Lesen Sie in den Diagrammen, wie groß die Kraft Fz ist, und geben Sie sie ein.</translation>
     </message>
     <message>
@@ -2093,6 +2121,21 @@
     </message>
 </context>
 <context>
+    <name>ProjectLock</name>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 auf %2</translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation>Prozess %1</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>ein anderes Programm</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2103,11 +2146,11 @@
         <translation>Verbinde…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself.</source>
+        <source>No data from the robot. Reconnecting automatically.</source>
         <translation>Keine Daten vom Roboter. Verbindet sich von selbst wieder.</translation>
     </message>
     <message>
-        <source>Robot data is late. Waiting for it to come back.</source>
+        <source>Robot data are late. Waiting for new data.</source>
         <translation>Die Daten des Roboters sind spät. Warte auf ihre Rückkehr.</translation>
     </message>
     <message>
@@ -2122,7 +2165,7 @@
 <context>
     <name>RecordingChoice</name>
     <message>
-        <source>A file needs a name that does not begin with a point.</source>
+        <source>A file name must not be empty or begin with a period.</source>
         <translation>Eine Datei braucht einen Namen, der nicht mit einem Punkt beginnt.</translation>
     </message>
     <message>
@@ -2141,11 +2184,11 @@
         <translation>Die Sicherheit ist wieder normal</translation>
     </message>
     <message>
-        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
         <translation>Der Arm kann bewegt werden. Was vor dem Stopp vorgemerkt war, bewegt ihn nicht: Jede Bewegung braucht einen neuen Druck.</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
         <translation>Der Arm ist bereit. Übernehmen Sie die Steuerung, um ihn zu bewegen, oder machen Sie am Teach-Pendant weiter.</translation>
     </message>
     <message>
@@ -2161,15 +2204,15 @@
         <translation>Warte auf die Verbindung</translation>
     </message>
     <message>
-        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
         <translation>Ich habe mir den Arm angesehen: Niemand berührt ihn, nichts ist eingeklemmt.</translation>
     </message>
     <message>
-        <source>What stopped it is known and removed.</source>
+        <source>The cause of the stop is known and removed.</source>
         <translation>Was ihn gestoppt hat, ist bekannt und beseitigt.</translation>
     </message>
     <message>
-        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <source>Payload and TCP match the mounted tool.</source>
         <translation>Nutzlast und TCP sind die des montierten Werkzeugs.</translation>
     </message>
     <message>
@@ -2177,15 +2220,15 @@
         <translation>Möglich in %1 s</translation>
     </message>
     <message>
-        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
         <translation>Ich habe mir den Arm und das Protokoll des Roboters angesehen: Die Ursache ist bekannt.</translation>
     </message>
     <message>
-        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <source>The cause is removed, and no one is within reach of the arm.</source>
         <translation>Die Ursache ist beseitigt, und niemand ist in der Reichweite des Arms.</translation>
     </message>
     <message>
-        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <source>No action needed here: this state ends when its cause is removed.</source>
         <translation>Hier ist nichts zu drücken: Es endet, wenn seine Ursache weg ist.</translation>
     </message>
     <message>
@@ -2247,7 +2290,7 @@
         <translation>Auf dem Roboter läuft kein Programm.</translation>
     </message>
     <message>
-        <source>A program runs already.</source>
+        <source>A program is already running.</source>
         <translation>Es läuft schon ein Programm.</translation>
     </message>
     <message>
@@ -2255,7 +2298,7 @@
         <translation>Verbinden…</translation>
     </message>
     <message>
-        <source>Choose the simulator, a robot or a project.</source>
+        <source>Select the simulator, a robot or a project.</source>
         <translation>Simulator, Roboter oder Projekt wählen.</translation>
     </message>
     <message>
@@ -2271,11 +2314,11 @@
         <translation>Verbindung prüfen…</translation>
     </message>
     <message>
-        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <source>Checks everything between this PC and the robot and suggests fixes.</source>
         <translation>Sieht sich alles zwischen diesem PC und dem Roboter an, jeweils mit Abhilfe.</translation>
     </message>
     <message>
-        <source>Choose a robot first.</source>
+        <source>Select a robot first.</source>
         <translation>Wählen Sie zuerst einen Roboter.</translation>
     </message>
     <message>
@@ -2283,7 +2326,7 @@
         <translation>Trennen</translation>
     </message>
     <message>
-        <source>Ends the connection; a motion of ours stops first.</source>
+        <source>Stops our motion, then closes the connection.</source>
         <translation>Beendet die Verbindung; eine Bewegung von hier stoppt zuerst.</translation>
     </message>
     <message>
@@ -2295,7 +2338,7 @@
         <translation>Schaltet den Arm ein. Die Bremsen bleiben zu.</translation>
     </message>
     <message>
-        <source>The arm has power, or is getting it.</source>
+        <source>The arm is powered on or powering on.</source>
         <translation>Der Arm hat Strom oder bekommt ihn gerade.</translation>
     </message>
     <message>
@@ -2303,11 +2346,11 @@
         <translation>Der Arm kann einige Millimeter absacken. Halten Sie Abstand.</translation>
     </message>
     <message>
-        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <source>Stops programs, engages the brakes and powers the arm off.</source>
         <translation>Schließt die Bremsen und nimmt dem Arm den Strom; Programme stoppen.</translation>
     </message>
     <message>
-        <source>The arm is off.</source>
+        <source>The arm is powered off.</source>
         <translation>Der Arm ist aus.</translation>
     </message>
     <message>
@@ -2315,15 +2358,15 @@
         <translation>Wiederherstellen…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, and the way back.</source>
+        <source>Shows what stopped the arm and the recovery steps.</source>
         <translation>Zeigt, was den Arm gestoppt hat, und den Weg zurück.</translation>
     </message>
     <message>
-        <source>No stop of the safety system.</source>
+        <source>The safety system reports no stop.</source>
         <translation>Kein Stopp der Sicherheit.</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
         <translation>Nach einer Verletzung oder einem Fehler, wenn die Ursache gefunden ist. Der Arm bleibt aus.</translation>
     </message>
     <message>
@@ -2339,11 +2382,7 @@
         <translation>Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>Startet das Steuerprogramm auf dem Roboter; jedes andere Programm endet.</translation>
-    </message>
-    <message>
-        <source>In control already.</source>
+        <source>Already in control.</source>
         <translation>Schon gesteuert.</translation>
     </message>
     <message>
@@ -2363,7 +2402,7 @@
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <source>Software stop of all motion. Not an emergency stop.</source>
         <translation>Software-Stopp von allem, was sich bewegt. Kein Not-Halt.</translation>
     </message>
     <message>
@@ -2371,20 +2410,24 @@
         <translation>Programm laden…</translation>
     </message>
     <message>
-        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <source>Loads a program stored on the robot by name.</source>
         <translation>Lädt ein Programm des Roboters nach seinem Namen.</translation>
     </message>
     <message>
-        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
         <translation>Startet das geladene Programm oder setzt ein pausiertes fort: Der Arm kann sich sofort bewegen.</translation>
     </message>
     <message>
-        <source>Pauses the program that runs.</source>
+        <source>Pauses the running program.</source>
         <translation>Pausiert das laufende Programm.</translation>
     </message>
     <message>
-        <source>Stops the robot&apos;s own program.</source>
+        <source>Stops the program on the robot.</source>
         <translation>Stoppt das eigene Programm des Roboters.</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2475,22 @@
     <message>
         <source>%1: off for %2 s</source>
         <translation>%1: %2 s lang aus</translation>
+    </message>
+    <message>
+        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <translation>Impulse werden vom Roboter getaktet und brauchen die Steuerung. Übernehmen Sie zuerst die Steuerung, oder schalten Sie den Ausgang ein und aus.</translation>
+    </message>
+    <message>
+        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <translation>Der Roboter hat den Impuls von %1 nicht beendet, weil sein Programm gestoppt oder angehalten wurde. Tiller schaltet den Ausgang aus.</translation>
+    </message>
+    <message>
+        <source>Input register %1</source>
+        <translation>Eingangsregister %1</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>Geschwindigkeitsregler</translation>
     </message>
 </context>
 <context>
@@ -2485,22 +2544,26 @@
         <translation>Das Programm auf dem Roboter wurde gestoppt</translation>
     </message>
     <message>
-        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
         <translation>Das Programm auf dem Roboter wurde nicht gestoppt: Stoppen Sie es am Teach-Pendant. %1</translation>
     </message>
     <message>
-        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
         <translation>Der Roboter wurde auf lokale Steuerung geschaltet: Die Bewegung wurde gestoppt und die Steuerung abgegeben. Schalten Sie ihn am Teach-Pendant auf Fernsteuerung, dann übernehmen Sie wieder die Steuerung.</translation>
+    </message>
+    <message>
+        <source>Unlock protective stop</source>
+        <translation>Schutzstopp entriegeln</translation>
     </message>
 </context>
 <context>
     <name>RobotTooling</name>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
-        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
         <translation>TCP und Nutzlast werden im Stand gesetzt. Lassen Sie den Arm zur Ruhe kommen.</translation>
     </message>
     <message>
@@ -2519,7 +2582,7 @@
         <translation>Pick and Place</translation>
     </message>
     <message>
-        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
         <translation>Ein Teil wird aus einem Zubringer genommen und auf einen von sechs Plätzen eines Trays gelegt. Die Plätze stehen im Koordinatensystem des Trays und bewegen sich mit ihm.</translation>
     </message>
     <message>
@@ -2527,26 +2590,26 @@
         <translation>Kleben entlang einer Bahn</translation>
     </message>
     <message>
-        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
         <translation>Eine Naht um einen Deckel mit runden Ecken, langsam und in Geraden. Überschleifen hält die Düse durch die Ecken in Bewegung.</translation>
     </message>
     <message>
-        <source>Measuring round</source>
+        <source>Measuring</source>
         <translation>Messrunde</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
         <translation>Ein Taster berührt ein Teil von oben und von vier Seiten, jeweils von einem Anfahrpunkt und mit geneigtem Werkzeug.</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>Blick von der ersten Seite, perspektivisch</translation>
     </message>
     <message>
-        <source>From between front and side, a little above, with everything in the picture.</source>
+        <source>From between front and side, slightly above, with everything visible.</source>
         <translation>Zwischen vorn und Seite, etwas von oben, mit allem im Bild.</translation>
     </message>
     <message>
@@ -2574,18 +2637,18 @@
         <translation>X der Basis nach rechts, Y nach oben.</translation>
     </message>
     <message>
-        <source>Fit everything into the view</source>
+        <source>Fit everything in the view</source>
         <translation>Alles in die Ansicht einpassen</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>Arm, Ziel und Wegpunkte ins Bild, von der Seite, von der jetzt geblickt wird.</translation>
     </message>
 </context>
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>Nothing is recorded: connect to a robot first.</source>
+        <source>Cannot record: connect to a robot first.</source>
         <translation>Es wird nichts aufgezeichnet: Verbinden Sie sich zuerst mit einem Roboter.</translation>
     </message>
     <message>
@@ -2607,11 +2670,11 @@
         <translation>%1 schreiben</translation>
     </message>
     <message>
-        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <source>Invalid value for the setting &quot;%1&quot;.</source>
         <translation>Den Wert von &quot;%1&quot; können Einstellungen nicht haben.</translation>
     </message>
     <message>
-        <source>The file is too large for settings.</source>
+        <source>The file is too large for a settings file.</source>
         <translation>Die Datei ist zu groß für Einstellungen.</translation>
     </message>
     <message>
@@ -2619,7 +2682,7 @@
         <translation>Die Datei ist bei Byte %1 beschädigt: %2.</translation>
     </message>
     <message>
-        <source>The file holds no settings of Tiller.</source>
+        <source>The file contains no Tiller settings.</source>
         <translation>Die Datei enthält keine Einstellungen von Tiller.</translation>
     </message>
     <message>
@@ -2627,20 +2690,16 @@
         <translation>Die Datei wurde von einem neueren Tiller geschrieben. Aktualisieren Sie Tiller, um sie zu importieren.</translation>
     </message>
     <message>
-        <source>The file does not say which version it has.</source>
+        <source>The file does not state its version.</source>
         <translation>Die Datei sagt nicht, welche Version sie hat.</translation>
     </message>
     <message>
-        <source>The file has no list of values, or one that is too long.</source>
+        <source>The list of values is missing or too long.</source>
         <translation>Die Datei hat keine Liste von Werten oder eine zu lange.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no name of a setting.</source>
+        <source>&quot;%1&quot; is not a valid setting name.</source>
         <translation>&quot;%1&quot; ist kein Name einer Einstellung.</translation>
-    </message>
-    <message>
-        <source>read %1</source>
-        <translation>%1 lesen</translation>
     </message>
 </context>
 <context>
@@ -2674,7 +2733,7 @@
         <translation>Nutzlast und Werkzeug</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>Mehr</translation>
     </message>
     <message>
@@ -2682,71 +2741,71 @@
         <translation>Register</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>Kraft am TCP</translation>
     </message>
     <message>
-        <source>Torque at the TCP</source>
+        <source>TCP torque</source>
         <translation>Drehmoment am TCP</translation>
     </message>
     <message>
-        <source>Position of the TCP</source>
+        <source>TCP position</source>
         <translation>Position des TCP</translation>
     </message>
     <message>
-        <source>Rotation vector of the TCP</source>
+        <source>TCP rotation vector</source>
         <translation>Rotationsvektor des TCP</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>Geschwindigkeit des TCP</translation>
     </message>
     <message>
-        <source>Rotation speed of the TCP</source>
+        <source>TCP angular speed</source>
         <translation>Drehgeschwindigkeit des TCP</translation>
     </message>
     <message>
-        <source>Acceleration of the TCP</source>
+        <source>TCP acceleration</source>
         <translation>Beschleunigung des TCP</translation>
     </message>
     <message>
-        <source>Target position of the TCP</source>
+        <source>Target TCP position</source>
         <translation>Sollposition des TCP</translation>
     </message>
     <message>
-        <source>Target rotation vector of the TCP</source>
+        <source>Target TCP rotation vector</source>
         <translation>Soll-Rotationsvektor des TCP</translation>
     </message>
     <message>
-        <source>Target speed of the TCP</source>
+        <source>Target TCP speed</source>
         <translation>Sollgeschwindigkeit des TCP</translation>
     </message>
     <message>
-        <source>Target rotation speed of the TCP</source>
+        <source>Target TCP angular speed</source>
         <translation>Soll-Drehgeschwindigkeit des TCP</translation>
     </message>
     <message>
-        <source>Raw force of the sensor</source>
+        <source>Raw sensor force</source>
         <translation>Rohkraft des Sensors</translation>
     </message>
     <message>
-        <source>Raw torque of the sensor</source>
+        <source>Raw sensor torque</source>
         <translation>Rohdrehmoment des Sensors</translation>
     </message>
     <message>
-        <source>Force at the TCP, norm</source>
+        <source>TCP force, norm</source>
         <translation>Kraft am TCP, Betrag</translation>
     </message>
     <message>
-        <source>Accelerometer in the flange</source>
+        <source>Tool accelerometer</source>
         <translation>Beschleunigungssensor im Flansch</translation>
     </message>
     <message>
-        <source>Position of the elbow</source>
+        <source>Elbow position</source>
         <translation>Position des Ellbogens</translation>
     </message>
     <message>
-        <source>Speed of the elbow</source>
+        <source>Elbow speed</source>
         <translation>Geschwindigkeit des Ellbogens</translation>
     </message>
     <message>
@@ -2798,15 +2857,15 @@
         <translation>Regelströme der Gelenke</translation>
     </message>
     <message>
-        <source>Allowed deviation of the currents</source>
+        <source>Allowed current deviation</source>
         <translation>Erlaubte Abweichung der Ströme</translation>
     </message>
     <message>
-        <source>Position deviation over its limit</source>
+        <source>Position deviation, ratio to limit</source>
         <translation>Positionsabweichung zu ihrer Grenze</translation>
     </message>
     <message>
-        <source>Collision measure over its limit</source>
+        <source>Collision measure, ratio to limit</source>
         <translation>Kollisionsmaß zu seiner Grenze</translation>
     </message>
     <message>
@@ -2886,7 +2945,7 @@
         <translation>Strom des Arms</translation>
     </message>
     <message>
-        <source>Current of the I/O</source>
+        <source>I/O current</source>
         <translation>Strom der E/A</translation>
     </message>
     <message>
@@ -2910,7 +2969,7 @@
         <translation>Geschwindigkeitsregler</translation>
     </message>
     <message>
-        <source>Time of a control step</source>
+        <source>Control step time</source>
         <translation>Dauer eines Regelschritts</translation>
     </message>
     <message>
@@ -3045,7 +3104,7 @@
         <translation>linke Taste</translation>
     </message>
     <message>
-        <source>The cap moves and turns as the tool shall.</source>
+        <source>The tool follows the motion of the cap.</source>
         <translation>Die Kappe bewegt und dreht sich so, wie das Werkzeug es soll.</translation>
     </message>
 </context>
@@ -3056,22 +3115,22 @@
         <translation>ein Spektrum berechnen</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <source>There are fewer than %1 samples: select a longer range.</source>
         <translation>Es sind weniger als %1 Messwerte: Wählen Sie einen längeren Bereich.</translation>
     </message>
     <message>
-        <source>Values are missing in this range: choose one without a gap.</source>
+        <source>Values are missing in this range: select a range without gaps.</source>
         <translation>In diesem Bereich fehlen Werte: Wählen Sie einen ohne Lücke.</translation>
     </message>
     <message>
-        <source>There is too little memory.</source>
+        <source>Not enough memory.</source>
         <translation>Der Speicher reicht nicht.</translation>
     </message>
 </context>
 <context>
     <name>StartProject</name>
     <message>
-        <source>The project worked in last is not there any more: %1</source>
+        <source>The last project no longer exists: %1</source>
         <translation>Das Projekt, an dem zuletzt gearbeitet wurde, ist nicht mehr da: %1</translation>
     </message>
 </context>
@@ -3157,31 +3216,31 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
         <translation>Prüfen Sie die Adresse: vier Zahlen wie 192.168.0.10 oder ein Name, den das Netz kennt.</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
         <translation>Prüfen Sie, dass der Roboter eingeschaltet, das Kabel gesteckt und dieser PC im selben Netz ist.</translation>
     </message>
     <message>
-        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
         <translation>Schalten Sie die Schnittstelle am Roboter ein: Einstellungen, Sicherheit, Dienste. Ein eben gestarteter Roboter braucht vielleicht noch eine Minute.</translation>
     </message>
     <message>
-        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
         <translation>Der Roboter hat die Verbindung beendet: Vielleicht startet er neu oder wurde zwischen Lokal und Fern umgeschaltet.</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <source>The robot does not answer. Check the cable and the address.</source>
         <translation>Der Roboter antwortet nicht. Prüfen Sie das Kabel und dass die Adresse die des Roboters ist.</translation>
     </message>
     <message>
-        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
         <translation>Es kommen keine Daten mehr. Prüfen Sie das Kabel; die Verbindung kommt von selbst zurück, Bewegung nicht.</translation>
     </message>
     <message>
-        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <source>The answer violates the RTDE protocol. Check address and port.</source>
         <translation>Was dort antwortet, spricht RTDE nicht, wie es soll. Prüfen Sie Adresse und Port.</translation>
     </message>
     <message>
@@ -3189,11 +3248,11 @@
         <translation>Die Software des Roboters ist dafür zu alt.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software does not have this value.</source>
+        <source>The robot&apos;s software does not provide this value.</source>
         <translation>Die Software des Roboters hat diesen Wert nicht.</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
         <translation>Ein anderes Programm oder ein Feldbus am Roboter belegt diese Register: Schließen Sie das andere Programm oder schalten Sie den Feldbus in der Installation aus.</translation>
     </message>
     <message>
@@ -3209,36 +3268,32 @@
         <translation>Bringen Sie zuerst den Roboter auf „Läuft“ und seine Sicherheit auf „Normal“.</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung.</translation>
     </message>
     <message>
-        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed within the cap.</source>
         <translation>Wählen Sie ein Ziel im Bereich des Arms und eine Geschwindigkeit innerhalb der Grenze.</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
         <translation>Der Arm kann diese Pose nicht erreichen: Rücken Sie den Punkt näher oder drehen Sie das Werkzeug.</translation>
     </message>
     <message>
-        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <source>The robot could not run the program. See the log for the message of the controller.</source>
         <translation>Der Roboter konnte das gesendete Programm nicht ausführen. Seine eigenen Worte stehen im Protokoll.</translation>
     </message>
     <message>
-        <source>Check that the file exists and may be read.</source>
+        <source>Check that the file exists and that you have permission to read it.</source>
         <translation>Prüfen Sie, dass die Datei vorhanden ist und gelesen werden darf.</translation>
     </message>
     <message>
-        <source>Choose a folder you may write to.</source>
+        <source>Choose a folder that you have permission to write to.</source>
         <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
-        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <source>The file was not changed. Open a backup, or repair the reported position.</source>
         <translation>Die Datei wurde gelassen, wie sie ist. Öffnen Sie eine Sicherung oder reparieren Sie die genannte Stelle.</translation>
-    </message>
-    <message>
-        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
-        <translation>Der Datenträger ist voll: Was bisher aufgezeichnet wurde, bleibt. Schaffen Sie Platz und zeichnen Sie neu auf.</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3257,11 +3312,11 @@
         <translation>Verbindung abgelehnt</translation>
     </message>
     <message>
-        <source>Connection ended by the robot</source>
+        <source>Connection closed by the robot</source>
         <translation>Verbindung vom Roboter beendet</translation>
     </message>
     <message>
-        <source>No answer in time</source>
+        <source>Timed out</source>
         <translation>Keine Antwort in der Zeit</translation>
     </message>
     <message>
@@ -3269,11 +3324,11 @@
         <translation>Abgebrochen</translation>
     </message>
     <message>
-        <source>Link lost</source>
+        <source>Connection lost</source>
         <translation>Verbindung verloren</translation>
     </message>
     <message>
-        <source>Not understood</source>
+        <source>Protocol error</source>
         <translation>Nicht verstanden</translation>
     </message>
     <message>
@@ -3309,7 +3364,7 @@
         <translation>Außerhalb der Grenzen</translation>
     </message>
     <message>
-        <source>Not a valid value</source>
+        <source>Invalid value</source>
         <translation>Kein gültiger Wert</translation>
     </message>
     <message>
@@ -3329,11 +3384,11 @@
         <translation>Programmfehler auf dem Roboter</translation>
     </message>
     <message>
-        <source>File cannot be read</source>
+        <source>Cannot read the file</source>
         <translation>Datei kann nicht gelesen werden</translation>
     </message>
     <message>
-        <source>File cannot be written</source>
+        <source>Cannot write the file</source>
         <translation>Datei kann nicht geschrieben werden</translation>
     </message>
     <message>
@@ -3365,7 +3420,7 @@
         <translation>Fokus verloren</translation>
     </message>
     <message>
-        <source>window no longer active</source>
+        <source>window lost activation</source>
         <translation>Fenster nicht mehr aktiv</translation>
     </message>
     <message>
@@ -3409,7 +3464,7 @@
         <translation>Roboter- oder Sicherheitsmodus geändert</translation>
     </message>
     <message>
-        <source>not refreshed in time</source>
+        <source>input not refreshed in time</source>
         <translation>nicht rechtzeitig erneuert</translation>
     </message>
     <message>
@@ -3417,7 +3472,7 @@
         <translation>PC geht schlafen</translation>
     </message>
     <message>
-        <source>link lost</source>
+        <source>connection lost</source>
         <translation>Verbindung verloren</translation>
     </message>
     <message>
@@ -3449,23 +3504,23 @@
         <translation>Ziel zu weit für einen Schritt</translation>
     </message>
     <message>
-        <source>no sign that it was still held</source>
+        <source>no confirmation that the key is still held</source>
         <translation>kein Zeichen, dass noch gehalten wurde</translation>
     </message>
     <message>
-        <source>held for the longest time; press again</source>
+        <source>maximum hold time reached; press again</source>
         <translation>so lange gehalten wie möglich; neu drücken</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
         <translation>PolyScope X vor 10.11 nimmt solche Befehle nicht über das Netz an: Verwenden Sie das Tablet.</translation>
     </message>
     <message>
-        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
         <translation>PolyScope X hat keinen Befehl, Meldungsfenster über das Netz zu schließen: Verwenden Sie das Tablet.</translation>
     </message>
     <message>
-        <source>Only watching. Take control to move the arm.</source>
+        <source>Monitoring. Take control to move the arm.</source>
         <translation>Nur beobachtend. Übernehmen Sie die Steuerung, um den Arm zu bewegen.</translation>
     </message>
     <message>
@@ -3481,16 +3536,28 @@
         <translation>Das Steuerprogramm wurde am Roboter gestoppt. Übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
-        <source>The control program does not answer. Take control again.</source>
+        <source>The control program does not respond. Take control again.</source>
         <translation>Das Steuerprogramm antwortet nicht. Übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
-        <source>The link was lost. Take control again.</source>
+        <source>The connection was lost. Take control again.</source>
         <translation>Die Verbindung ging verloren. Übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
-        <source>A script of your own is running. Control comes back when it ends.</source>
+        <source>Your script is running. Control returns when it ends.</source>
         <translation>Ein eigenes Skript läuft. Die Steuerung kommt zurück, wenn es endet.</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk, then save or record again.</source>
+        <translation>Geben Sie Speicherplatz frei, und speichern oder zeichnen Sie dann erneut auf.</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. Eingestellt in den Einstellungen oder mit --monitor-only.</translation>
+    </message>
+    <message>
+        <source>The control connection does not respond.</source>
+        <translation>Die Steuerverbindung antwortet nicht.</translation>
     </message>
 </context>
 <context>
@@ -3512,11 +3579,11 @@
         <translation>Zeile %1, %2: %3</translation>
     </message>
     <message>
-        <source>“%1” is neither J nor L</source>
+        <source>“%1” must be J or L</source>
         <translation>„%1“ ist weder J noch L</translation>
     </message>
     <message>
-        <source>“%1” is neither joints nor pose</source>
+        <source>“%1” must be joints or pose</source>
         <translation>„%1“ ist weder joints noch pose</translation>
     </message>
     <message>
@@ -3524,18 +3591,18 @@
         <translation>in diesem Projekt gibt es kein Koordinatensystem „%1“</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
         <translation>Das ist keine Tabelle von Wegpunkten. Kopieren Sie einen aus der Liste, um die Spalten zu sehen, oder fügen Sie die sechs Zahlen einer Pose ein.</translation>
     </message>
     <message>
-        <source>“%1” is no colour of a waypoint</source>
+        <source>“%1” is not a waypoint colour</source>
         <translation>„%1“ ist keine Farbe eines Wegpunkts</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: a quotation mark is not closed</source>
+        <source>Line %1: missing closing quotation mark</source>
         <translation>Zeile %1: Ein Anführungszeichen ist nicht geschlossen</translation>
     </message>
 </context>
@@ -3553,15 +3620,15 @@
         </translation>
     </message>
     <message>
-        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
         <translation>In dieser Reihenfolge ausgeführt, wenn „Durchfahren“ den Arm dorthin gebracht hat, und nur solange die Taste gehalten wird.</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
         <translation>Diese Wegpunkte haben verschiedene Aktionen. „Ändern“ gibt allen die untenstehenden.</translation>
     </message>
     <message>
-        <source>Actions in their order</source>
+        <source>Actions in order</source>
         <translation>Aktionen in ihrer Reihenfolge</translation>
     </message>
     <message>
@@ -3573,7 +3640,7 @@
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Add an action after the chosen one</source>
+        <source>Add an action after the selected one</source>
         <translation>Eine Aktion hinter der gewählten hinzufügen</translation>
     </message>
     <message>
@@ -3581,7 +3648,7 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Remove the chosen action</source>
+        <source>Remove the selected action</source>
         <translation>Die gewählte Aktion entfernen</translation>
     </message>
     <message>
@@ -3589,7 +3656,7 @@
         <translation>Nach oben</translation>
     </message>
     <message>
-        <source>Do the chosen action earlier</source>
+        <source>Move the selected action up</source>
         <translation>Die gewählte Aktion früher ausführen</translation>
     </message>
     <message>
@@ -3597,15 +3664,15 @@
         <translation>Nach unten</translation>
     </message>
     <message>
-        <source>Do the chosen action later</source>
+        <source>Move the selected action down</source>
         <translation>Die gewählte Aktion später ausführen</translation>
     </message>
     <message>
-        <source>What is done</source>
+        <source>Action</source>
         <translation>Was getan wird</translation>
     </message>
     <message>
-        <source>Which terminal</source>
+        <source>Terminal</source>
         <translation>Welche Klemme</translation>
     </message>
     <message>
@@ -3625,11 +3692,11 @@
         <translation>ein</translation>
     </message>
     <message>
-        <source>At most, seconds</source>
+        <source>Timeout in seconds</source>
         <translation>Höchstens, Sekunden</translation>
     </message>
     <message>
-        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
         <translation>Dann endet es und sagt es. 0: solange die Taste gehalten wird, höchstens eine Stunde</translation>
     </message>
 </context>
@@ -3682,7 +3749,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Skala von %1</translation>
     </message>
     <message>
-        <source>bar; empty: not scaled</source>
+        <source>e.g. bar; empty: not scaled</source>
         <translation>bar; leer: nicht skaliert</translation>
     </message>
     <message>
@@ -3709,12 +3776,289 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Tastatur scharf schalten</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
         <translation>Pfeile bewegen X und Y, BildAuf und BildAb bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − drehen ein Gelenk. Leertaste und Esc stoppen. Klicken Sie oder warten Sie eine halbe Minute: Die Tastatur ist abgeschaltet.</translation>
     </message>
     <message>
-        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
         <translation>Dann bewegen die Pfeiltasten den Arm, solange sie gehalten werden; ein Rahmen steht um das Fenster.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CellPage</name>
+    <message>
+        <source>Size %1</source>
+        <translation>Größe %1</translation>
+    </message>
+    <message>
+        <source>Drawn and checked</source>
+        <translation>Gezeichnet und geprüft</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>A box or plane needs a name.</source>
+        <translation>Ein Quader oder eine Ebene braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose another name.</source>
+        <translation>Die Zelle enthält bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>No boxes or planes yet.
+Move the TCP to a corner of an obstacle and press Corner here.</source>
+        <translation>Noch keine Quader oder Ebenen.
+Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <translation>Mitte des Quaders. Mit Enter übernehmen. Nur der Quader ändert sich; der Roboter bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>LX</source>
+        <translation>LX</translation>
+    </message>
+    <message>
+        <source>LY</source>
+        <translation>LY</translation>
+    </message>
+    <message>
+        <source>LZ</source>
+        <translation>LZ</translation>
+    </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen, oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>„%1“ hinzufügen</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>First corner taken.</source>
+        <translation>Erste Ecke übernommen.</translation>
+    </message>
+    <message>
+        <source>Move the TCP to the opposite corner and press Other corner.</source>
+        <translation>Bewegen Sie den TCP zur gegenüberliegenden Ecke und drücken Sie Andere Ecke.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
+        <translation>Die beiden Ecken liegen in einer Ebene. Bewegen Sie den TCP zur gegenüberliegenden Ecke des Quaders.</translation>
+    </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation>„%1“ verschieben</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>„%1“ duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>„%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Include “%1”</source>
+        <translation>„%1“ einbeziehen</translation>
+    </message>
+    <message>
+        <source>Exclude “%1”</source>
+        <translation>„%1“ ausschließen</translation>
+    </message>
+    <message>
+        <source>Set the floor</source>
+        <translation>Boden setzen</translation>
+    </message>
+    <message>
+        <source>Remove the floor</source>
+        <translation>Boden entfernen</translation>
+    </message>
+    <message>
+        <source>Change the safety distance</source>
+        <translation>Sicherheitsabstand ändern</translation>
+    </message>
+    <message>
+        <source>Other corner</source>
+        <translation>Andere Ecke</translation>
+    </message>
+    <message>
+        <source>Corner here</source>
+        <translation>Ecke hier</translation>
+    </message>
+    <message>
+        <source>%1 · %2 in %3</source>
+        <translation>%1 · %2 in %3</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Length along X</source>
+        <translation>Länge entlang X</translation>
+    </message>
+    <message>
+        <source>Length along Y</source>
+        <translation>Länge entlang Y</translation>
+    </message>
+    <message>
+        <source>Length along Z</source>
+        <translation>Länge entlang Z</translation>
+    </message>
+    <message>
+        <source>Point on the plane X</source>
+        <translation>Punkt auf der Ebene X</translation>
+    </message>
+    <message>
+        <source>Point on the plane Y</source>
+        <translation>Punkt auf der Ebene Y</translation>
+    </message>
+    <message>
+        <source>Point on the plane Z</source>
+        <translation>Punkt auf der Ebene Z</translation>
+    </message>
+    <message>
+        <source>Normal X, towards the arm</source>
+        <translation>Normale X, zum Arm</translation>
+    </message>
+    <message>
+        <source>Normal Y, towards the arm</source>
+        <translation>Normale Y, zum Arm</translation>
+    </message>
+    <message>
+        <source>Normal Z, towards the arm</source>
+        <translation>Normale Z, zum Arm</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>When off, it is not drawn and not checked.</source>
+        <translation>Ausgeschaltet wird er weder gezeichnet noch geprüft.</translation>
+    </message>
+    <message>
+        <source>Horizontal plane in the base frame that the arm must stay above.</source>
+        <translation>Waagerechte Ebene im Basissystem, über der der Arm bleiben muss.</translation>
+    </message>
+    <message>
+        <source>Height of the floor</source>
+        <translation>Höhe des Bodens</translation>
+    </message>
+    <message>
+        <source>Safety distance</source>
+        <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
+        <translation>Das Verfahren endet in diesem Abstand vom Arm selbst und von der Zelle. Bewegungen, die näher kommen, werden abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Hier</translation>
+    </message>
+    <message>
+        <source>Set the floor to the TCP height</source>
+        <translation>Boden auf die Höhe des TCP setzen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Set a corner of a box to the TCP</source>
+        <translation>Ecke eines Quaders auf den TCP setzen</translation>
+    </message>
+    <message>
+        <source>Plane here</source>
+        <translation>Ebene hier</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP, perpendicular to the tool</source>
+        <translation>Ebene durch den TCP hinzufügen, senkrecht zum Werkzeug</translation>
+    </message>
+    <message>
+        <source>New box</source>
+        <translation>Neuer Quader</translation>
+    </message>
+    <message>
+        <source>Add a box numerically</source>
+        <translation>Quader mit Werten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP</source>
+        <translation>Ebene durch den TCP hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a plane numerically</source>
+        <translation>Ebene mit Werten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move the box or plane to the TCP</source>
+        <translation>Quader oder Ebene zum TCP verschieben</translation>
+    </message>
+    <message>
+        <source>Include or exclude the box or plane</source>
+        <translation>Quader oder Ebene einbeziehen oder ausschließen</translation>
+    </message>
+    <message>
+        <source>Rename box or plane</source>
+        <translation>Quader oder Ebene umbenennen</translation>
+    </message>
+    <message>
+        <source>Duplicate box or plane</source>
+        <translation>Quader oder Ebene duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete box or plane</source>
+        <translation>Quader oder Ebene löschen</translation>
+    </message>
+    <message>
+        <source>Resize “%1”</source>
+        <translation>Größe von „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>The normal must not be zero. Enter a component first.</source>
+        <translation>Die Normale darf nicht null sein. Geben Sie zuerst eine Komponente ein.</translation>
+    </message>
+    <message>
+        <source>Rotate “%1”</source>
+        <translation>„%1“ drehen</translation>
     </message>
 </context>
 <context>
@@ -3728,7 +4072,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Vergleichen…</translation>
     </message>
     <message>
-        <source>Compare this recording with the model of its arm, with other limits</source>
+        <source>Compare this recording with the arm model, with different limits</source>
         <translation>Diese Aufzeichnung mit dem Modell ihres Arms vergleichen, mit anderen Grenzen</translation>
     </message>
     <message>
@@ -3740,11 +4084,11 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Dorthin</translation>
     </message>
     <message>
-        <source>Compare no further</source>
+        <source>Stop comparing</source>
         <translation>Nicht weiter vergleichen</translation>
     </message>
     <message>
-        <source>Put cursor A where arm and model part</source>
+        <source>Place cursor A where arm and model diverge</source>
         <translation>Cursor A dorthin setzen, wo Arm und Modell sich trennen</translation>
     </message>
 </context>
@@ -3755,7 +4099,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Mit dem Modell des Arms vergleichen</translation>
     </message>
     <message>
-        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
         <translation>Was den Gelenken befohlen war, bekommt der simulierte Arm, und was er tut, wird mit der Aufzeichnung verglichen. Den simulierten Arm berührt nichts, und er kennt keine Reibung.</translation>
     </message>
     <message>
@@ -3791,7 +4135,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Länger als</translation>
     </message>
     <message>
-        <source>What has a limit of 0 is not compared.</source>
+        <source>Signals with a limit of 0 are not compared.</source>
         <translation>Was die Grenze 0 hat, wird nicht verglichen.</translation>
     </message>
     <message>
@@ -3802,11 +4146,11 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until the program ends)</source>
+        <source>Moves the arm (until Tiller is closed)</source>
         <translation>Bewegt den Arm (bis das Programm endet)</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>Nur die am weitesten ausgelenkte Achse</translation>
     </message>
     <message>
@@ -3818,7 +4162,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Which way the arm would go</source>
+        <source>Direction in which the arm would move</source>
         <translation>Wohin der Arm fahren würde</translation>
     </message>
     <message>
@@ -3830,7 +4174,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Würde bewegen</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
         <translation>Tastatur, solange scharf (Strg+J): Pfeile X und Y, BildAuf und BildAb Z, mit Alt drehen sie, 1 bis 6 mit + und − ein Gelenk, Pos1, Ende richtet aus, Rücktaste zurück, F Freedrive. Strg langsamer, Umschalt schneller. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
@@ -3838,7 +4182,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>Kein Gamepad und keine SpaceMouse ist da. Stecken Sie eines ein: Es erscheint von selbst.</translation>
     </message>
     <message>
@@ -3857,7 +4201,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
 <context>
     <name>tiller::FigureBox</name>
     <message>
-        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation>„%1“ wurde nicht übernommen: %2 bis %3. Nichts wurde geändert.</translation>
     </message>
 </context>
@@ -3903,7 +4247,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <source>The list will not appear again. Use the command “First steps” to show it.</source>
         <translation>Die Liste kommt nicht von selbst wieder. Der Befehl „Erste Schritte“ holt sie zurück.</translation>
     </message>
     <message>
@@ -3922,11 +4266,11 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Ursprung</translation>
     </message>
     <message>
-        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation>In Basis. Eingabetaste übernimmt; nichts bewegt sich außer dem Koordinatensystem.</translation>
     </message>
     <message>
-        <source>no waypoint uses it</source>
+        <source>not used by any waypoint</source>
         <translation>kein Wegpunkt verwendet es</translation>
     </message>
     <message numerus="yes">
@@ -3944,7 +4288,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoint moved with it.</source>
+        <source>No waypoints moved with it.</source>
         <translation>Kein Wegpunkt bewegte sich mit ihm.</translation>
     </message>
     <message numerus="yes">
@@ -3955,7 +4299,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach there.</source>
+        <source>%n of them are now out of reach.</source>
         <translation>
             <numerusform>%n von ihnen ist dort außer Reichweite.</numerusform>
             <numerusform>%n von ihnen sind dort außer Reichweite.</numerusform>
@@ -3970,11 +4314,11 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>„%1“ teachen</translation>
     </message>
     <message>
-        <source>It moves by %1 (%2, base frame).</source>
+        <source>The frame moves by %1 (%2, base frame).</source>
         <translation>Es verschiebt sich um %1 (%2, Basis-System).</translation>
     </message>
     <message>
-        <source>No waypoint is given in it.</source>
+        <source>No waypoint uses this frame.</source>
         <translation>Kein Wegpunkt ist in ihm angegeben.</translation>
     </message>
     <message numerus="yes">
@@ -3997,15 +4341,15 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>„%1“ nachteachen</translation>
     </message>
     <message>
-        <source>“%1” is touched up</source>
+        <source>Touched up “%1”</source>
         <translation>„%1“ ist nachgeteacht</translation>
     </message>
     <message>
-        <source>Set the place of “%1”</source>
+        <source>Set the position of “%1”</source>
         <translation>Ort von „%1“ setzen</translation>
     </message>
     <message>
-        <source>“%1” is set in figures. %2</source>
+        <source>“%1” was set numerically. %2</source>
         <translation>„%1“ ist in Zahlen gesetzt. %2</translation>
     </message>
     <message>
@@ -4017,7 +4361,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>„%1“ löschen?</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
             <numerusform>%n Wegpunkt ist in ihm angegeben. Er bleibt, wo er ist, angegeben in Basis.</numerusform>
             <numerusform>%n Wegpunkte sind in ihm angegeben. Sie bleiben, wo sie sind, angegeben in Basis.</numerusform>
@@ -4047,11 +4391,11 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Blick</translation>
     </message>
     <message>
-        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <source>“%1” is a built-in frame. Choose another name.</source>
         <translation>„%1“ ist ein Koordinatensystem, das jeder Roboter hat. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another frame. Choose another name.</source>
+        <source>Another frame is named “%1”. Choose another name.</source>
         <translation>„%1“ heißt schon ein anderes Koordinatensystem. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -4091,7 +4435,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>Waypoints that move with it</source>
+        <source>Waypoints that move with the frame</source>
         <translation>Wegpunkte, die sich mit ihm bewegen</translation>
     </message>
     <message>
@@ -4121,7 +4465,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Koordinatensystem aus drei Punkten</translation>
     </message>
     <message>
-        <source>Cancel the frame</source>
+        <source>Cancel frame teaching</source>
         <translation>Koordinatensystem abbrechen</translation>
     </message>
     <message>
@@ -4153,15 +4497,15 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Nehmen</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>System anlegen</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the point again.</source>
+        <source>The robot sent an invalid position. Take the point again.</source>
         <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie den Punkt erneut.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Der Punkt auf +X ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn erneut, mindestens %2 entfernt: Je weiter, desto genauer die Achsen.</translation>
     </message>
     <message>
@@ -4169,23 +4513,23 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Der dritte Punkt ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn erneut, mindestens %2 entfernt.</translation>
     </message>
     <message>
-        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
         <translation>Die drei Punkte liegen auf einer Linie: Der dritte ist nur %1 neben der X-Achse. Nehmen Sie ihn erneut, mindestens %2 auf der Seite von +Y.</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
         <translation>Bereit: Der Punkt auf +X ist %1 entfernt, der dritte liegt %2 neben der X-Achse.</translation>
     </message>
     <message>
-        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <source>Jog the tip to the origin of the frame and take the point (P).</source>
         <translation>Fahren Sie die Spitze dorthin, wo das Koordinatensystem beginnt, und nehmen Sie den Punkt (P).</translation>
     </message>
     <message>
-        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
         <translation>Nun zu einem Punkt auf +X: %1 vom Ursprung, %2 ist das Mindeste.</translation>
     </message>
     <message>
-        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
         <translation>Nun auf die Seite von +Y: %1 neben der X-Achse, %2 ist das Mindeste.</translation>
     </message>
     <message>
@@ -4228,12 +4572,12 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Das Koordinatensystem nachteachen</translation>
     </message>
     <message>
-        <source>More about frames</source>
+        <source>More frame commands</source>
         <translation>Mehr zu Koordinatensystemen</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
         <translation>Noch keine Koordinatensysteme.
 Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP“, oder „3 Punkte“ für Ursprung, +X und +Y.</translation>
     </message>
@@ -4242,7 +4586,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>neues Koordinatensystem</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
     </message>
     <message>
@@ -4250,7 +4594,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
-        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
         <translation>Ein Koordinatensystem am TCP, mit den Achsen des Werkzeugs (Umschalt+T)</translation>
     </message>
     <message>
@@ -4258,7 +4602,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Ursprung, ein Punkt auf +X, ein Punkt Richtung +Y (Strg+Umschalt+T)</translation>
     </message>
     <message>
-        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <source>Move the selected frame to the TCP (Shift+U)</source>
         <translation>Das gewählte Koordinatensystem geht dorthin, wo der TCP ist (Umschalt+U)</translation>
     </message>
     <message>
@@ -4278,7 +4622,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Den nächsten Punkt des Koordinatensystems nehmen</translation>
     </message>
     <message>
-        <source>Make the frame of the points taken</source>
+        <source>Create frame from points</source>
         <translation>Das Koordinatensystem aus den genommenen Punkten anlegen</translation>
     </message>
     <message>
@@ -4302,7 +4646,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Koordinatensystem umbenennen</translation>
     </message>
     <message>
-        <source>Set frame in figures</source>
+        <source>Enter frame numerically</source>
         <translation>Koordinatensystem in Zahlen setzen</translation>
     </message>
     <message>
@@ -4326,22 +4670,22 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Nachteachen…</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>System anlegen</translation>
     </message>
 </context>
 <context>
     <name>tiller::GoThrough</name>
     <message>
-        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation>Es gibt keine Wegpunkte zum Abfahren. Teachen Sie welche oder wählen Sie sie.</translation>
     </message>
     <message>
-        <source>There is no waypoint before this one.</source>
+        <source>This is the first waypoint.</source>
         <translation>Vor diesem gibt es keinen Wegpunkt.</translation>
     </message>
     <message>
-        <source>A waypoint of the way is not in this project any more.</source>
+        <source>A waypoint of the route was deleted from the project.</source>
         <translation>Ein Wegpunkt des Wegs ist nicht mehr in diesem Projekt.</translation>
     </message>
     <message>
@@ -4349,7 +4693,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>„%1“: %2</translation>
     </message>
     <message>
-        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Eine Schleife aus einem einzigen Wegpunkt führt nirgendwohin. Wählen Sie weitere Wegpunkte, oder fahren Sie ohne Schleife.</translation>
     </message>
 </context>
@@ -4372,31 +4716,31 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Abfahren, halten</translation>
     </message>
     <message>
-        <source>One waypoint back, hold</source>
+        <source>Previous waypoint, hold</source>
         <translation>Einen Wegpunkt zurück, halten</translation>
     </message>
     <message>
-        <source>Goes back to the waypoint before while the key is held</source>
+        <source>Moves to the previous waypoint while the key is held</source>
         <translation>Fährt zum vorigen Wegpunkt zurück, solange die Taste gehalten wird</translation>
     </message>
     <message>
-        <source>One waypoint on, hold</source>
+        <source>Next waypoint, hold</source>
         <translation>Einen Wegpunkt weiter, halten</translation>
     </message>
     <message>
-        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the key is held, and stops there</source>
         <translation>Fährt zum kommenden Wegpunkt, solange die Taste gehalten wird, und hält dort</translation>
     </message>
     <message>
-        <source>Which waypoints to go through</source>
+        <source>Waypoints of the route</source>
         <translation>Welche Wegpunkte abgefahren werden</translation>
     </message>
     <message>
-        <source>Which waypoints</source>
+        <source>Waypoints</source>
         <translation>Welche Wegpunkte</translation>
     </message>
     <message>
-        <source>Which waypoints to go through, in the order of the list</source>
+        <source>Selects the waypoints of the route, in the order of the list</source>
         <translation>Welche Wegpunkte abgefahren werden, in der Reihenfolge der Liste</translation>
     </message>
     <message>
@@ -4412,15 +4756,11 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Alle</translation>
     </message>
     <message>
-        <source>In a loop</source>
-        <translation>In einer Schleife</translation>
-    </message>
-    <message>
-        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
         <translation>Nach dem letzten Wegpunkt kommt wieder der erste, solange die Taste gehalten wird</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
@@ -4428,7 +4768,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>The coming one: %1 of %2, %3</source>
+        <source>Next: %1 of %2, %3</source>
         <translation>Der kommende: %1 von %2, %3</translation>
     </message>
     <message>
@@ -4436,7 +4776,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>erledigt</translation>
     </message>
     <message>
-        <source>Done. The next press begins at the first.</source>
+        <source>Done. The next press starts at the first waypoint.</source>
         <translation>Fertig. Der nächste Druck beginnt beim ersten.</translation>
     </message>
     <message numerus="yes">
@@ -4451,7 +4791,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation>Fährt von Wegpunkt zu Wegpunkt, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit, und führt an jedem aus, was dort zu tun ist. Loslassen hält an; der nächste Druck fährt zum kommenden Wegpunkt weiter.</translation>
     </message>
     <message>
@@ -4477,15 +4817,15 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
 <context>
     <name>tiller::GripperPanel</name>
     <message>
-        <source>State of the gripper</source>
+        <source>Gripper state</source>
         <translation>Zustand des Greifers</translation>
     </message>
     <message>
-        <source>How far the gripper is open</source>
+        <source>Gripper opening</source>
         <translation>Wie weit der Greifer offen ist</translation>
     </message>
     <message>
-        <source>What the gripper holds</source>
+        <source>Gripped object</source>
         <translation>Was der Greifer hält</translation>
     </message>
     <message>
@@ -4537,7 +4877,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Greifer: auf %1</translation>
     </message>
     <message>
-        <source>Which gripper</source>
+        <source>Gripper type</source>
         <translation>Welcher Greifer</translation>
     </message>
     <message>
@@ -4565,19 +4905,19 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Ausgang, der öffnet</translation>
     </message>
     <message>
-        <source>Opening wanted</source>
+        <source>Target opening</source>
         <translation>Gewünschte Öffnung</translation>
     </message>
     <message>
-        <source>Speed of the fingers</source>
+        <source>Finger speed</source>
         <translation>Geschwindigkeit der Finger</translation>
     </message>
     <message>
-        <source>Force of the fingers</source>
+        <source>Finger force</source>
         <translation>Kraft der Finger</translation>
     </message>
     <message>
-        <source>What to do about the gripper</source>
+        <source>Suggested action</source>
         <translation>Was am Greifer zu tun ist</translation>
     </message>
     <message>
@@ -4613,15 +4953,15 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Kraft</translation>
     </message>
     <message>
-        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
         <translation>Wie weit die Finger öffnen sollen, 0 bis %1. „Bewegen“ schickt sie dorthin.</translation>
     </message>
     <message>
-        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
         <translation>Der nächsten Bewegung. 0 % sind etwa %1, 100 % etwa %2.</translation>
     </message>
     <message>
-        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <source>Force of the next grip. 0 % is about %1, 100 % about %2.</source>
         <translation>Des nächsten Griffs. 0 % sind etwa %1, 100 % etwa %2.</translation>
     </message>
     <message>
@@ -4645,11 +4985,11 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Keine Daten vom Roboter.</translation>
     </message>
     <message>
-        <source>One moment…</source>
+        <source>Please wait…</source>
         <translation>Einen Moment…</translation>
     </message>
     <message>
-        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <source>Select the mounted gripper. The choice is stored for this robot.</source>
         <translation>Wählen Sie, was am Handgelenk ist. Es wird mit diesem Roboter gemerkt.</translation>
     </message>
     <message>
@@ -4657,7 +4997,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>being activated…</source>
+        <source>activating…</source>
         <translation>wird aktiviert…</translation>
     </message>
     <message>
@@ -4677,19 +5017,19 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>bewegt sich</translation>
     </message>
     <message>
-        <source>active, standing</source>
+        <source>active, at standstill</source>
         <translation>aktiv, steht</translation>
     </message>
     <message>
-        <source>unknown while it moves</source>
+        <source>unknown while moving</source>
         <translation>unbekannt, während er sich bewegt</translation>
     </message>
     <message>
-        <source>an object, from outside</source>
+        <source>object, outer grip</source>
         <translation>ein Objekt, von außen</translation>
     </message>
     <message>
-        <source>an object, from inside</source>
+        <source>object, inner grip</source>
         <translation>ein Objekt, von innen</translation>
     </message>
     <message>
@@ -4697,11 +5037,11 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>nichts</translation>
     </message>
     <message>
-        <source>With this port offset no gripper can be reached.</source>
+        <source>The gripper cannot be reached with this port offset.</source>
         <translation>Mit diesem Port-Versatz ist kein Greifer erreichbar.</translation>
     </message>
     <message>
-        <source>Being activated: the fingers open and close once.</source>
+        <source>Activating: the fingers open and close once.</source>
         <translation>Wird aktiviert: Die Finger öffnen und schließen einmal.</translation>
     </message>
     <message>
@@ -4713,31 +5053,31 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Der Greifer ist aktiv.</translation>
     </message>
     <message>
-        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
         <translation>Ein Stopp des Arms lässt den Greifer, wie er ist: Er hält weiter.</translation>
     </message>
     <message>
-        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>Die Finger öffnen und schließen einmal; was sie halten, fällt. Halten Sie Finger aus dem Greifer.</translation>
     </message>
     <message>
-        <source>Opens the gripper; what it holds is let go.</source>
+        <source>Opens the gripper and releases the object.</source>
         <translation>Öffnet den Greifer; was er hält, wird losgelassen.</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep fingers out of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of it.</source>
         <translation>Schließt den Greifer. Halten Sie Finger heraus.</translation>
     </message>
     <message>
-        <source>Sends the fingers to this opening.</source>
+        <source>Moves the fingers to this opening.</source>
         <translation>Schickt die Finger auf diese Öffnung.</translation>
     </message>
     <message>
-        <source>Its speed or its force is no figure it takes.</source>
+        <source>Speed or force is out of range.</source>
         <translation>Geschwindigkeit oder Kraft ist keine, die er annimmt.</translation>
     </message>
     <message>
-        <source>The gripper did not take the command.</source>
+        <source>The gripper did not accept the command.</source>
         <translation>Der Greifer nahm den Befehl nicht an.</translation>
     </message>
     <message>
@@ -4788,15 +5128,15 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>KEINE DATEN</translation>
     </message>
     <message>
-        <source>LAST STOP · no witness</source>
+        <source>LAST STOP · no key check</source>
         <translation>LETZTER STOPP · kein Zeuge</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not measured</source>
         <translation>nicht gesehen</translation>
     </message>
     <message>
-        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
         <translation>Die Daten endeten, während der Arm sich bewegte: Wie er stoppte, ist nicht bekannt.</translation>
     </message>
     <message>
@@ -4804,7 +5144,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>From the stop to standstill, measured. Cause: %1</source>
+        <source>Measured from stop command to standstill. Cause: %1</source>
         <translation>Vom Stopp bis zum Stillstand, gemessen. Ursache: %1</translation>
     </message>
     <message>
@@ -4816,8 +5156,12 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>▲ Geschwindigkeitsgrenze auf %1 erhöht</translation>
     </message>
     <message>
-        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
         <translation>Der Arm kann schneller werden als %1. Senken Sie die Grenze in den Einstellungen; sie endet mit dem Programm.</translation>
+    </message>
+    <message>
+        <source>MONITOR ONLY</source>
+        <translation>NUR BEOBACHTEN</translation>
     </message>
 </context>
 <context>
@@ -4827,18 +5171,18 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>halten</translation>
     </message>
     <message>
-        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <source>Hold this key: the arm moves only while it is held.</source>
         <translation>Halten Sie diese Taste: Sie bewegt den Arm nur, solange sie gehalten wird.</translation>
     </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
     <message>
-        <source>The window was not the active one. Press again.</source>
+        <source>The window was not active. Press again.</source>
         <translation>Das Fenster war nicht das aktive. Drücken Sie noch einmal.</translation>
     </message>
     <message>
-        <source>Click into the window first.</source>
+        <source>Click in the window first.</source>
         <translation>Klicken Sie zuerst in das Fenster.</translation>
     </message>
     <message>
@@ -4846,11 +5190,11 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Ein Dialog oder Menü ist offen. Schließen Sie es zuerst.</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>Eine andere Taste wird gehalten.</translation>
     </message>
     <message>
-        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>Der Display-Server antwortet nicht: Niemand könnte sagen, wann die Taste losgelassen wird.</translation>
     </message>
 </context>
@@ -4881,7 +5225,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Vorfall aufgezeichnet: %1</translation>
     </message>
     <message>
-        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
         <translation>Alles ab %1 s davor ist in %2. Doppelklicken Sie diese Zeile, um es zu öffnen.</translation>
     </message>
 </context>
@@ -4904,12 +5248,12 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>steht aus…</translation>
     </message>
     <message>
-        <source>%1, old data</source>
+        <source>%1, outdated</source>
         <translation>%1, alte Daten</translation>
     </message>
     <message>
         <source>
-Cannot be switched while no data come from the robot.</source>
+Cannot be switched while the robot sends no data.</source>
         <translation>
 Kann nicht geschaltet werden, solange keine Daten vom Roboter kommen.</translation>
     </message>
@@ -4918,10 +5262,6 @@ Kann nicht geschaltet werden, solange keine Daten vom Roboter kommen.</translati
 Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>
 Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
-    </message>
-    <message>
-        <source>%1 (held by another)</source>
-        <translation>%1 (von anderem belegt)</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -4934,6 +5274,10 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     <message>
         <source>Name of %1</source>
         <translation>Name von %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4990,7 +5334,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Werkzeugeingänge</translation>
     </message>
     <message>
-        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <source>Select a row of the I/O tab with the Tab key first.</source>
         <translation>Gehen Sie zuerst mit der Tabulatortaste zu einer Zeile des Registers E/A.</translation>
     </message>
     <message>
@@ -4998,7 +5342,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Der Roboter hat %1 nicht bestätigt</translation>
     </message>
     <message>
-        <source>Another program or the installation may own it.</source>
+        <source>Another program or the installation may control it.</source>
         <translation>Vielleicht gehört es einem anderen Programm oder der Installation.</translation>
     </message>
     <message>
@@ -5006,7 +5350,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Analog</translation>
     </message>
     <message>
-        <source>Registers of the robot&apos;s programs</source>
+        <source>Registers of robot programs</source>
         <translation>Register der Roboterprogramme</translation>
     </message>
     <message>
@@ -5014,8 +5358,20 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Keine Daten vom Roboter.</translation>
     </message>
     <message>
-        <source>This is a replay: go back to live first.</source>
+        <source>Replay is active: return to live data first.</source>
         <translation>Dies ist eine Wiedergabe: Gehen Sie zuerst zurück zu Live.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be pulsed now</source>
+        <translation>%1 kann jetzt keinen Impuls geben</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>controlled by another program</source>
+        <translation>von einem anderen Programm gesteuert</translation>
     </message>
 </context>
 <context>
@@ -5037,7 +5393,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Gelenke</translation>
     </message>
     <message>
-        <source>Shown below the pad</source>
+        <source>Frame of the displayed pose</source>
         <translation>Unter dem Tastenfeld gezeigt</translation>
     </message>
     <message>
@@ -5045,7 +5401,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Der Arm hat sich noch nicht bewegt.</translation>
     </message>
     <message>
-        <source>let go and press again</source>
+        <source>release and press again</source>
         <translation>loslassen und neu drücken</translation>
     </message>
     <message>
@@ -5073,7 +5429,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Goes back the way the arm came while held</source>
+        <source>Retraces the last motion while held</source>
         <translation>Fährt den Weg zurück, den der Arm kam, solange gehalten</translation>
     </message>
     <message>
@@ -5089,11 +5445,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Endet in %1 s</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>Eine andere Taste wird gehalten.</translation>
     </message>
     <message>
-        <source>Last stop: not seen, data ended while the arm moved</source>
+        <source>Last stop: not measured, data stopped while the arm was moving</source>
         <translation>Letzter Stopp: nicht gesehen, die Daten endeten während der Bewegung</translation>
     </message>
     <message>
@@ -5101,7 +5457,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Letzter Stopp: %1, Stillstand nach %2 ms, %3</translation>
     </message>
     <message>
-        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
         <translation>Der Arm folgt der Hand, solange gehalten: %1. Rechtsklick: andere Achsen</translation>
     </message>
     <message>
@@ -5120,7 +5476,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
 <context>
     <name>tiller::JogKey</name>
     <message>
-        <source>%1 left this way</source>
+        <source>%1 left in this direction</source>
         <translation>noch %1 in dieser Richtung</translation>
     </message>
 </context>
@@ -5166,11 +5522,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Bewegt, solange die Taste gehalten wird</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>Drehen</translation>
     </message>
     <message>
-        <source>Turns while the key is held</source>
+        <source>Rotates while the key is held</source>
         <translation>Dreht, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -5178,7 +5534,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <source>Axes of the view: X right, Y away from you, Z up</source>
         <translation>Achsen des Bilds: X rechts, Y von Ihnen weg, Z oben</translation>
     </message>
     <message>
@@ -5186,15 +5542,15 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Braucht die 3D-Ansicht</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
         <translation>Noch kein Koordinatensystem geteacht. Teachen Sie eines im Register Koordinatensysteme.</translation>
     </message>
     <message>
-        <source>One step a press: %1</source>
+        <source>One step per press: %1</source>
         <translation>Ein Schritt je Druck: %1</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1</source>
+        <source>One rotation step per press, tool or joint: %1</source>
         <translation>Eine Drehung je Druck, von Werkzeug oder Gelenk: %1</translation>
     </message>
     <message>
@@ -5202,23 +5558,23 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
         <translation>Langsam, bis das Werkzeug mit %1 N etwas berührt, solange gehalten. Noch einmal klicken für andere Schritte</translation>
     </message>
     <message>
-        <source>One step a press: %1. Click again for other steps</source>
+        <source>One step per press: %1. Click again for other steps</source>
         <translation>Ein Schritt je Druck: %1. Noch einmal klicken für andere Schritte</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
         <translation>Eine Drehung je Druck, von Werkzeug oder Gelenk: %1. Noch einmal klicken für andere Drehungen</translation>
     </message>
     <message>
-        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
         <translation>%1 · Drehung %2 · Gelenke %3 · Strg × 0,1, Umschalt × 3</translation>
     </message>
     <message>
-        <source>Other turn…</source>
+        <source>Other angle…</source>
         <translation>Andere Drehung…</translation>
     </message>
     <message>
@@ -5242,15 +5598,15 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Schritt in %1</translation>
     </message>
     <message>
-        <source>Turn in degrees</source>
+        <source>Angle in degrees</source>
         <translation>Drehung in Grad</translation>
     </message>
     <message>
-        <source>Speed of the TCP in %1</source>
+        <source>TCP speed in %1</source>
         <translation>Geschwindigkeit des TCP in %1</translation>
     </message>
     <message>
-        <source>Force that ends the motion, in N</source>
+        <source>Contact force that ends the motion, in N</source>
         <translation>Kraft in N, die die Bewegung beendet</translation>
     </message>
 </context>
@@ -5263,6 +5619,10 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     <message>
         <source>%1 plus</source>
         <translation>%1 plus</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -5341,11 +5701,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Open the recording of this incident, at the moment of the stop</source>
+        <source>Open the recording of this incident at the time of the stop</source>
         <translation>Die Aufzeichnung dieses Vorfalls im Augenblick des Stopps öffnen</translation>
     </message>
     <message>
-        <source>Open the recording at this moment</source>
+        <source>Open the recording at this time</source>
         <translation>Die Aufzeichnung an diesem Augenblick öffnen</translation>
     </message>
 </context>
@@ -5372,7 +5732,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Ab Schwere zeigen</translation>
     </message>
     <message>
-        <source>Filter the log by words</source>
+        <source>Filter the log by text</source>
         <translation>Das Protokoll nach Wörtern filtern</translation>
     </message>
     <message>
@@ -5384,7 +5744,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
         <translation>Die gewählten Zeilen kopieren oder alle gezeigten (Strg+C)</translation>
     </message>
     <message>
@@ -5392,11 +5752,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>Write the lines that are shown to a file</source>
+        <source>Write the visible entries to a file</source>
         <translation>Die gezeigten Zeilen in eine Datei schreiben</translation>
     </message>
     <message>
-        <source>The selected line in full</source>
+        <source>Details of the selected entry</source>
         <translation>Die gewählte Zeile in voller Länge</translation>
     </message>
     <message>
@@ -5420,70 +5780,50 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>Open the recording of the selected line: incidents have one</source>
+        <source>Open the recording of the selected entry (incidents have a recording)</source>
         <translation>Die Aufzeichnung der gewählten Zeile öffnen: Vorfälle haben eine</translation>
     </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
     <message>
-        <source>%1 touches %2 of the arm already here</source>
-        <translation>%1 berührt %2 des Arms schon hier</translation>
-    </message>
-    <message>
-        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <source>%1 collides with %2 after %3 of the path</source>
         <translation>%1 trifft %2 des Arms nach %3 des Wegs</translation>
     </message>
     <message>
-        <source>%1 touches the floor already here</source>
-        <translation>%1 berührt den Boden schon hier</translation>
-    </message>
-    <message>
-        <source>%1 meets the floor after %2 of the way</source>
-        <translation>%1 trifft den Boden nach %2 des Wegs</translation>
-    </message>
-    <message>
-        <source>%1 touches “%2” already here</source>
-        <translation>%1 berührt „%2“ schon hier</translation>
-    </message>
-    <message>
-        <source>%1 meets “%2” after %3 of the way</source>
-        <translation>%1 trifft „%2“ nach %3 des Wegs</translation>
-    </message>
-    <message>
-        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <source>The path enters the wrist singularity after %1 of its length</source>
         <translation>Die Linie läuft nach %1 des Wegs in die Handgelenk-Singularität</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the way</source>
+        <source>Slow near the wrist singularity at %1 of the path</source>
         <translation>Langsam nahe der Handgelenk-Singularität bei %1 des Wegs</translation>
     </message>
     <message>
-        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <source>The path enters the elbow singularity after %1 of its length</source>
         <translation>Die Linie läuft nach %1 des Wegs in den gestreckten Ellbogen</translation>
     </message>
     <message>
-        <source>Slow near the stretched elbow at %1 of the way</source>
+        <source>Slow near the elbow singularity at %1 of the path</source>
         <translation>Langsam nahe dem gestreckten Ellbogen bei %1 des Wegs</translation>
     </message>
     <message>
-        <source>The line runs into the axis of the base after %1 of the way</source>
+        <source>The path enters the shoulder singularity after %1 of its length</source>
         <translation>Die Linie läuft nach %1 des Wegs in die Achse der Basis</translation>
     </message>
     <message>
-        <source>Slow near the axis of the base at %1 of the way</source>
+        <source>Slow near the shoulder singularity at %1 of the path</source>
         <translation>Langsam nahe der Achse der Basis bei %1 des Wegs</translation>
     </message>
     <message>
-        <source>A joint would have to turn at once after %1 of the way</source>
+        <source>A joint would have to jump after %1 of the path</source>
         <translation>Ein Gelenk müsste nach %1 des Wegs auf einmal drehen</translation>
     </message>
     <message>
-        <source>%1 leaves its range after %2 of the way</source>
+        <source>%1 exceeds its range after %2 of the path</source>
         <translation>%1 verlässt seinen Bereich nach %2 des Wegs</translation>
     </message>
     <message>
-        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <source>The path leaves the reach of the arm after %1 of its length</source>
         <translation>Die Linie verlässt die Reichweite des Arms nach %1 des Wegs</translation>
     </message>
     <message>
@@ -5517,6 +5857,26 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     <message>
         <source>Tool</source>
         <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>%1 is in contact with %2, and the move leads closer</source>
+        <translation>%1 berührt %2, und die Bewegung führt näher heran</translation>
+    </message>
+    <message>
+        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <translation>%1 ist nur %2 von %3 entfernt, und die Bewegung führt näher heran</translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 of %3 after %4 of the path</source>
+        <translation>%1 kommt nach %4 der Bahn näher als %2 an %3</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>dem Boden</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
     </message>
 </context>
 <context>
@@ -5569,7 +5929,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>Mehr</translation>
     </message>
 </context>
@@ -5592,35 +5952,35 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Vorführung importieren (CSV)…</translation>
     </message>
     <message>
-        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
         <translation>Die Aufzeichnung der Bahn endete von selbst: Die Daten hörten auf, oder sie dauerte zehn Minuten.</translation>
     </message>
     <message>
-        <source>What was recorded until then is kept.</source>
+        <source>The path recorded so far is kept.</source>
         <translation>Was bis dahin aufgezeichnet wurde, bleibt.</translation>
     </message>
     <message>
-        <source>End the recording of the path</source>
+        <source>Stop recording path</source>
         <translation>Die Aufzeichnung der Bahn beenden</translation>
     </message>
     <message>
-        <source>The path is being thinned.</source>
+        <source>Simplifying the path…</source>
         <translation>Die Bahn wird ausgedünnt.</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>Vom Roboter kommen keine Daten: Es gibt nichts aufzuzeichnen.</translation>
     </message>
     <message>
-        <source>Ends the recording and keeps the path as waypoints</source>
+        <source>Stops recording and stores the path as waypoints</source>
         <translation>Beendet die Aufzeichnung und behält die Bahn als Wegpunkte</translation>
     </message>
     <message>
-        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
         <translation>Zeichnet auf, wohin der Arm geführt wird, durch Freedrive oder Verfahren, bis erneut gedrückt wird, und behält die Bahn als Wegpunkte. Es bewegt nichts.</translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>Wählen Sie die Wegpunkte der Bahn, mindestens zwei.</translation>
     </message>
     <message>
@@ -5632,7 +5992,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>The path was not written.</source>
+        <source>The path was not exported.</source>
         <translation>Die Bahn wurde nicht geschrieben.</translation>
     </message>
     <message numerus="yes">
@@ -5654,19 +6014,19 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
         <translation>%1 hat keine Spalte „%2“. Es braucht timestamp und actual_q_0 bis actual_q_5.</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>Vom Roboter kommen keine Daten: Es gibt nichts aufzuzeichnen.</translation>
     </message>
     <message>
-        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <source>Import refused: a path is being recorded. Stop that recording first.</source>
         <translation>Nichts wurde gelesen: Eine Bahn wird aufgezeichnet. Beenden Sie das zuerst.</translation>
     </message>
     <message>
-        <source>The demonstration could not be read.</source>
+        <source>The demonstration could not be imported.</source>
         <translation>Die Vorführung konnte nicht gelesen werden.</translation>
     </message>
     <message>
@@ -5674,7 +6034,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Bahn %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was kept.</source>
+        <source>The arm did not move: no path was stored.</source>
         <translation>Der Arm hat sich nicht bewegt: Es wurde keine Bahn behalten.</translation>
     </message>
     <message>
@@ -5682,22 +6042,22 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>„%1“ aufzeichnen</translation>
     </message>
     <message>
-        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
         <translation>„%1“: %2 s in %3 Wegpunkten. Jeder aufgezeichnete Ort liegt innerhalb von %4 und %5 von ihnen.</translation>
     </message>
     <message numerus="yes">
-        <source>%n packets did not arrive.</source>
+        <source>%n packets were lost.</source>
         <translation>
             <numerusform>%n Paket kam nicht an.</numerusform>
             <numerusform>%n Pakete kamen nicht an.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>Wählen Sie die Wegpunkte der Bahn, mindestens zwei.</translation>
     </message>
     <message>
-        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <source>“%1” is out of reach. Touch it up, or remove it.</source>
         <translation>„%1“ ist nicht erreichbar. Teachen Sie ihn nach oder lassen Sie ihn aus.</translation>
     </message>
 </context>
@@ -5720,7 +6080,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>First place</source>
+        <source>First cell</source>
         <translation>Erster Platz</translation>
     </message>
     <message>
@@ -5728,19 +6088,19 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Ende der ersten Reihe</translation>
     </message>
     <message>
-        <source>Beginning of the last row</source>
+        <source>Start of the last row</source>
         <translation>Anfang der letzten Reihe</translation>
     </message>
     <message>
-        <source>choose a waypoint</source>
+        <source>select a waypoint</source>
         <translation>einen Wegpunkt wählen</translation>
     </message>
     <message>
-        <source>as it was taught</source>
+        <source>as taught</source>
         <translation>wie geteacht</translation>
     </message>
     <message>
-        <source>Places in a row</source>
+        <source>Cells per row</source>
         <translation>Plätze je Reihe</translation>
     </message>
     <message>
@@ -5752,11 +6112,11 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Lagen</translation>
     </message>
     <message>
-        <source>Height of a layer</source>
+        <source>Layer height</source>
         <translation>Höhe einer Lage</translation>
     </message>
     <message>
-        <source>From one layer to the next, against the direction of the tool.</source>
+        <source>Distance between layers, opposite to the tool direction.</source>
         <translation>Von einer Lage zur nächsten, gegen die Richtung des Werkzeugs.</translation>
     </message>
     <message>
@@ -5772,7 +6132,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Mäander</translation>
     </message>
     <message>
-        <source>Make pattern</source>
+        <source>Create pattern</source>
         <translation>Muster anlegen</translation>
     </message>
     <message>
@@ -5784,31 +6144,31 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Ein Muster braucht einen Namen.</translation>
     </message>
     <message>
-        <source>There is a pattern of that name. Choose another one.</source>
+        <source>A pattern with this name exists. Choose another name.</source>
         <translation>Ein Muster dieses Namens gibt es schon. Wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <source>Select a waypoint for each corner. Teach the three corners first.</source>
         <translation>Wählen Sie den Wegpunkt jeder Ecke. Teachen Sie zuerst die drei Ecken, wo keine sind.</translation>
     </message>
     <message>
-        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <source>Two corners are identical. Select another waypoint for one of them.</source>
         <translation>Zwei Ecken sind derselbe Ort. Wählen Sie für eine einen anderen Wegpunkt.</translation>
     </message>
     <message>
-        <source>The height of a layer is no figure it can be.</source>
+        <source>Invalid layer height.</source>
         <translation>Die Höhe einer Lage ist keine mögliche Zahl.</translation>
     </message>
     <message>
-        <source>Layers need a height.</source>
+        <source>Enter a layer height.</source>
         <translation>Lagen brauchen eine Höhe.</translation>
     </message>
     <message>
-        <source>%1 places are more than the %2 a pattern can have.</source>
+        <source>The pattern has %1 cells; the maximum is %2.</source>
         <translation>%1 Plätze sind mehr als die %2, die ein Muster haben kann.</translation>
     </message>
     <message>
-        <source>Every place is left out.</source>
+        <source>All cells are excluded.</source>
         <translation>Alle Plätze sind ausgelassen.</translation>
     </message>
     <message numerus="yes">
@@ -5819,7 +6179,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 All can be reached.</source>
+        <source>%1 All are within reach.</source>
         <translation>%1 Alle sind erreichbar.</translation>
     </message>
     <message>
@@ -5827,7 +6187,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>%1 %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach; they are marked.</source>
+        <source>%n of them are out of reach and marked.</source>
         <translation>
             <numerusform>%n von ihnen ist außer Reichweite und markiert.</numerusform>
             <numerusform>%n von ihnen sind außer Reichweite und markiert.</numerusform>
@@ -5837,11 +6197,11 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Places of the pattern</source>
+        <source>Cells of the pattern</source>
         <translation>Plätze des Musters</translation>
     </message>
     <message>
-        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
         <translation>Klicken Sie einen Platz an, um ihn auszulassen oder wieder aufzunehmen. Die erste Ecke ist unten links.</translation>
     </message>
     <message>
@@ -5860,11 +6220,11 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Nutzlast behalten</translation>
     </message>
     <message>
-        <source>Find the payload</source>
+        <source>Measure payload</source>
         <translation>Die Nutzlast finden</translation>
     </message>
     <message>
-        <source>Find the payload by weighing it in several poses</source>
+        <source>Measure the payload in several poses</source>
         <translation>Die Nutzlast durch Wiegen in mehreren Posen finden</translation>
     </message>
     <message>
@@ -5872,7 +6232,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Nächste Pose, halten</translation>
     </message>
     <message>
-        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation>Dreht das Handgelenk zur nächsten Pose, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit. Achten Sie darauf, dass das Werkzeug Platz zum Drehen hat.</translation>
     </message>
     <message>
@@ -5880,47 +6240,47 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Cancel finding the payload</source>
+        <source>Cancel payload measurement</source>
         <translation>Das Finden der Nutzlast abbrechen</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
         <translation>Der Arm hat sich bewegt. Lassen Sie ihn zur Ruhe kommen, berühren Sie nichts und nehmen Sie die Pose erneut.</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
         <translation>Der Roboter sendet keine Kräfte. Geben Sie Masse und Schwerpunkt stattdessen in Zahlen ein.</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>Wiege… nichts soll das Werkzeug berühren.</translation>
     </message>
     <message>
-        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <source>%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.</source>
         <translation>%1 kg, Schwerpunkt bei %2 vom Flansch. Die Posen stimmen auf %3 und %4 überein.</translation>
     </message>
     <message>
-        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
         <translation>%1 Das ist schlecht: Pose %2 passt am wenigsten. Entfernen Sie sie und nehmen Sie eine andere.</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
         <translation>Das Werkzeug ist zwischen den Posen zu wenig gedreht. Nehmen Sie noch eine, auf eine andere Seite gedreht.</translation>
     </message>
     <message>
-        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
         <translation>%1 kg: zu leicht, als dass der Sensor den Schwerpunkt nennen könnte. Geben Sie ihn in Zahlen ein.</translation>
     </message>
     <message>
-        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
         <translation>Lassen Sie den Arm zur Ruhe kommen, berühren Sie nichts und nehmen Sie die Pose. Drehen Sie dann das Handgelenk, durch Verfahren oder mit „Nächste Pose“, und nehmen Sie drei weitere.</translation>
     </message>
     <message numerus="yes">
-        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Drehen Sie das Handgelenk auf eine andere Seite und nehmen Sie die Pose. Noch nötig: %n</numerusform>
             <numerusform>Drehen Sie das Handgelenk auf eine andere Seite und nehmen Sie die Pose. Noch nötig: %n</numerusform>
@@ -5931,11 +6291,11 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Pose %1 nehmen</translation>
     </message>
     <message>
-        <source>Remove the worst</source>
+        <source>Remove least accurate pose</source>
         <translation>Die schlechteste entfernen</translation>
     </message>
     <message>
-        <source>Remove the last</source>
+        <source>Remove last pose</source>
         <translation>Die letzte entfernen</translation>
     </message>
     <message>
@@ -5943,7 +6303,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Pose %1  %2</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ passt am wenigsten</translation>
     </message>
 </context>
@@ -5974,7 +6334,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Eine Nutzlast braucht einen Namen.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another payload. Choose another name.</source>
+        <source>Another payload is named “%1”. Choose another name.</source>
         <translation>„%1“ heißt schon eine andere Nutzlast. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -5998,8 +6358,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Nutzlasten</translation>
     </message>
     <message>
-        <source>No payload yet.
-Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <source>No payloads yet.
+Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
         <translation>Noch keine Nutzlast.
 Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um sie mit dem Arm zu finden.</translation>
     </message>
@@ -6036,7 +6396,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Schwerpunkt Z</translation>
     </message>
     <message>
-        <source>Return applies it to the project; the robot keeps its own.</source>
+        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
         <translation>Eingabetaste übernimmt es ins Projekt; der Roboter behält das Seine.</translation>
     </message>
     <message>
@@ -6048,27 +6408,27 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Diese Nutzlast verwenden und am Roboter setzen</translation>
     </message>
     <message>
-        <source>Weigh…</source>
+        <source>Measure…</source>
         <translation>Wiegen…</translation>
     </message>
     <message>
-        <source>Find the payload with the arm</source>
+        <source>Measure the payload with the arm</source>
         <translation>Die Nutzlast mit dem Arm finden</translation>
     </message>
     <message>
-        <source>Is it true?</source>
+        <source>Verify</source>
         <translation>Stimmt sie?</translation>
     </message>
     <message>
-        <source>Check whether the payload is true</source>
+        <source>Verify the payload</source>
         <translation>Prüfen, ob die Nutzlast stimmt</translation>
     </message>
     <message>
-        <source>Keep the payload the robot has</source>
+        <source>Store the active payload of the robot</source>
         <translation>Die Nutzlast behalten, die der Roboter hat</translation>
     </message>
     <message>
-        <source>New payload in figures</source>
+        <source>Enter new payload</source>
         <translation>Neue Nutzlast in Zahlen</translation>
     </message>
     <message>
@@ -6104,7 +6464,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
-        <source>Select a payload to set.</source>
+        <source>Select the payload to set.</source>
         <translation>Wählen Sie eine Nutzlast zum Setzen.</translation>
     </message>
     <message>
@@ -6112,7 +6472,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Die Nutzlast „%1“ verwenden</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
@@ -6120,67 +6480,67 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Die Nutzlast „%1“ löschen</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>Wiege… nichts soll das Werkzeug berühren.</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
         <translation>Der Arm hat sich bewegt. Lassen Sie ihn zur Ruhe kommen, berühren Sie nichts und prüfen Sie erneut.</translation>
     </message>
     <message>
-        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <source>The robot sends no forces: the payload cannot be verified.</source>
         <translation>Der Roboter sendet keine Kräfte: Seine Nutzlast kann nicht geprüft werden.</translation>
     </message>
     <message>
-        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
         <translation>Mit %1 kg spürt der Arm in Ruhe %2 und %3.</translation>
     </message>
     <message>
-        <source>The payload is true. %1</source>
+        <source>The payload is correct. %1</source>
         <translation>Die Nutzlast stimmt. %1</translation>
     </message>
     <message>
-        <source>The payload is true</source>
+        <source>The payload is correct</source>
         <translation>Die Nutzlast stimmt</translation>
     </message>
     <message>
-        <source>About %1 kg more hang there than it was told of.</source>
+        <source>The load is about %1 kg heavier than the configured payload.</source>
         <translation>Dort hängen etwa %1 kg mehr, als ihm gesagt wurde.</translation>
     </message>
     <message>
-        <source>About %1 kg less hang there than it was told of.</source>
+        <source>The load is about %1 kg lighter than the configured payload.</source>
         <translation>Dort hängen etwa %1 kg weniger, als ihm gesagt wurde.</translation>
     </message>
     <message>
-        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <source>The centre of gravity differs, or something is touching the tool.</source>
         <translation>Ihr Schwerpunkt liegt anderswo, oder etwas berührt das Werkzeug.</translation>
     </message>
     <message>
-        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 Wiegen Sie sie oder wählen Sie eine andere Nutzlast. Den Kraftsensor auf null zu setzen, verbirgt eine falsche Nutzlast, bis das Werkzeug sich dreht.</translation>
     </message>
     <message>
-        <source>The payload is not true. %1 %2</source>
+        <source>The payload is wrong. %1 %2</source>
         <translation>Die Nutzlast stimmt nicht. %1 %2</translation>
     </message>
     <message>
-        <source>The payload is not true</source>
+        <source>The payload is wrong</source>
         <translation>Die Nutzlast stimmt nicht</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1, wie der Roboter sie hat</translation>
     </message>
     <message>
-        <source>%1; the robot was told %2 kg, centre %3</source>
+        <source>%1; the robot has %2 kg, centre of gravity %3</source>
         <translation>%1; dem Roboter wurden %2 kg, Schwerpunkt %3 gesagt</translation>
     </message>
     <message>
-        <source>The robot has another payload than “%1”</source>
+        <source>The robot&apos;s payload differs from “%1”</source>
         <translation>Der Roboter hat eine andere Nutzlast als „%1“</translation>
     </message>
     <message>
-        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <source>On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing was changed.</source>
         <translation>Am Roboter: %1 kg, Schwerpunkt %2. Im Projekt: %3 kg, Schwerpunkt %4. Nichts wurde geändert.</translation>
     </message>
     <message>
@@ -6207,7 +6567,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Spektrum und XY</translation>
     </message>
     <message>
-        <source>Kind of analysis</source>
+        <source>Type of analysis</source>
         <translation>Art der Auswertung</translation>
     </message>
     <message>
@@ -6215,11 +6575,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Signal</translation>
     </message>
     <message>
-        <source>Over this signal</source>
+        <source>X-axis signal</source>
         <translation>Über diesem Signal</translation>
     </message>
     <message>
-        <source>Put a signal onto the plots first.</source>
+        <source>Add a signal to the plots first.</source>
         <translation>Bringen Sie zuerst ein Signal in die Diagramme.</translation>
     </message>
     <message>
@@ -6227,11 +6587,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>In diesem Bereich gibt es keine Messwerte.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
         <translation>In diesem Bereich fehlen Messwerte: Setzen Sie die Cursor A und B so, dass keine Lücke dazwischen liegt.</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
         <translation>Hann-Fenster von %1 Werten · %2 Hz je Linie · Mittel von %3 · %4 … %5 s</translation>
     </message>
     <message>
@@ -6250,7 +6610,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), one in %1</source>
+        <source>%n sample(s), every %1th shown</source>
         <translation>
             <numerusform>%n Messwert, einer von %1</numerusform>
             <numerusform>%n Messwerte, einer von %1</numerusform>
@@ -6261,7 +6621,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
         <translation>Diese beiden sind nicht aus derselben Aufzeichnung: Setzen Sie die Cursor A und B um einen kürzeren Bereich.</translation>
     </message>
     <message>
@@ -6272,11 +6632,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <source>Not compared with the arm model: the recording does not state the robot model.</source>
         <translation>Nicht mit dem Modell des Arms verglichen: welcher Arm das ist, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>Arm and model part: %1</source>
+        <source>Arm and model diverge: %1</source>
         <translation>Arm und Modell trennen sich: %1</translation>
     </message>
     <message>
@@ -6319,7 +6679,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Ablesung am Cursor</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
         <translation>Klicken Sie in die Diagramme, um die Cursor A und B zu setzen; ziehen Sie sie, oder verwenden Sie die Tasten A, B und die Pfeile. Klicken Sie einen Namen in einer Legende an, um seine Kurve zu verbergen, mit Strg, um dieses Signal abzulesen.</translation>
     </message>
     <message>
@@ -6327,7 +6687,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Zeitfenster</translation>
     </message>
     <message>
-        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
         <translation>Wie viel Zeit die Diagramme zeigen. Das Mausrad über den Diagrammen zoomt; über den Werten links oder mit Strg zoomt es diese, und ein Doppelklick dort lässt wieder die Kurven entscheiden.</translation>
     </message>
     <message>
@@ -6343,7 +6703,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Null</translation>
     </message>
     <message>
-        <source>Export the shown range</source>
+        <source>Export the visible range</source>
         <translation>Den gezeigten Bereich exportieren</translation>
     </message>
     <message>
@@ -6351,7 +6711,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
         <translation>Das Gezeigte als Bild (PNG) oder als Werte (CSV) speichern</translation>
     </message>
     <message>
@@ -6359,11 +6719,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>In eine CSV-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
         <translation>In eine CSV-Datei aufzeichnen, was der Roboter sendet; die Taste daneben sagt, was und wohin</translation>
     </message>
     <message>
-        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>Die Kraft wurde nicht auf null gesetzt: Die Diagramme zeigen keine Werte. Verbinden Sie sich mit einem Roboter oder gehen Sie zu einer Zeit mit Werten.</translation>
     </message>
     <message>
@@ -6391,7 +6751,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Hold the plots still; data and recording go on</source>
+        <source>Freeze the plots; data and recording continue</source>
         <translation>Die Diagramme anhalten; Daten und Aufzeichnung gehen weiter</translation>
     </message>
     <message>
@@ -6399,11 +6759,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Zurück zu den neuesten Werten</translation>
     </message>
     <message>
-        <source>Show the force as the robot measures it again. %1</source>
+        <source>Show the force as measured by the robot. %1</source>
         <translation>Die Kraft wieder zeigen, wie der Roboter sie misst. %1</translation>
     </message>
     <message>
-        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
         <translation>Die Kraft ab dem jetzigen Wert zählen. Nur was die Diagramme zeigen: Roboter, Aufzeichnungen und exportierte Werte behalten das Gemessene.</translation>
     </message>
     <message>
@@ -6427,11 +6787,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>simuliert</translation>
     </message>
     <message>
-        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>Nichts wurde exportiert: Die Diagramme zeigen keine Werte. Verbinden Sie sich mit einem Roboter oder gehen Sie zu einer Zeit mit Werten.</translation>
     </message>
     <message>
-        <source>Exported the shown range to %1</source>
+        <source>Exported the visible range to %1</source>
         <translation>Gezeigter Bereich exportiert nach %1</translation>
     </message>
     <message>
@@ -6451,7 +6811,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Werte (*.csv)</translation>
     </message>
     <message>
-        <source>What is recorded</source>
+        <source>Recording options</source>
         <translation>Was aufgezeichnet wird</translation>
     </message>
     <message>
@@ -6459,11 +6819,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Zeilen, Signale, Ordner und Dateiname der nächsten Aufzeichnung</translation>
     </message>
     <message>
-        <source>A row for every packet</source>
+        <source>One row per packet</source>
         <translation>Eine Zeile für jedes Paket</translation>
     </message>
     <message numerus="yes">
-        <source>A row for every %n packet(s)</source>
+        <source>One row every %n packet(s)</source>
         <translation>
             <numerusform>Eine Zeile für jedes Paket</numerusform>
             <numerusform>Eine Zeile für je %n Pakete</numerusform>
@@ -6489,7 +6849,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Ordner %1…</translation>
     </message>
     <message>
-        <source>Show the folder</source>
+        <source>Open folder</source>
         <translation>Den Ordner zeigen</translation>
     </message>
     <message>
@@ -6505,11 +6865,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>exportieren: In diesem Bereich gibt es keine Werte</translation>
     </message>
     <message>
-        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
         <translation>nennen Sie die Datei .png, .svg oder .pdf für ein Bild, .csv für Werte</translation>
     </message>
     <message>
-        <source>%1, at %2 s of the plots&apos; time</source>
+        <source>%1, at %2 s on the time axis</source>
         <translation>%1, bei %2 s der Diagrammzeit</translation>
     </message>
     <message>
@@ -6521,11 +6881,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Notiz</translation>
     </message>
     <message>
-        <source>What happened at this moment?</source>
+        <source>What happened at this time?</source>
         <translation>Was geschah in diesem Moment?</translation>
     </message>
     <message>
-        <source>The plots are in the clipboard as a picture.</source>
+        <source>The plots were copied to the clipboard as an image.</source>
         <translation>Die Diagramme sind als Bild in der Zwischenablage.</translation>
     </message>
     <message>
@@ -6541,7 +6901,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Neue Seite</translation>
     </message>
     <message>
-        <source>Take this page away</source>
+        <source>Remove this page</source>
         <translation>Diese Seite wegnehmen</translation>
     </message>
     <message>
@@ -6553,19 +6913,19 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Eine Aufzeichnung öffnen…</translation>
     </message>
     <message>
-        <source>Close the recordings</source>
+        <source>Close recordings</source>
         <translation>Die Aufzeichnungen schließen</translation>
     </message>
     <message>
-        <source>Copy the plots as a picture</source>
+        <source>Copy plots as image</source>
         <translation>Die Diagramme als Bild kopieren</translation>
     </message>
     <message>
-        <source>Save this arrangement…</source>
+        <source>Save layout…</source>
         <translation>Diese Anordnung speichern…</translation>
     </message>
     <message>
-        <source>Open an arrangement…</source>
+        <source>Open layout…</source>
         <translation>Eine Anordnung öffnen…</translation>
     </message>
     <message>
@@ -6573,12 +6933,8 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Speicher für den Verlauf</translation>
     </message>
     <message>
-        <source>save the arrangement to %1</source>
+        <source>save the layout to %1</source>
         <translation>die Anordnung nach %1 speichern</translation>
-    </message>
-    <message>
-        <source>open the arrangement %1</source>
-        <translation>die Anordnung %1 öffnen</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -6593,15 +6949,15 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Aufzeichnungen (*.mcap *.csv *.h5 *.hdf5);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Save the arrangement of the plots</source>
+        <source>Save plot layout</source>
         <translation>Die Anordnung der Diagramme speichern</translation>
     </message>
     <message>
-        <source>Arrangement of plots (*.json)</source>
+        <source>Plot layouts (*.json)</source>
         <translation>Anordnung von Diagrammen (*.json)</translation>
     </message>
     <message>
-        <source>Open an arrangement of plots</source>
+        <source>Open plot layout</source>
         <translation>Eine Anordnung der Diagramme öffnen</translation>
     </message>
     <message>
@@ -6617,7 +6973,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Signale</translation>
     </message>
     <message>
-        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
         <translation>Alles, was der Roboter meldet: auf ein Diagramm ziehen, an seinen Rand für ein eigenes, oder Doppelklick</translation>
     </message>
     <message>
@@ -6629,11 +6985,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Werte</translation>
     </message>
     <message>
-        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>Was jedes Signal an den Cursorn A und B hat und was dazwischen liegt: kleinster, größter, Mittelwert, RMS, Abweichung, Steigung</translation>
     </message>
     <message>
-        <source>Pages and arrangement of the plots</source>
+        <source>Pages and layout of the plots</source>
         <translation>Seiten und Anordnung der Diagramme</translation>
     </message>
     <message>
@@ -6641,7 +6997,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>read an arrangement of plots</source>
+        <source>read a plot layout</source>
         <translation>eine Anordnung der Diagramme lesen</translation>
     </message>
     <message>
@@ -6649,7 +7005,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Spektrum und XY</translation>
     </message>
     <message>
-        <source>Export the shown range…</source>
+        <source>Export the visible range…</source>
         <translation>Gezeigten Bereich exportieren…</translation>
     </message>
     <message>
@@ -6657,7 +7013,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Zeitachse</translation>
     </message>
     <message>
-        <source>Before the newest sample</source>
+        <source>Relative to the newest sample</source>
         <translation>Vor dem neuesten Messwert</translation>
     </message>
     <message>
@@ -6665,11 +7021,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Zeit der Steuerung</translation>
     </message>
     <message>
-        <source>Time of the day</source>
+        <source>Time of day</source>
         <translation>Uhrzeit</translation>
     </message>
     <message>
-        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <source>The maximum number of plot pages is reached: remove a page first.</source>
         <translation>Es gibt so viele Diagrammseiten, wie es geben darf: Nehmen Sie zuerst eine weg.</translation>
     </message>
     <message>
@@ -6677,11 +7033,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>In eine MCAP-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
         <translation>Aufzeichnen, was der Roboter sendet, in eine MCAP-Datei; die Taste daneben sagt, was und wohin</translation>
     </message>
     <message numerus="yes">
-        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
             <numerusform>%1 · %2 je Sekunde · %3 frei · %n Paket verloren</numerusform>
             <numerusform>%1 · %2 je Sekunde · %3 frei · %n Pakete verloren</numerusform>
@@ -6730,7 +7086,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Seite %1</translation>
     </message>
     <message>
-        <source>Double click: another name</source>
+        <source>Double-click to rename</source>
         <translation>Doppelklick: anderer Name</translation>
     </message>
 </context>
@@ -6793,15 +7149,15 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
         <translation>Klicken Sie in die Diagramme, um A, dann B zu setzen: Was dazwischen liegt, wird hier zusammengefasst.</translation>
     </message>
     <message>
-        <source>%1 · summing up: %2</source>
+        <source>%1 · calculating: %2</source>
         <translation>%1 · wird zusammengefasst: %2</translation>
     </message>
     <message>
-        <source>Not all of the range could be summed up: %1</source>
+        <source>Statistics are incomplete: %1</source>
         <translation>Nicht der ganze Bereich konnte zusammengefasst werden: %1</translation>
     </message>
 </context>
@@ -6828,7 +7184,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>%1 %2 s · %3 %4</translation>
     </message>
     <message>
-        <source>Scale held · double click the axis to let it go</source>
+        <source>Fixed scale · double-click the axis to scale automatically</source>
         <translation>Skala gehalten · Doppelklick auf die Achse gibt sie frei</translation>
     </message>
     <message>
@@ -6836,7 +7192,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Noch keine Werte: Verbinden Sie sich mit einem Roboter</translation>
     </message>
     <message>
-        <source>Zeroed: %1 %2 taken off</source>
+        <source>Zeroed (offset %1 %2)</source>
         <translation>Auf null: %1 %2 abgezogen</translation>
     </message>
     <message>
@@ -6844,7 +7200,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Diagramme über der Zeit</translation>
     </message>
     <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation>A und B setzen die Cursor, die Pfeiltasten bewegen sie, auf und ab wählen das Signal, das sie ablesen; H verbirgt seine Kurve, Strg+Entf nimmt sie weg; Plus und Minus ändern das Zeitfenster, mit Strg die Skala der Werte, Strg+0 lässt wieder die Kurven entscheiden; N schreibt eine Notiz; F zeigt alles; Ende geht zurück zu den neuesten Werten</translation>
     </message>
     <message>
@@ -6906,11 +7262,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>TCP-Pose in %1</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
         <translation>Ausrichtung wie in den Einstellungen gewählt. Δ₀: Weg seit null. Klick: Weg seit dem Druck</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
         <translation>Ausrichtung wie in den Einstellungen gewählt. Δ: Weg seit dem Druck. Klick: hier null</translation>
     </message>
     <message>
@@ -6933,7 +7289,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
         <translation>Eine Stellung braucht einen Namen.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another position. Choose another name.</source>
+        <source>Another position is named “%1”. Choose another name.</source>
         <translation>„%1“ heißt schon eine andere Stellung. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -6946,7 +7302,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a place and press Set home here, or Add here.</source>
+Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>Noch keine Stellungen.
 Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hinzufügen“.</translation>
     </message>
@@ -6955,11 +7311,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Sichere Höhe</translation>
     </message>
     <message>
-        <source>%1. Return applies it; nothing moves but the position.</source>
+        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
         <translation>%1. Eingabetaste übernimmt; nichts bewegt sich außer der Stellung.</translation>
     </message>
     <message>
-        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
         <translation>Darüber steht im Basis-System nichts: Dort darf der TCP seitwärts fahren.</translation>
     </message>
     <message>
@@ -6967,7 +7323,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Hier</translation>
     </message>
     <message>
-        <source>The safe height is where the TCP is now</source>
+        <source>Set the safe height to the current TCP height</source>
         <translation>Die sichere Höhe ist dort, wo der TCP jetzt ist</translation>
     </message>
     <message>
@@ -6979,7 +7335,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Hier hinzufügen</translation>
     </message>
     <message>
-        <source>Keep the position the arm has</source>
+        <source>Store the current position of the arm</source>
         <translation>Die Stellung behalten, die der Arm hat</translation>
     </message>
     <message>
@@ -6995,12 +7351,8 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Die Stellung nachteachen</translation>
     </message>
     <message>
-        <source>Use the usual home again</source>
+        <source>Reset to default home</source>
         <translation>Wieder das übliche Home verwenden</translation>
-    </message>
-    <message>
-        <source>Use the usual home</source>
-        <translation>Das übliche Home verwenden</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -7011,7 +7363,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Stellung löschen</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
     </message>
     <message>
@@ -7019,11 +7371,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
-        <source>Set “%1” to where the arm stands?</source>
+        <source>Set “%1” to the current position of the arm?</source>
         <translation>„%1“ dorthin setzen, wo der Arm steht?</translation>
     </message>
     <message>
-        <source>The key Home goes there from now on.</source>
+        <source>The Home key will move the arm there.</source>
         <translation>Die Taste Home fährt von nun an dorthin.</translation>
     </message>
     <message>
@@ -7083,11 +7435,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Keine sichere Höhe</translation>
     </message>
     <message>
-        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
         <translation>Die Taste Home fährt zum üblichen Home: aufrecht, frei von sich selbst.</translation>
     </message>
     <message>
-        <source>%1: the key Home goes there</source>
+        <source>%1: target of the Home key</source>
         <translation>%1: Die Taste Home fährt dorthin</translation>
     </message>
     <message>
@@ -7098,7 +7450,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <source>Start the simulated robot first (robot menu).</source>
         <translation>Starten Sie zuerst den simulierten Roboter: Er steht im Menü Roboter.</translation>
     </message>
     <message>
@@ -7106,11 +7458,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Schalten Sie zuerst den Arm ein und lösen Sie die Bremsen.</translation>
     </message>
     <message>
-        <source>The arm is in a stop. Recover from it first.</source>
+        <source>The arm is stopped by the safety system. Recover first.</source>
         <translation>Der Arm ist in einem Stopp. Stellen Sie ihn zuerst wieder her.</translation>
     </message>
     <message>
-        <source>Done. Start does it once more.</source>
+        <source>Done. Press Start to repeat the task.</source>
         <translation>Erledigt. Start beginnt noch einmal.</translation>
     </message>
     <message>
@@ -7137,7 +7489,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Kraft Fz in Newton</translation>
     </message>
     <message>
-        <source>figure, then Return</source>
+        <source>enter value, press Return</source>
         <translation>Zahl, dann Eingabetaste</translation>
     </message>
     <message>
@@ -7145,11 +7497,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Fz [N]</translation>
     </message>
     <message>
-        <source>The task before</source>
+        <source>Previous task</source>
         <translation>Die vorige Aufgabe</translation>
     </message>
     <message>
-        <source>The next task</source>
+        <source>Next task</source>
         <translation>Die nächste Aufgabe</translation>
     </message>
     <message>
@@ -7157,15 +7509,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Übung · %1 von %2</translation>
     </message>
     <message>
-        <source>Begins the task, or begins it anew</source>
+        <source>Starts or restarts the task</source>
         <translation>Beginnt die Aufgabe, oder beginnt sie neu</translation>
     </message>
     <message>
-        <source>Goes on to the next task</source>
+        <source>Continues with the next task</source>
         <translation>Weiter zur nächsten Aufgabe</translation>
     </message>
     <message>
-        <source>Possible once the check above says so</source>
+        <source>Available after the check above has passed</source>
         <translation>Möglich, sobald die Prüfung oben es sagt</translation>
     </message>
 </context>
@@ -7176,15 +7528,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Gut</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Check</source>
         <translation>Hinsehen</translation>
     </message>
     <message>
-        <source>Bad</source>
+        <source>Failed</source>
         <translation>Schlecht</translation>
     </message>
     <message>
-        <source>Not looked at</source>
+        <source>Not checked</source>
         <translation>Nicht geprüft</translation>
     </message>
     <message>
@@ -7196,11 +7548,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Bedingungen</translation>
     </message>
     <message>
-        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
         <translation>Trotzdem verbunden zeigt das Fenster, welche Daten es gibt. Was oben rot ist, kann verhindern, dass die Steuerung übernommen wird, oder eine Bewegung mittendrin beenden.</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Check again</source>
         <translation>Erneut prüfen</translation>
     </message>
     <message>
@@ -7212,11 +7564,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Keep everybody out of the arm&apos;s reach.
+        <source>Keep everyone out of reach of the arm.
 Keep the emergency stop at hand: STOP in this window is a software stop.
-Begin slowly: the first speed is %1.
-Watch the arm, not the screen, while a key is held.
-Let go of the key and the arm stops.</source>
+Start slowly: the initial speed is %1.
+Watch the arm, not the screen, while you hold a key.
+Release the key to stop the arm.</source>
         <translation>Halten Sie alle aus der Reichweite des Arms.
 Halten Sie den Not-Halt griffbereit: STOP in diesem Fenster ist ein Software-Stopp.
 Beginnen Sie langsam: Die erste Geschwindigkeit ist %1.
@@ -7224,11 +7576,11 @@ Sehen Sie auf den Arm, nicht auf den Bildschirm, während eine Taste gehalten wi
 Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
-        <source>Looking at %1…</source>
+        <source>Checking %1…</source>
         <translation>Prüfe %1…</translation>
     </message>
     <message>
-        <source>Something is in the way</source>
+        <source>Problems found</source>
         <translation>Etwas steht im Weg</translation>
     </message>
     <message>
@@ -7258,7 +7610,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         </translation>
     </message>
     <message>
-        <source>Change the order</source>
+        <source>Change order</source>
         <translation>Die Reihenfolge ändern</translation>
     </message>
 </context>
@@ -7273,7 +7625,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Das Projekt konnte nicht gespeichert werden</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <source>%1. Update Tiller to open it. The file was not changed.</source>
         <translation>%1. Aktualisieren Sie Tiller, um sie zu öffnen. Die Datei wurde gelassen, wie sie ist.</translation>
     </message>
     <message>
@@ -7297,7 +7649,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Eine Kopie von „%1“ ist geöffnet. Speichern Sie sie in eine Datei, um Änderungen zu behalten.</translation>
     </message>
     <message>
-        <source>“%1” is a copy and has changes that are in no file.</source>
+        <source>“%1” is a copy with unsaved changes.</source>
         <translation>„%1“ ist eine Kopie und hat Änderungen, die in keiner Datei sind.</translation>
     </message>
     <message>
@@ -7305,7 +7657,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Speichern unter…</translation>
     </message>
     <message>
-        <source>Drop the changes</source>
+        <source>Discard changes</source>
         <translation>Änderungen verwerfen</translation>
     </message>
     <message>
@@ -7317,7 +7669,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>%1 ist beschädigt</translation>
     </message>
     <message>
-        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <source>%1. Readable waypoints: %2, unreadable: %3. The damaged file is kept.</source>
         <translation>%1. Lesbare Wegpunkte: %2, nicht lesbare: %3. Die beschädigte Datei wird aufbewahrt.</translation>
     </message>
     <message numerus="yes">
@@ -7326,6 +7678,188 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
             <numerusform>%n Wegpunkt öffnen</numerusform>
             <numerusform>%n Wegpunkte öffnen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 is saved again</source>
+        <translation>%1 wird wieder gespeichert</translation>
+    </message>
+    <message>
+        <source>The other window closed %1. Changes in this window are saved again.</source>
+        <translation>Das andere Fenster hat %1 geschlossen. Änderungen in diesem Fenster werden wieder gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window</source>
+        <translation>%1 ist in einem anderen Fenster geöffnet</translation>
+    </message>
+    <message>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <translation>Geöffnet von %1. Änderungen in diesem Fenster werden erst in der Datei gespeichert, wenn Sie das Projekt übernehmen.</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Save as a copy</source>
+        <translation>Als Kopie speichern</translation>
+    </message>
+    <message>
+        <source>View only</source>
+        <translation>Nur ansehen</translation>
+    </message>
+    <message>
+        <source>Another window or program has changed %1</source>
+        <translation>Ein anderes Fenster oder Programm hat %1 geändert</translation>
+    </message>
+    <message>
+        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
+        <translation>Dieses Fenster enthält ungespeicherte Änderungen. Neu laden verwirft sie. Beide behalten speichert das Projekt dieses Fensters in einer zweiten Datei.</translation>
+    </message>
+    <message>
+        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>Neu laden zeigt den neuen Inhalt. Beide behalten speichert das Projekt dieses Fensters in einer zweiten Datei. Bis Sie entscheiden, werden Änderungen nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Beide behalten</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>Später entscheiden</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>Das Projekt konnte nicht übernommen werden</translation>
+    </message>
+    <message>
+        <source>Reloaded %1</source>
+        <translation>%1 neu geladen</translation>
+    </message>
+    <message>
+        <source>This window&apos;s project is now %1</source>
+        <translation>Das Projekt dieses Fensters ist jetzt %1</translation>
+    </message>
+    <message>
+        <source>A project without a file</source>
+        <translation>Ein Projekt ohne Datei</translation>
+    </message>
+    <message>
+        <source>Unsaved work is available</source>
+        <translation>Ungespeicherte Arbeit ist vorhanden</translation>
+    </message>
+    <message>
+        <source>“%1” was changed on %2 and not saved to a file.</source>
+        <translation>„%1“ wurde am %2 geändert und nicht in einer Datei gespeichert.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Ask again next time</source>
+        <translation>Nächstes Mal erneut fragen</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved. %2</source>
+        <translation>%1 enthält ungespeicherte Änderungen. %2</translation>
+    </message>
+    <message>
+        <source>The project has unsaved changes.</source>
+        <translation>Das Projekt enthält ungespeicherte Änderungen.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFit</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>TCP of %1</source>
+        <translation>TCP von %1</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, but a %2 is connected. The same joint positions lead to different poses.</source>
+        <translation>Das Projekt wurde mit einem %1 geteacht, verbunden ist aber ein %2. Dieselben Gelenkstellungen führen zu anderen Posen.</translation>
+    </message>
+    <message>
+        <source>The project uses the TCP “%1”. The active TCP of the robot differs by %2.</source>
+        <translation>Das Projekt verwendet den TCP „%1“. Der aktive TCP des Roboters weicht um %2 ab.</translation>
+    </message>
+    <message>
+        <source>The project fits the connected robot.</source>
+        <translation>Das Projekt passt zum verbundenen Roboter.</translation>
+    </message>
+    <message>
+        <source>Connect the robot for this project.</source>
+        <translation>Verbinden Sie den Roboter für dieses Projekt.</translation>
+    </message>
+    <message>
+        <source>Project of another robot model</source>
+        <translation>Projekt eines anderen Robotermodells</translation>
+    </message>
+    <message>
+        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>Posen beibehalten: Tiller berechnet die Gelenkstellungen neu, und das Werkzeug erreicht dieselben Posen. Gelenke beibehalten: Der Arm behält seine Stellung, und das Werkzeug erreicht andere Posen. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
+    </message>
+    <message>
+        <source>Keep poses</source>
+        <translation>Posen beibehalten</translation>
+    </message>
+    <message>
+        <source>Keep joints</source>
+        <translation>Gelenke beibehalten</translation>
+    </message>
+    <message>
+        <source>TCP differs from the project</source>
+        <translation>TCP weicht vom Projekt ab</translation>
+    </message>
+    <message>
+        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>Mit dem TCP des Roboters fährt der Flansch zu den geteachten Positionen. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>„%1“ am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Keep the robot’s TCP</source>
+        <translation>TCP des Roboters beibehalten</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the poses</source>
+        <translation>Von %1 nach %2 umrechnen, Posen beibehalten</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the joints</source>
+        <translation>Von %1 nach %2 umrechnen, Gelenke beibehalten</translation>
+    </message>
+    <message>
+        <source>Out of reach: %1.</source>
+        <translation>Außer Reichweite: %1.</translation>
+    </message>
+    <message>
+        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <translation>Entfernt, weil außer Reichweite: %1. Rückgängig stellt sie wieder her.</translation>
+    </message>
+    <message>
+        <source>Some positions are out of reach</source>
+        <translation>Einige Positionen sind außer Reichweite</translation>
+    </message>
+    <message>
+        <source>Moves to positions of this project are blocked</source>
+        <translation>Bewegungen zu Positionen dieses Projekts sind gesperrt</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
     </message>
 </context>
 <context>
@@ -7358,6 +7892,34 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <source>no file chosen</source>
         <translation>keine Datei gewählt</translation>
     </message>
+    <message>
+        <source>%1 — open in another window, changes here are not saved</source>
+        <translation>%1 — in einem anderen Fenster geöffnet, Änderungen hier werden nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 — changed by another program, changes here are not saved</source>
+        <translation>%1 — von einem anderen Programm geändert, Änderungen hier werden nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Unsaved project</source>
+        <translation>Ungespeichertes Projekt</translation>
+    </message>
+    <message>
+        <source>save %1</source>
+        <translation>%1 speichern</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>die Datei ist in einem anderen Fenster geöffnet (%1)</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>ein anderes Programm hat die Datei geändert</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -7366,7 +7928,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Wiederherstellung</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>Kraft am TCP</translation>
     </message>
     <message>
@@ -7374,7 +7936,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Gelenkstrom</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>Geschwindigkeit des TCP</translation>
     </message>
     <message>
@@ -7386,7 +7948,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Bei X %1, Y %2, Z %3.</translation>
     </message>
     <message>
-        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <source>Suspected joint: %1 (largest deviation from its target current).</source>
         <translation>Verdächtiges Gelenk: %1, dessen Strom am weitesten von seinem Sollwert abwich.</translation>
     </message>
     <message>
@@ -7394,11 +7956,11 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation> (%1 s)</translation>
     </message>
     <message>
-        <source>Tick what you have looked at.</source>
+        <source>Tick the items that you have checked.</source>
         <translation>Haken Sie ab, was Sie sich angesehen haben.</translation>
     </message>
     <message>
-        <source>Asked; waiting for the robot…</source>
+        <source>Requested; waiting for the robot…</source>
         <translation>Angefordert; warte auf den Roboter…</translation>
     </message>
 </context>
@@ -7429,15 +7991,15 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Bit</translation>
     </message>
     <message>
-        <source>Kind of input register</source>
+        <source>Input register type</source>
         <translation>Art des Eingangsregisters</translation>
     </message>
     <message>
-        <source>Number of the input register</source>
+        <source>Input register number</source>
         <translation>Nummer des Eingangsregisters</translation>
     </message>
     <message>
-        <source>Value for the input register</source>
+        <source>Input register value</source>
         <translation>Wert für das Eingangsregister</translation>
     </message>
     <message>
@@ -7456,7 +8018,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Zurück zu Live</translation>
     </message>
     <message>
-        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <source>Show the current state of the robot. The recording stays open in the plots</source>
         <translation>Zeigen, was der Roboter jetzt tut; eine Aufzeichnung bleibt in den Diagrammen offen</translation>
     </message>
 </context>
@@ -7479,7 +8041,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Meldungsfenster am Roboter</translation>
     </message>
     <message>
-        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <source>The popup could not be closed from here: close it on the teach pendant.</source>
         <translation>Es konnte von hier nicht geschlossen werden: Schließen Sie es am Teach-Pendant.</translation>
     </message>
     <message>
@@ -7494,7 +8056,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         </translation>
     </message>
     <message>
-        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <source>A waiting program continues when the popup is closed: keep clear of the arm.</source>
         <translation>Ein Programm, das darauf wartet, geht nach dem Schließen weiter: Halten Sie Abstand vom Arm.</translation>
     </message>
     <message>
@@ -7533,7 +8095,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Gesteuert</translation>
     </message>
     <message>
-        <source>Taking control was ended by a stop</source>
+        <source>Taking control was cancelled by a stop</source>
         <translation>Das Übernehmen der Steuerung wurde durch einen Stopp beendet</translation>
     </message>
     <message>
@@ -7557,7 +8119,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Meldungsfenster am Roboter: %1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
         <translation>Das Programm auf dem Roboter wartet auf eine Antwort am Teach-Pendant: %1</translation>
     </message>
     <message>
@@ -7573,16 +8135,43 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Verbinde mit %1…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <source>No data from the robot. Reconnecting automatically; motion does not resume.</source>
         <translation>Keine Daten vom Roboter. Verbindet sich von selbst wieder; Bewegung geht nicht weiter.</translation>
     </message>
     <message>
-        <source>Data from the robot are late.</source>
+        <source>Robot data are late.</source>
         <translation>Die Daten vom Roboter sind spät.</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>Übernehme Steuerung…</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. STOP funktioniert weiterhin.</translation>
+    </message>
+    <message>
+        <source>Monitor only is off</source>
+        <translation>Nur beobachten ist aus</translation>
+    </message>
+    <message>
+        <source>%1: refused. %2</source>
+        <translation>%1: abgelehnt. %2</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Steuerung übernehmen</translation>
+    </message>
+    <message>
+        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>Die Steuerung wurde abgegeben: Die Steuerverbindung hat 0,5 s lang nicht geantwortet oder wurde geschlossen. STOP, Leertaste und Esc halten den Roboter weiterhin an. Übernehmen Sie die Steuerung erneut.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The robot sends too many messages: %n were not shown</source>
+        <translation>
+            <numerusform>Der Roboter sendet zu viele Meldungen: %n wurde nicht angezeigt</numerusform>
+            <numerusform>Der Roboter sendet zu viele Meldungen: %n wurden nicht angezeigt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7592,7 +8181,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Verbinde mit dem Greifer…</translation>
     </message>
     <message>
-        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
         <translation>Der Greifer meldet keine Werte. Schalten Sie den Arm ein; bleibt es so, prüfen Sie das Kabel des Greifers am Handgelenk.</translation>
     </message>
     <message>
@@ -7604,7 +8193,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Der Greifer ist aktiv</translation>
     </message>
     <message>
-        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
         <translation>Der Greifer wurde nicht aktiv. Sehen Sie nach, dass nichts seine Finger blockiert, dann drücken Sie wieder Aktivieren.</translation>
     </message>
     <message>
@@ -7624,27 +8213,27 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>%1 ist fehlgeschlagen. %2</translation>
     </message>
     <message>
-        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>Bei %1:%2 antwortet niemand für den Greifer. Installieren Sie die URCap von Robotiq am Roboter und wählen Sie den Greifer in der Installation.</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>Der Greifer antwortet nicht. Prüfen Sie sein Kabel am Handgelenk und seine Seite in der Installation des Roboters; bleibt es so, starten Sie den Roboter neu.</translation>
     </message>
     <message>
-        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>Der Roboter hat die Verbindung zum Greifer beendet, vielleicht startet er neu. Sie kommt von selbst zurück; der Greifer hält weiter.</translation>
     </message>
     <message>
-        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
         <translation>Der Greifer hat es nicht angenommen. Aktivieren Sie ihn; ist er aktiv, sehen Sie auf seine Seite in der Installation des Roboters.</translation>
     </message>
     <message>
-        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <source>The gripper is activating; the command runs afterwards.</source>
         <translation>Der Greifer wird aktiviert: Was verlangt wurde, geschieht danach.</translation>
     </message>
     <message>
-        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press Activate.</source>
         <translation>Der Greifer bekam ein Ziel, bevor er aktiv war. Drücken Sie Aktivieren.</translation>
     </message>
     <message>
@@ -7652,35 +8241,35 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Der Greifer ist zu heiß. Lassen Sie ihn abkühlen, dann drücken Sie Aktivieren.</translation>
     </message>
     <message>
-        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
         <translation>Der Greifer hat eine Sekunde lang nichts gehört. Prüfen Sie sein Kabel am Handgelenk, dann drücken Sie Aktivieren.</translation>
     </message>
     <message>
-        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
         <translation>Der Greifer hat zu wenig Spannung. Stellen Sie die Werkzeugspannung auf 24 V, dann drücken Sie Aktivieren.</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
         <translation>Das automatische Lösen des Greifers läuft. Warten Sie, bis es endet, dann drücken Sie Aktivieren.</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press Activate.</source>
         <translation>Das automatische Lösen des Greifers ist beendet. Drücken Sie Aktivieren.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
         <translation>Der Greifer hat einen internen Fehler. Drücken Sie Aktivieren; kommt er wieder, fragen Sie Robotiq.</translation>
     </message>
     <message>
-        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>Die Aktivierung ist fehlgeschlagen. Sehen Sie nach, dass nichts die Finger blockiert, dann drücken Sie Aktivieren.</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>Der Greifer zieht zu viel Strom. Sehen Sie nach, dass nichts die Finger blockiert, dann drücken Sie Aktivieren.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>Der Greifer meldet Fehler %1. Drücken Sie Aktivieren; kommt er wieder, sehen Sie in sein Handbuch.</translation>
     </message>
 </context>
@@ -7698,7 +8287,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>Blick von der ersten Seite, perspektivisch</translation>
     </message>
     <message>
@@ -7730,7 +8319,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Alles</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture</source>
+        <source>Fit the arm, target and waypoints in the view</source>
         <translation>Arm, Ziel und Wegpunkte ins Bild</translation>
     </message>
 </context>
@@ -7741,7 +8330,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Ansicht des Arms</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
         <translation>Ziehen oder Pfeiltasten, um von einer anderen Seite zu blicken, mit Umschalt oder der rechten Taste, um das Bild zu verschieben, Mausrad oder Plus und Minus, um näher zu kommen, Doppelklick oder Pos1 für die erste Ansicht. Nichts hier bewegt den Roboter.</translation>
     </message>
     <message>
@@ -7757,15 +8346,15 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Vorschau „%1“ · außer Reichweite</translation>
     </message>
     <message>
-        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <source>ghost “%1” · reachable · largest rotation %2 %3 · %4 s at %5</source>
         <translation>Vorschau „%1“ · erreichbar · größte Drehung %2 %3 · %4 s bei %5</translation>
     </message>
     <message>
-        <source>1 name hidden: come nearer</source>
+        <source>1 name hidden: zoom in</source>
         <translation>1 Name verborgen: Kommen Sie näher</translation>
     </message>
     <message numerus="yes">
-        <source>%n names hidden: come nearer</source>
+        <source>%n names hidden: zoom in</source>
         <translation>
             <numerusform>%n Name verborgen: Kommen Sie näher</numerusform>
             <numerusform>%n Namen verborgen: Kommen Sie näher</numerusform>
@@ -7776,15 +8365,15 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Vorschau „%1“ · erreichbar</translation>
     </message>
     <message>
-        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <source>ghost “%1” · %2 · largest rotation %3 %4 · %5 s at %6</source>
         <translation>Vorschau „%1“ · %2 · größte Drehung %3 %4 · %5 s bei %6</translation>
     </message>
     <message>
-        <source>“%1” as it will be</source>
+        <source>“%1” after the change</source>
         <translation>„%1“, wie er sein wird</translation>
     </message>
     <message>
-        <source>“%1” as it was</source>
+        <source>“%1” before the change</source>
         <translation>„%1“, wie er war</translation>
     </message>
     <message>
@@ -7799,7 +8388,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>ein Signal berechnen</translation>
     </message>
     <message>
-        <source>%1 does not come in the same packets as the others.</source>
+        <source>%1 is not part of the same RTDE packets as the other signals.</source>
         <translation>%1 kommt nicht in denselben Paketen wie die anderen.</translation>
     </message>
     <message>
@@ -7807,7 +8396,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Abgeleitet</translation>
     </message>
     <message>
-        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <source>The robot cannot send so many signals at once: remove other signals first.</source>
         <translation>Diese Signale sind mehr, als ein Roboter auf einmal sendet: Nehmen Sie zuerst andere weg.</translation>
     </message>
     <message>
@@ -7815,7 +8404,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>%1 öffnen</translation>
     </message>
     <message>
-        <source>There is no row in this recording.</source>
+        <source>The recording is empty.</source>
         <translation>In dieser Aufzeichnung ist keine Zeile.</translation>
     </message>
     <message>
@@ -7823,11 +8412,11 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
         <translation>Der Speicher für den Verlauf reicht nicht, um %1 zu zeigen: Wählen Sie mehr im Menü Layout.</translation>
     </message>
     <message>
-        <source>%1 could not be computed to its end: %2</source>
+        <source>%1 could not be computed completely: %2</source>
         <translation>%1 konnte nicht bis zum Ende berechnet werden: %2</translation>
     </message>
 </context>
@@ -7850,11 +8439,11 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Aus anderen berechnetes Signal</translation>
     </message>
     <message>
-        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
         <translation>Ein Name, wenn gewünscht eine Einheit in Klammern, und ein Ausdruck über Signale: Ziehen Sie sie hierher für ihre Namen. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ und die üblichen Funktionen. Eingabetaste legt es an.</translation>
     </message>
     <message>
-        <source>%1: this robot does not send it.</source>
+        <source>%1: not sent by this robot.</source>
         <translation>%1: Dieser Roboter sendet es nicht.</translation>
     </message>
 </context>
@@ -7865,7 +8454,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Simulation</translation>
     </message>
     <message>
-        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <source>This robot is simulated. No real robot moves.</source>
         <translation>Dieser Roboter ist simuliert. Nur Pixel bewegen sich.</translation>
     </message>
     <message>
@@ -7891,20 +8480,8 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
 <context>
     <name>tiller::StatusLine</name>
     <message>
-        <source>Recording, session and last message</source>
+        <source>Recording, project and last message</source>
         <translation>Aufzeichnung, Sitzung und letzte Meldung</translation>
-    </message>
-    <message>
-        <source>%1 — %2</source>
-        <translation>%1 — %2</translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation>gespeichert</translation>
-    </message>
-    <message>
-        <source>not saved</source>
-        <translation>nicht gespeichert</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -7915,7 +8492,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>%1 Werte · %2 · %3 frei</translation>
     </message>
     <message>
-        <source>Recording ended</source>
+        <source>Recording stopped</source>
         <translation>Aufzeichnung beendet</translation>
     </message>
     <message>
@@ -7938,10 +8515,24 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Software-Stopp. Kein Not-Halt. Der Strom bleibt an.</translation>
     </message>
     <message>
-        <source>Space / Esc
-not an e-stop</source>
-        <translation>Leertaste / Esc
-kein Not-Halt</translation>
+        <source>Space and Esc stop as well.</source>
+        <translation>Leertaste und Esc halten ebenfalls an.</translation>
+    </message>
+    <message>
+        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <translation>Zum Anhalten klicken. Leertaste und Esc halten nur an, solange dieses Fenster die Steuerung hat.</translation>
+    </message>
+    <message>
+        <source>Space / Esc</source>
+        <translation>Leertaste / Esc</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>klicken</translation>
+    </message>
+    <message>
+        <source>not an e-stop</source>
+        <translation>kein Not-Halt</translation>
     </message>
 </context>
 <context>
@@ -7966,7 +8557,7 @@ kein Not-Halt</translation>
         <translation>Ein TCP braucht einen Namen.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <source>Another TCP is named “%1”. Choose another name.</source>
         <translation>„%1“ heißt schon ein anderer TCP. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -7978,8 +8569,8 @@ kein Not-Halt</translation>
         <translation>TCPs</translation>
     </message>
     <message>
-        <source>No TCP yet.
-Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <source>No TCPs yet.
+Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>Noch kein TCP.
 Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um ihn mit dem Arm zu finden.</translation>
     </message>
@@ -7988,7 +8579,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>TCP</translation>
     </message>
     <message>
-        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
         <translation>Vom Flansch. Eingabetaste übernimmt es ins Projekt; der Roboter behält das Seine.</translation>
     </message>
     <message>
@@ -8012,7 +8603,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Vom Roboter</translation>
     </message>
     <message>
-        <source>Keep the TCP the robot has</source>
+        <source>Store the active TCP of the robot</source>
         <translation>Den TCP behalten, den der Roboter hat</translation>
     </message>
     <message>
@@ -8020,7 +8611,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Den gewählten TCP neu teachen…</translation>
     </message>
     <message>
-        <source>New TCP in figures</source>
+        <source>Enter new TCP</source>
         <translation>Neuer TCP in Zahlen</translation>
     </message>
     <message>
@@ -8056,7 +8647,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
-        <source>“%1” is the TCP the robot has.</source>
+        <source>“%1” is the active TCP of the robot.</source>
         <translation>„%1“ ist der TCP, den der Roboter hat.</translation>
     </message>
     <message>
@@ -8068,7 +8659,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Einen neuen TCP teachen</translation>
     </message>
     <message>
-        <source>Select a TCP to set.</source>
+        <source>Select the TCP to set.</source>
         <translation>Wählen Sie einen TCP zum Setzen.</translation>
     </message>
     <message>
@@ -8076,7 +8667,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Den TCP „%1“ verwenden</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
@@ -8088,19 +8679,19 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>%1, vom Flansch</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1, wie der Roboter ihn hat</translation>
     </message>
     <message>
-        <source>%1, %2 from the one the robot has</source>
+        <source>%1, %2 from the robot&apos;s TCP</source>
         <translation>%1, %2 von dem des Roboters</translation>
     </message>
     <message>
-        <source>The robot has another TCP than “%1”</source>
+        <source>The robot&apos;s TCP differs from “%1”</source>
         <translation>Der Roboter hat einen anderen TCP als „%1“</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
         <translation>Am Roboter: %1. Im Projekt: %2. Sie liegen %3 auseinander. Nichts wurde geändert.</translation>
     </message>
     <message>
@@ -8115,7 +8706,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Pose nehmen</translation>
     </message>
     <message>
-        <source>Take the worst again</source>
+        <source>Retake least accurate pose</source>
         <translation>Die schlechteste erneut nehmen</translation>
     </message>
     <message>
@@ -8139,7 +8730,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Drehung des Werkzeugs</translation>
     </message>
     <message>
-        <source>Rotation as it is</source>
+        <source>Keep current rotation</source>
         <translation>Drehung wie sie ist</translation>
     </message>
     <message>
@@ -8155,34 +8746,34 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
         <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 passt am wenigsten, um %4.</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
         <translation>Das Werkzeug ist zwischen den Posen zu wenig gedreht. Nehmen Sie noch eine, um 30° oder mehr auf eine andere Seite geneigt.</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the poses again.</source>
+        <source>The robot sent an invalid position. Take the poses again.</source>
         <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie die Posen erneut.</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Insgesamt viermal: die Spitze am selben Punkt, das Werkzeug jedes Mal auf eine andere Seite geneigt.</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
             <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>The tool keeps the rotation it has now.</source>
+        <source>The tool keeps its current rotation.</source>
         <translation>Das Werkzeug behält die Drehung, die es jetzt hat.</translation>
     </message>
     <message>
-        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
         <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und sein X entlang X der Basis liegt; nehmen Sie es.</translation>
     </message>
     <message>
@@ -8190,43 +8781,43 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Drehung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
     </message>
     <message>
-        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>Nehmen Sie das Werkzeug, wie es jetzt steht. Von hier an darf es sich nicht drehen: Verfahren Sie nur X, Y und Z.</translation>
     </message>
     <message>
-        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
         <translation>Bewegen Sie das Werkzeug entlang seines eigenen +Z, vom Flansch weg, mindestens %1, und nehmen Sie es.</translation>
     </message>
     <message>
-        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
         <translation>Nun auf die Seite seines +X, mindestens %1, und nehmen Sie es.</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>Drehung genommen: %1 entlang +Z, %2 daneben; der Flansch drehte sich dabei um %3, am meisten bei Pose %4.</translation>
     </message>
     <message>
-        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
         <translation>Der Flansch drehte sich unterwegs um %1, am meisten bei Pose %2. Nehmen Sie die drei erneut, ohne das Werkzeug zu drehen.</translation>
     </message>
     <message>
-        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>Der Weg entlang +Z ist nur %1. Nehmen Sie die drei erneut, mindestens %2 auseinander.</translation>
     </message>
     <message>
-        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>Der Weg Richtung +X ist nur %1. Nehmen Sie die drei erneut, mindestens %2 auseinander.</translation>
     </message>
     <message>
-        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
         <translation>Die drei Posen liegen auf einer Linie: Die dritte ist nur %1 daneben. Nehmen Sie die drei erneut.</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the three again.</source>
+        <source>The robot sent an invalid position. Take the three poses again.</source>
         <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie die drei erneut.</translation>
     </message>
     <message>
-        <source>Take the last again</source>
+        <source>Retake last pose</source>
         <translation>Die letzte erneut nehmen</translation>
     </message>
     <message>
@@ -8238,11 +8829,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Pose %1</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ passt am wenigsten</translation>
     </message>
     <message>
-        <source>Poses can be taken while the robot sends data.</source>
+        <source>Poses can be taken only while the robot sends data.</source>
         <translation>Posen können genommen werden, solange der Roboter Daten sendet.</translation>
     </message>
 </context>
@@ -8276,29 +8867,40 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>TCP, payload or positions</source>
-        <translation>TCP, Nutzlast oder Stellungen</translation>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>TCP, payload, positions or cell</source>
+        <translation>TCP, Nutzlast, Positionen oder Zelle</translation>
     </message>
 </context>
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left, then %3 is at its limit</source>
+        <source>%1: %2 left to the limit of %3</source>
         <translation>%1: noch %2, dann ist %3 an seiner Grenze</translation>
     </message>
     <message>
-        <source>%1: %2 left to the plane the base stands on</source>
-        <translation>%1: noch %2 bis zur Ebene, auf der die Basis steht</translation>
+        <source>%1: %2 left to the end of reach or a singularity</source>
+        <translation>%1: noch %2, dann das Ende der Reichweite oder eine Singularität</translation>
     </message>
     <message>
-        <source>%1: %2 left, then the end of the reach or a singularity</source>
-        <translation>%1: noch %2, dann das Ende der Reichweite oder eine Singularität</translation>
+        <source>%1: %2 left, then %3 is %4 from %5</source>
+        <translation>%1: noch %2, dann ist %3 %4 von %5 entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VectorEditor</name>
+    <message>
+        <source>%1. Press Return to apply. The robot does not move.</source>
+        <translation>%1. Mit Enter übernehmen. Der Roboter bewegt sich nicht.</translation>
     </message>
 </context>
 <context>
     <name>tiller::ViewCard</name>
     <message>
-        <source>Fold</source>
+        <source>Collapse</source>
         <translation>Einklappen</translation>
     </message>
     <message>
@@ -8306,11 +8908,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>The view is too small to unfold this</source>
+        <source>The view is too small to expand this</source>
         <translation>Die Ansicht ist zu klein zum Ausklappen</translation>
     </message>
     <message>
-        <source>Unfold</source>
+        <source>Expand</source>
         <translation>Ausklappen</translation>
     </message>
 </context>
@@ -8321,7 +8923,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
         <translation>Im System des Wegpunkts. Eingabetaste übernimmt; nichts bewegt sich außer dem Wegpunkt.</translation>
     </message>
     <message>
@@ -8337,7 +8939,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Koordinatensysteme</translation>
     </message>
     <message>
-        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
         <translation>Das System, in dem er angegeben ist und mit dem er sich bewegt. Der Ort bleibt, wo er ist. —: Die Gelenke bestimmen</translation>
     </message>
     <message numerus="yes">
@@ -8352,15 +8954,15 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>%1 von der jetzigen Pose</translation>
     </message>
     <message>
-        <source>joints rule</source>
+        <source>joints have priority</source>
         <translation>Gelenke bestimmen</translation>
     </message>
     <message>
-        <source>pose rules</source>
+        <source>pose has priority</source>
         <translation>Pose bestimmt</translation>
     </message>
     <message>
-        <source>place of “%1”</source>
+        <source>cell of “%1”</source>
         <translation>Platz von „%1“</translation>
     </message>
     <message>
@@ -8380,15 +8982,15 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Durchfahren</translation>
     </message>
     <message>
-        <source>Shows the keys of Go through in place of the figures.</source>
+        <source>Shows the Go through controls instead of the values.</source>
         <translation>Zeigt die Tasten von Durchfahren an der Stelle der Zahlen.</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Values</source>
         <translation>Zahlen</translation>
     </message>
     <message>
-        <source>Shows the figures in place of the keys of Go through.</source>
+        <source>Shows the values instead of the Go through controls.</source>
         <translation>Zeigt die Zahlen an der Stelle der Tasten von Durchfahren.</translation>
     </message>
 </context>
@@ -8421,19 +9023,19 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Das Muster „%1“ ändern</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern first, and select them.</source>
+        <source>Teach the three corners of the pattern and select them first.</source>
         <translation>Teachen Sie zuerst die drei Ecken des Musters und wählen Sie sie.</translation>
     </message>
     <message>
-        <source>Make the pattern “%1”</source>
+        <source>Create the pattern “%1”</source>
         <translation>Das Muster „%1“ anlegen</translation>
     </message>
     <message>
-        <source>Dissolve the pattern “%1”</source>
+        <source>Convert the pattern “%1” to waypoints</source>
         <translation>Das Muster „%1“ auflösen</translation>
     </message>
     <message>
-        <source>Select a place of a pattern.</source>
+        <source>Select a cell of a pattern.</source>
         <translation>Wählen Sie einen Platz eines Musters.</translation>
     </message>
     <message>
@@ -8445,11 +9047,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Wählen Sie einen Wegpunkt, um seine Geschichte zu sehen.</translation>
     </message>
     <message>
-        <source>The frame it was given in then is not in the project any more.</source>
+        <source>The frame of the earlier version was deleted from the project.</source>
         <translation>Das Koordinatensystem, in dem er damals angegeben war, ist nicht mehr im Projekt.</translation>
     </message>
     <message>
-        <source>Take an earlier “%1” back</source>
+        <source>Restore an earlier version of “%1”</source>
         <translation>Ein früheres „%1“ zurückholen</translation>
     </message>
     <message>
@@ -8469,11 +9071,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Kommagetrennt (*.csv);;JSON (*.json)</translation>
     </message>
     <message>
-        <source>Nothing was imported</source>
+        <source>Import failed</source>
         <translation>Nichts wurde importiert</translation>
     </message>
     <message>
-        <source>%1 is too large for a list of waypoints.</source>
+        <source>%1 is too large for a waypoint file.</source>
         <translation>%1 ist zu groß für eine Liste von Wegpunkten.</translation>
     </message>
     <message>
@@ -8500,7 +9102,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Es gibt keine Wegpunkte zum Exportieren.</translation>
     </message>
     <message>
-        <source>Nothing was exported</source>
+        <source>Export failed</source>
         <translation>Nichts wurde exportiert</translation>
     </message>
     <message numerus="yes">
@@ -8511,7 +9113,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         </translation>
     </message>
     <message>
-        <source>Select waypoints where something is to be done.</source>
+        <source>Select the waypoints to add actions to.</source>
         <translation>Wählen Sie Wegpunkte, an denen etwas zu tun ist.</translation>
     </message>
     <message numerus="yes">
@@ -8536,7 +9138,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         </translation>
     </message>
     <message>
-        <source>Nothing was pasted</source>
+        <source>Paste failed</source>
         <translation>Nichts wurde eingefügt</translation>
     </message>
     <message>
@@ -8562,7 +9164,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Geschichte von „%1“</translation>
     </message>
     <message>
-        <source>Changes, the newest first</source>
+        <source>Changes, newest first</source>
         <translation>Änderungen, die neueste zuerst</translation>
     </message>
     <message>
@@ -8574,7 +9176,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>%1  %2  (%3)</translation>
     </message>
     <message>
-        <source>Go back to before this</source>
+        <source>Restore the version before this change</source>
         <translation>Zurück vor diese Änderung</translation>
     </message>
     <message>
@@ -8582,15 +9184,15 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Name: „%1“, jetzt „%2“</translation>
     </message>
     <message>
-        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <source>Position: moved by %1 (%2, base frame)</source>
         <translation>Ort: um %1 verschoben (%2, Basis-System)</translation>
     </message>
     <message>
-        <source>Joints: %1 turned most, by %2</source>
+        <source>Joints: largest change %2 (%1)</source>
         <translation>Gelenke: %1 drehte sich am meisten, um %2</translation>
     </message>
     <message>
-        <source>the joints rule</source>
+        <source>joints have priority</source>
         <translation>die Gelenke bestimmen</translation>
     </message>
     <message>
@@ -8598,7 +9200,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Basis</translation>
     </message>
     <message>
-        <source>a frame that is no more</source>
+        <source>a deleted frame</source>
         <translation>ein System, das es nicht mehr gibt</translation>
     </message>
     <message>
@@ -8626,7 +9228,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Überschleifen: %1, jetzt %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another one</source>
+        <source>TCP: taught with another TCP</source>
         <translation>TCP: mit einem anderen geteacht</translation>
     </message>
     <message>
@@ -8642,19 +9244,19 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Notiz: „%1“, jetzt „%2“</translation>
     </message>
     <message>
-        <source>Actions: others than now</source>
+        <source>Actions: changed</source>
         <translation>Aktionen: andere als jetzt</translation>
     </message>
     <message>
-        <source>It was not changed since it was taught.</source>
+        <source>Not changed since it was taught.</source>
         <translation>Er wurde nicht geändert, seit er geteacht wurde.</translation>
     </message>
     <message>
-        <source>Before this it was as it is now.</source>
+        <source>The version before this change equals the current version.</source>
         <translation>Davor war er, wie er jetzt ist.</translation>
     </message>
     <message>
-        <source>Before this it was:</source>
+        <source>Before this change:</source>
         <translation>Davor war er:</translation>
     </message>
 </context>
@@ -8677,7 +9279,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>✕ zu weit</translation>
     </message>
     <message>
-        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
         <translation>Ein Gelenk würde seinen Bereich verlassen. Teachen Sie den Wegpunkt aus einer anderen Armstellung nach.</translation>
     </message>
     <message>
@@ -8685,11 +9287,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Sein Koordinatensystem ist nicht in diesem Projekt. Wählen Sie ein anderes.</translation>
     </message>
     <message>
-        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
         <translation>Die gerade Linie von hier verlässt die Reichweite des Arms. Verwenden Sie MoveJ oder beginnen Sie anderswo.</translation>
     </message>
     <message>
-        <source>Out of reach. Touch it up nearer to the base.</source>
+        <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>Außer Reichweite. Teachen Sie ihn näher an der Basis nach.</translation>
     </message>
     <message>
@@ -8705,19 +9307,19 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>MoveJ: Alle Gelenke beginnen und enden gemeinsam</translation>
     </message>
     <message>
-        <source>MoveL: the TCP goes along a straight line</source>
+        <source>MoveL: the TCP moves along a straight line</source>
         <translation>MoveL: Der TCP fährt eine gerade Linie</translation>
     </message>
     <message>
-        <source>The joints rule: the arm comes back in the same posture</source>
+        <source>Joints have priority: the arm returns to the same configuration</source>
         <translation>Die Gelenke bestimmen: Der Arm kommt in derselben Stellung zurück</translation>
     </message>
     <message>
-        <source>The pose rules: it moves with its frame</source>
+        <source>The pose has priority: the waypoint moves with its frame</source>
         <translation>Die Pose bestimmt: Er bewegt sich mit seinem Koordinatensystem</translation>
     </message>
     <message>
-        <source>Can be reached</source>
+        <source>Within reach</source>
         <translation>Erreichbar</translation>
     </message>
     <message>
@@ -8749,7 +9351,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Ein Wegpunkt braucht einen Namen.</translation>
     </message>
     <message>
-        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <source>Waypoint %2 is named “%1”. Choose another name.</source>
         <translation>„%1“ heißt schon Wegpunkt %2. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -8757,15 +9359,15 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>„%1“ in „%2“ umbenennen</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveJ</source>
+        <source>Change “%1” to MoveJ</source>
         <translation>„%1“ zu MoveJ machen</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveL</source>
+        <source>Change “%1” to MoveL</source>
         <translation>„%1“ zu MoveL machen</translation>
     </message>
     <message>
-        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <source>The arm cannot reach this pose. “%1” was not changed.</source>
         <translation>Der Arm kommt nicht dorthin. „%1“ blieb, wie er war.</translation>
     </message>
     <message>
@@ -8781,7 +9383,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>In diesem Projekt gibt es kein Koordinatensystem „%1“.</translation>
     </message>
     <message>
-        <source>Give “%1” in %2</source>
+        <source>Change the frame of “%1” to %2</source>
         <translation>„%1“ in %2 angeben</translation>
     </message>
     <message>
@@ -8809,11 +9411,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Farbe: %1</translation>
     </message>
     <message>
-        <source>Name %1, the coming one</source>
+        <source>Name %1, next waypoint</source>
         <translation>Name %1, der kommende</translation>
     </message>
     <message>
-        <source>Done there: %1</source>
+        <source>Actions: %1</source>
         <translation>Dort ausgeführt: %1</translation>
     </message>
     <message>
@@ -8826,6 +9428,18 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
             <numerusform>%n Aktion</numerusform>
             <numerusform>%n Aktionen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>✕ arm</source>
+        <translation>✕ Arm</translation>
+    </message>
+    <message>
+        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>Das Projekt wurde mit einem anderen Robotermodell geteacht. Verwenden Sie zuerst „Projekt an diesen Roboter anpassen…“.</translation>
+    </message>
+    <message>
+        <source>✕ path</source>
+        <translation>✕ Bahn</translation>
     </message>
 </context>
 <context>
@@ -8859,7 +9473,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Himmelblau</translation>
     </message>
     <message>
-        <source>Only what is ticked is changed.</source>
+        <source>Only the selected properties are changed.</source>
         <translation>Nur Angehaktes wird geändert.</translation>
     </message>
     <message>
@@ -8954,7 +9568,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Versatz</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>Drehen</translation>
     </message>
     <message>
@@ -8970,7 +9584,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Basis</translation>
     </message>
     <message>
-        <source>Tool, each its own</source>
+        <source>Tool of each waypoint</source>
         <translation>Werkzeug, jeder das eigene</translation>
     </message>
     <message>
@@ -8990,7 +9604,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Versatz %1</translation>
     </message>
     <message>
-        <source>About or along</source>
+        <source>Axis of rotation or mirroring</source>
         <translation>Um oder entlang</translation>
     </message>
     <message>
@@ -8998,7 +9612,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
         <translation>Der Arm kommt nicht dorthin: %1. Nichts würde verschoben.</translation>
     </message>
     <message>
@@ -9006,18 +9620,18 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Ein Koordinatensystem fehlt. Wählen Sie ein anderes.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <source>%n of them would be out of reach. They are kept and marked.</source>
         <translation>
             <numerusform>%n von ihnen wäre außer Reichweite; er wird behalten und markiert.</numerusform>
             <numerusform>%n von ihnen wären außer Reichweite; sie werden behalten und markiert.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>Gespiegelt an der Ebene durch den Ursprung, auf der die Achse senkrecht steht. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
     </message>
     <message>
-        <source>All stay in reach.</source>
+        <source>All remain within reach.</source>
         <translation>Alle bleiben in Reichweite.</translation>
     </message>
 </context>
@@ -9051,17 +9665,17 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Nachteachen</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>Mehr</translation>
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a place and press Teach here (T).</source>
+Jog the arm to a position and press Teach here (T).</source>
         <translation>Noch keine Wegpunkte.
 Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
     </message>
     <message>
@@ -9073,15 +9687,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Wählen Sie einen Wegpunkt zum Anfahren.</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
-        <source>Add the place where the arm stands, after the selection (T)</source>
+        <source>Add the current position after the selection (T)</source>
         <translation>Den Ort, an dem der Arm steht, nach der Auswahl hinzufügen (T)</translation>
     </message>
     <message>
-        <source>Replace the selected place by where the arm stands (U)</source>
+        <source>Replace the selected waypoint with the current position (U)</source>
         <translation>Den gewählten Ort durch den ersetzen, an dem der Arm steht (U)</translation>
     </message>
     <message>
@@ -9137,7 +9751,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Das Koordinatensystem von „%1“ ist nicht in diesem Projekt. Wählen Sie zuerst ein anderes.</translation>
     </message>
     <message>
-        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>Der jetzige Ort ist %1 entfernt (%2, Basis-System). Größte Gelenkänderung: %3 %4.</translation>
     </message>
     <message>
@@ -9169,7 +9783,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Gruppe, Farbe, Notiz, Geschwindigkeiten…</translation>
     </message>
     <message>
-        <source>Offset, turn or mirror…</source>
+        <source>Offset, rotate or mirror…</source>
         <translation>Versetzen, drehen oder spiegeln…</translation>
     </message>
     <message>
@@ -9181,7 +9795,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Muster…</translation>
     </message>
     <message>
-        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <source>Convert pattern to waypoints</source>
         <translation>Die Plätze des Musters zu gewöhnlichen Wegpunkten machen</translation>
     </message>
     <message>
@@ -9189,7 +9803,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Das Muster und seine Wegpunkte löschen</translation>
     </message>
     <message>
-        <source>Actions there…</source>
+        <source>Actions…</source>
         <translation>Aktionen dort…</translation>
     </message>
     <message>
@@ -9216,11 +9830,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Befehle</translation>
     </message>
     <message>
-        <source>Search a command</source>
+        <source>Search commands</source>
         <translation>Einen Befehl suchen</translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
+        <source>Type a command or keyword</source>
         <translation>Schreiben Sie, was Sie tun wollen</translation>
     </message>
     <message>
@@ -9228,7 +9842,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Gefundene Befehle</translation>
     </message>
     <message>
-        <source>not possible now</source>
+        <source>not available now</source>
         <translation>jetzt nicht möglich</translation>
     </message>
 </context>
@@ -9239,11 +9853,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Geben Sie die Adresse des Roboters ein, wie das Teach-Pendant sie unter „Über“ zeigt.</translation>
     </message>
     <message>
-        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
         <translation>Eine Adresse hat vier Zahlen von 0 bis 255, wie 192.168.0.10.</translation>
     </message>
     <message>
-        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <source>A host name contains only letters, digits, dots and hyphens.</source>
         <translation>Ein Hostname hat nur Buchstaben, Ziffern, Punkte und Bindestriche.</translation>
     </message>
     <message>
@@ -9263,7 +9877,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Bevor Sie einen echten Arm bewegen: Halten Sie alle aus seiner Reichweite, halten Sie den Not-Halt griffbereit, prüfen Sie Nutzlast und TCP, beginnen Sie langsam. Der STOP dieses Fensters ist kein Not-Halt.</translation>
     </message>
     <message>
@@ -9275,7 +9889,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Ein Projekt öffnen…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <source>Waypoints from a file, without a robot: everything works except motion.</source>
         <translation>Wegpunkte aus einer Datei, ohne Roboter: Alles außer Bewegen geht.</translation>
     </message>
     <message>
@@ -9283,11 +9897,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Den Simulator probieren</translation>
     </message>
     <message>
-        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <source>A simulated UR5e in this program. All functions are available without risk.</source>
         <translation>Ein simulierter UR5e in diesem Programm. Alles geht, nichts kann verletzt werden.</translation>
     </message>
     <message>
-        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <source>Starts the simulated robot and opens a project with taught waypoints.</source>
         <translation>Startet den simulierten Roboter und öffnet ein Projekt, das schon geteacht ist.</translation>
     </message>
     <message>
@@ -9319,14 +9933,14 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Früher verbundene Roboter</translation>
     </message>
     <message>
-        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
         <translation>Nimmt den gewählten Roboter aus dieser Liste (Entf). Am Roboter ändert sich nichts.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>make the folder %1: choose one that may be written to</source>
+        <source>create the folder %1: choose a folder that you have permission to write to</source>
         <translation>den Ordner %1 anlegen: Wählen Sie einen, in den geschrieben werden darf</translation>
     </message>
     <message>
@@ -9358,7 +9972,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>X+ in Basis 50 mm fahren</translation>
     </message>
     <message>
-        <source>let go</source>
+        <source>release</source>
         <translation>loslassen</translation>
     </message>
     <message>
@@ -9370,7 +9984,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>den ersten Wegpunkt anfahren (gehalten)</translation>
     </message>
     <message>
-        <source>let go of Go to</source>
+        <source>release Go to</source>
         <translation>Anfahren loslassen</translation>
     </message>
     <message>
@@ -9398,11 +10012,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>%1: geschah nicht binnen %2 s (%3)</translation>
     </message>
     <message>
-        <source>the robot reports no reason</source>
+        <source>the robot reported no reason</source>
         <translation>der Roboter nennt keinen Grund</translation>
     </message>
     <message>
-        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
         <translation>neu gedrückt          %1-mal: Die Bewegung hatte vor dem Loslassen gestoppt</translation>
     </message>
     <message>
@@ -9459,7 +10073,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Ausprobieren…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>Was jedes Gerät jetzt meldet und wohin es fahren wird.</translation>
     </message>
     <message>
@@ -9483,7 +10097,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation> %</translation>
     </message>
     <message>
-        <source>So far a stick may be out without moving anything.</source>
+        <source>Deflection below which the device does not move the arm.</source>
         <translation>So weit darf ein Stick ausgelenkt sein, ohne etwas zu bewegen.</translation>
     </message>
     <message>
@@ -9495,15 +10109,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Exponent </translation>
     </message>
     <message>
-        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
         <translation>1: gleichmäßig. Höher: sanft nahe der Mitte, schnell am Ende des Wegs.</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>Nur die am weitesten ausgelenkte Achse</translation>
     </message>
     <message>
-        <source>%1: only the axis that is out furthest</source>
+        <source>%1: dominant axis only</source>
         <translation>%1: nur die am weitesten ausgelenkte Achse</translation>
     </message>
     <message>
@@ -9519,18 +10133,18 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Keine</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>Kein Gamepad und keine SpaceMouse ist da. Stecken Sie eines ein: Es erscheint von selbst.</translation>
     </message>
     <message>
-        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
         <translation>Nur solange die Zustimmtaste gehalten wird. Wird nicht gemerkt: Nach einem Start bewegt kein Gerät den Arm.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
         <translation>Kein Bereich ist hier. Wählen Sie unten rechts eine Ansicht oder zeigen Sie einen Bereich mit dem Menü Ansicht.</translation>
     </message>
 </context>
@@ -9539,10 +10153,6 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange eine Taste des Felds gehalten wird, und stoppt, wenn sie losgelassen wird. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine zweite Maustaste gedrückt wird oder eine andere Hand dazukommt;&lt;/li&gt;&lt;li&gt;neben einer gehaltenen Taste der Tastatur eine Umschalttaste oder eine widersprechende Taste gedrückt wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, etwas darüber aufgeht oder ein anderes Koordinatensystem, Tempo, eine andere Schrittweite oder ein anderes Register gewählt wird;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter spät sind, dieses Programm hängt oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC schlafen geht oder das Gerät abgezogen wird oder verstummt;&lt;/li&gt;&lt;li&gt;niemand beweisen kann, dass die Taste noch gehalten wird: Unter X11 wird der Display-Server hundertmal je Sekunde gefragt, ob der Knopf oder die Taste gedrückt ist, und ein „Nein“ oder 100 ms ohne Antwort beenden die Bewegung. Wo niemand gefragt werden kann, sagen es Kopfzeile und Einstellungen;&lt;/li&gt;&lt;li&gt;sie lange gehalten wurde: eine Verfahrtaste %1 s (Einstellungen), Freedrive fünf Minuten, eine Bewegung zu einem Ort 5 s länger, als sie braucht. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Eine gestoppte Bewegung braucht einen neuen Druck. &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; stoppen von überall, auch Programme anderer. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Strg&lt;/b&gt; macht einen Druck zehnmal feiner, &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, nie über die Grenze. Auf einer Tastatur ohne lateinische Buchstaben meint ein Buchstabe unten seinen Platz auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
     </message>
     <message>
         <source>Practice tasks</source>
@@ -9568,6 +10178,10 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Das Handbuch ist nicht auf diesem Rechner&lt;/h2&gt;&lt;p&gt;Es kommt mit dem Debian-Paket von Tiller. Ein selbst gebautes Tiller hat es, wenn das Paket python3-sphinx installiert ist:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Bis dahin stehen seine Seiten als Text im Ordner packaging/manual der Quellen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange eine Taste des Felds gehalten wird, und stoppt, wenn sie losgelassen wird. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine zweite Maustaste gedrückt wird oder eine andere Hand dazukommt;&lt;/li&gt;&lt;li&gt;neben einer gehaltenen Taste der Tastatur eine Umschalttaste oder eine widersprechende Taste gedrückt wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, etwas darüber aufgeht oder ein anderes Koordinatensystem, Tempo, eine andere Schrittweite oder ein anderes Register gewählt wird;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter spät sind, dieses Programm hängt oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC schlafen geht oder das Gerät abgezogen wird oder verstummt;&lt;/li&gt;&lt;li&gt;niemand beweisen kann, dass die Taste noch gehalten wird: Unter X11 wird der Display-Server hundertmal je Sekunde gefragt, ob der Knopf oder die Taste gedrückt ist, und ein „Nein“ oder 100 ms ohne Antwort beenden die Bewegung. Wo niemand gefragt werden kann, sagen es Kopfzeile und Einstellungen;&lt;/li&gt;&lt;li&gt;sie lange gehalten wurde: eine Verfahrtaste %1 s (Einstellungen), Freedrive fünf Minuten, eine Bewegung zu einem Ort 5 s länger, als sie braucht. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Eine gestoppte Bewegung braucht einen neuen Druck. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; von jedem Fenster, Dialog und Textfeld aus. Ohne Steuerung gehören sie dem fokussierten Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Strg&lt;/b&gt; macht einen Druck zehnmal feiner, &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, nie über die Grenze. Auf einer Tastatur ohne lateinische Buchstaben meint ein Buchstabe unten seinen Platz auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9576,11 +10190,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Farben, Größen und Einheiten</translation>
     </message>
     <message>
-        <source>Speed cap and longest hold</source>
+        <source>Speed cap and maximum hold time</source>
         <translation>Geschwindigkeitsgrenze und längstes Halten</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>Tasten der Befehle</translation>
     </message>
     <message>
@@ -9624,19 +10238,19 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>%1 wurde nicht importiert. Nichts wurde geändert.</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1 holds:</source>
+        <source>The selected settings are replaced by those in %1:</source>
         <translation>Was angehakt ist, wird durch den Inhalt von %1 ersetzt:</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
         <translation>Was angehakt ist, wird durch den Inhalt von %1 ersetzt, geschrieben von Tiller %2:</translation>
     </message>
     <message>
-        <source>%1: the same already</source>
+        <source>%1: identical</source>
         <translation>%1: schon gleich</translation>
     </message>
     <message>
-        <source>%1: none in the file</source>
+        <source>%1: not in the file</source>
         <translation>%1: nicht in der Datei</translation>
     </message>
     <message>
@@ -9644,11 +10258,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>%1: hier %2, in der Datei %3</translation>
     </message>
     <message>
-        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <source>The replaced settings are saved to a separate file, which can be imported again.</source>
         <translation>Was ersetzt wird, kommt in eine eigene Datei, die wieder importiert werden kann.</translation>
     </message>
     <message>
-        <source>There is nothing in the file that is not here already.</source>
+        <source>All settings in the file match the current settings.</source>
         <translation>Die Datei enthält nichts, was nicht schon hier ist.</translation>
     </message>
 </context>
@@ -9659,7 +10273,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Erste Schritte</translation>
     </message>
     <message>
-        <source>A checklist in the view: from power on to a recording.</source>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
         <translation>Eine Liste in der Ansicht: vom Einschalten bis zur Aufzeichnung.</translation>
     </message>
     <message>
@@ -9671,11 +10285,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Fünf Aufgaben am simulierten Roboter, jede mit Prüfung.</translation>
     </message>
     <message>
-        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
         <translation>Übungen gibt es nur für den simulierten Roboter dieses Programms. Dies ist „%1“.</translation>
     </message>
     <message>
-        <source>Practice: put “%1”</source>
+        <source>Practice: place “%1”</source>
         <translation>Übung: „%1“ setzen</translation>
     </message>
 </context>
@@ -9686,7 +10300,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>Tastatur scharf: Pfeile bewegen X und Y, BildAuf und BildAb bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − drehen ein Gelenk. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
@@ -9726,7 +10340,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>%1 getrennt. Der Arm wurde gestoppt.</translation>
     </message>
     <message>
-        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 ist verstummt, während es den Arm bewegte; er wurde gestoppt. Lassen Sie es los; bleibt es stumm, stecken Sie es neu ein.</translation>
     </message>
     <message>
@@ -9750,7 +10364,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Beispielprojekt öffnen…</translation>
     </message>
     <message>
-        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
         <translation>Eine Kopie eines von drei Projekten, zum Ausprobieren am simulierten Roboter.</translation>
     </message>
     <message>
@@ -9758,7 +10372,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Projekt speichern unter…</translation>
     </message>
     <message>
-        <source>Saves to this file now, and every change from now on.</source>
+        <source>Saves to this file now and saves all further changes automatically.</source>
         <translation>Speichert jetzt in diese Datei, und jede Änderung von nun an.</translation>
     </message>
     <message>
@@ -9778,7 +10392,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Protokoll zeigen</translation>
     </message>
     <message>
-        <source>Brings this tab to the front.</source>
+        <source>Shows this tab.</source>
         <translation>Bringt dieses Register nach vorn.</translation>
     </message>
     <message>
@@ -9786,7 +10400,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Greifer zeigen</translation>
     </message>
     <message>
-        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <source>Shows the Gripper page of the I/O tab.</source>
         <translation>Bringt die Seite des Greifers in E/A nach vorn.</translation>
     </message>
     <message>
@@ -9794,7 +10408,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Anordnung zurücksetzen</translation>
     </message>
     <message>
-        <source>All panels back to where the current perspective has them.</source>
+        <source>Restores the panel layout of the current perspective.</source>
         <translation>Alle Bereiche dorthin zurück, wo die gewählte Ansicht sie hat.</translation>
     </message>
     <message>
@@ -9806,7 +10420,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Dunkle Farben</translation>
     </message>
     <message>
-        <source>Changes the colours at once and remembers it.</source>
+        <source>Changes the colour theme now and for the next start.</source>
         <translation>Wechselt die Farben sofort und merkt sie sich.</translation>
     </message>
     <message>
@@ -9814,7 +10428,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Kraft in den Diagrammen auf null setzen, oder zeigen wie gemessen</translation>
     </message>
     <message>
-        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
         <translation>Zählt die TCP-Kraft ab dem jetzigen Wert; noch einmal: wie der Roboter sie misst.</translation>
     </message>
     <message>
@@ -9830,7 +10444,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Einstellungen…</translation>
     </message>
     <message>
-        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
         <translation>Farben, Größen, Einheiten, Geschwindigkeitsgrenze, Geräte und die Taste jedes Befehls.</translation>
     </message>
     <message>
@@ -9838,7 +10452,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Einstellungen exportieren…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <source>Saves all settings to one file, for another computer or as a backup.</source>
         <translation>Eine Datei mit allem, was gemerkt wird, für einen anderen Computer oder als Kopie.</translation>
     </message>
     <message>
@@ -9846,7 +10460,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Einstellungen importieren…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <source>Imports settings from a file after showing what will be replaced.</source>
         <translation>Übernimmt, was eine solche Datei enthält; sagt vorher, was sie ersetzt.</translation>
     </message>
     <message>
@@ -9870,11 +10484,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>%1 lösen</translation>
     </message>
     <message>
-        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
         <translation>Macht daraus ein eigenes Fenster, für einen zweiten Bildschirm, oder setzt es zurück.</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the others.</source>
+        <source>Moves this panel to that side of the main window.</source>
         <translation>Verschiebt diesen Bereich auf jene Seite der anderen.</translation>
     </message>
     <message>
@@ -9898,11 +10512,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Programm laden</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as the tablet shows it</source>
+        <source>Name of the program on the robot, as shown on the teach pendant</source>
         <translation>Name des Programms auf dem Roboter, wie das Tablet ihn zeigt</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as in pick.urp</source>
+        <source>Name of the program on the robot, e.g. pick.urp</source>
         <translation>Name des Programms auf dem Roboter, etwa pick.urp</translation>
     </message>
     <message>
@@ -9910,7 +10524,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Geschwindigkeitsgrenze %1</translation>
     </message>
     <message>
-        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <source>A recording is running. Stop it first.</source>
         <translation>Eine Aufzeichnung läuft. Beenden Sie sie zuerst: Nichts von ihr soll fehlen.</translation>
     </message>
     <message>
@@ -9922,7 +10536,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Werkzeuge</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
             <numerusform>%n Quader oder Ebene der Zelle kennt der simulierte Roboter nicht: Er hat keinen Platz für mehr.</numerusform>
             <numerusform>%n Quader oder Ebenen der Zelle kennt der simulierte Roboter nicht: Er hat keinen Platz für mehr.</numerusform>
@@ -9933,7 +10547,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Problem melden…</translation>
     </message>
     <message>
-        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
         <translation>Eine Datei mit Versionen, Log und Einstellungen für den, der hilft; zeigt zuerst, was darin ist.</translation>
     </message>
     <message>
@@ -9941,26 +10555,78 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Bericht gespeichert: %1</translation>
     </message>
     <message>
-        <source>Tiller ended unexpectedly the last time</source>
+        <source>Tiller closed unexpectedly</source>
         <translation>Tiller endete das letzte Mal unerwartet</translation>
     </message>
     <message>
-        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <source>Tiller saved a crash log. You can attach it to a problem report.</source>
         <translation>Was dabei geschah, wurde aufgehoben. Speichern Sie es als Bericht für den, der Ihnen hilft.</translation>
     </message>
     <message>
-        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
         <translation>Das Handbuch an der Seite zu dem, was den Fokus hat, alle Befehle mit ihren Tasten und die Regeln des Verfahrens.</translation>
+    </message>
+    <message>
+        <source>The settings could not be saved. %1</source>
+        <translation>Die Einstellungen konnten nicht gespeichert werden. %1</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Rückgängig gemacht: %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Wiederhergestellt: %1</translation>
+    </message>
+    <message>
+        <source>Adapt project to this robot…</source>
+        <translation>Projekt an diesen Roboter anpassen…</translation>
+    </message>
+    <message>
+        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <translation>Rechnet ein Projekt eines anderen Robotermodells um: Posen oder Gelenke beibehalten.</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Steuerung übernehmen</translation>
+    </message>
+    <message>
+        <source>A program is paused on the robot.</source>
+        <translation>Auf dem Roboter ist ein Programm angehalten.</translation>
+    </message>
+    <message>
+        <source>A program is running on the robot.</source>
+        <translation>Auf dem Roboter läuft ein Programm.</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <translation>Das Programm „%1“ ist auf dem Roboter angehalten.</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <translation>Das Programm „%1“ läuft auf dem Roboter.</translation>
+    </message>
+    <message>
+        <source>Taking control stops it. It cannot be resumed, only started again.</source>
+        <translation>Wenn Sie die Steuerung übernehmen, wird es gestoppt. Es lässt sich nicht fortsetzen, nur neu starten.</translation>
+    </message>
+    <message>
+        <source>Stop it and take control</source>
+        <translation>Stoppen und Steuerung übernehmen</translation>
+    </message>
+    <message>
+        <source>Keep it running</source>
+        <translation>Weiterlaufen lassen</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
     <message>
-        <source>Put back</source>
+        <source>Dock</source>
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>Back into the main window</source>
+        <source>Move the panel back to the main window</source>
         <translation>Zurück in das Hauptfenster</translation>
     </message>
     <message>
@@ -9968,7 +10634,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Closes this panel. The menu View brings it back.</source>
+        <source>Closes this panel. Use the View menu to show it again.</source>
         <translation>Schließt diesen Bereich. Das Menü Ansicht holt ihn zurück.</translation>
     </message>
     <message>
@@ -9976,7 +10642,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>%1 verschieben, lösen oder schließen</translation>
     </message>
     <message>
-        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <source>Click to move, float or close this panel. Drag to move it.</source>
         <translation>Klick: diesen Bereich verschieben, lösen oder schließen. Ziehen: anderswohin bringen.</translation>
     </message>
 </context>
@@ -9987,11 +10653,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Arbeitsansicht speichern</translation>
     </message>
     <message>
-        <source>The panels as they stand now, into the current perspective.</source>
+        <source>Saves the current panel layout to the current perspective.</source>
         <translation>Die Bereiche, wie sie jetzt stehen, in die gewählte Arbeitsansicht.</translation>
     </message>
     <message>
-        <source>This perspective is built in. Save it under a name of your own.</source>
+        <source>This perspective is built in. Save it under another name.</source>
         <translation>Diese Arbeitsansicht ist eingebaut. Speichern Sie sie unter eigenem Namen.</translation>
     </message>
     <message>
@@ -9999,7 +10665,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Arbeitsansicht speichern unter…</translation>
     </message>
     <message>
-        <source>The panels as they stand now, under a name of your own.</source>
+        <source>Saves the current panel layout under a new name.</source>
         <translation>Die Bereiche, wie sie jetzt stehen, unter eigenem Namen.</translation>
     </message>
     <message>
@@ -10011,7 +10677,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Arbeitsansicht umbenennen…</translation>
     </message>
     <message>
-        <source>Gives the current perspective another name.</source>
+        <source>Renames the current perspective.</source>
         <translation>Gibt der gewählten Arbeitsansicht einen anderen Namen.</translation>
     </message>
     <message>
@@ -10019,7 +10685,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Arbeitsansicht umbenennen</translation>
     </message>
     <message>
-        <source>This perspective is built in and keeps its name.</source>
+        <source>This perspective is built in and cannot be renamed.</source>
         <translation>Diese Arbeitsansicht ist eingebaut und behält ihren Namen.</translation>
     </message>
     <message>
@@ -10027,11 +10693,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Arbeitsansicht löschen…</translation>
     </message>
     <message>
-        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <source>Deletes the current perspective. The panel layout does not change.</source>
         <translation>Vergisst die gewählte Arbeitsansicht. Die Bereiche bleiben, wie sie sind.</translation>
     </message>
     <message>
-        <source>This perspective is built in and stays.</source>
+        <source>This perspective is built in and cannot be deleted.</source>
         <translation>Diese Arbeitsansicht ist eingebaut und bleibt.</translation>
     </message>
     <message>
@@ -10039,7 +10705,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Arbeitsansicht %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <source>Perspective %1. Select a panel layout, or save the current one.</source>
         <translation>Arbeitsansicht %1. Wählen Sie, wie die Bereiche stehen, oder speichern Sie, wie sie jetzt stehen.</translation>
     </message>
     <message>
@@ -10071,7 +10737,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Keep it</source>
+        <source>Keep</source>
         <translation>Behalten</translation>
     </message>
 </context>
@@ -10082,7 +10748,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Teachen</translation>
     </message>
     <message>
-        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <source>Shows the view, the waypoints next to it and the plots below.</source>
         <translation>Zeigt die Ansicht, die Wegpunkte daneben und die Diagramme darunter.</translation>
     </message>
     <message>
@@ -10090,7 +10756,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Beobachten</translation>
     </message>
     <message>
-        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <source>Shows inputs and outputs, a smaller view next to them and taller plots below.</source>
         <translation>Zeigt Ein- und Ausgänge, daneben eine kleinere Ansicht und darunter höhere Diagramme.</translation>
     </message>
     <message>
@@ -10098,7 +10764,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Diagramme</translation>
     </message>
     <message>
-        <source>Shows the plots alone, as large as the window allows.</source>
+        <source>Shows only the plots, as large as possible.</source>
         <translation>Zeigt nur die Diagramme, so groß wie das Fenster erlaubt.</translation>
     </message>
     <message>
@@ -10106,7 +10772,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Zeigt die Bereiche, wie Sie sie gespeichert haben.</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
         <translation>Die Arbeitsansicht „%1“ kann nicht gezeigt werden: Ihre Anordnung in den Einstellungen ist beschädigt. Ordnen Sie die Bereiche an und speichern Sie sie neu.</translation>
     </message>
     <message>
@@ -10118,19 +10784,19 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Der Name ist zu lang.</translation>
     </message>
     <message>
-        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
         <translation>Es gibt so viele Arbeitsansichten, wie behalten werden können. Löschen Sie zuerst eine.</translation>
     </message>
     <message>
-        <source>There is a perspective of this name. Choose another name.</source>
+        <source>A perspective with this name exists. Choose another name.</source>
         <translation>Eine Arbeitsansicht dieses Namens gibt es schon. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
         <translation>Die Bereiche stehen wie in der Arbeitsansicht „%1“: Die Anordnung der früheren Version passt nicht zu dieser. Ordnen Sie sie neu an; es wird gemerkt.</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
         <translation>Die Bereiche stehen wie in der Arbeitsansicht „%1“: Die Anordnung in den Einstellungen ist beschädigt oder von einer anderen Version. Ordnen Sie sie neu an; es wird gemerkt.</translation>
     </message>
 </context>
@@ -10149,15 +10815,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Den Ordner für Aufzeichnungen wählen</translation>
     </message>
     <message>
-        <source>Pattern of the file name</source>
+        <source>File name pattern</source>
         <translation>Muster des Dateinamens</translation>
     </message>
     <message>
-        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <source>{date}, {time}, {robot} and {number} are replaced when a recording starts.</source>
         <translation>{date}, {time}, {robot} und {number} werden eingesetzt, wenn eine Aufzeichnung beginnt.</translation>
     </message>
     <message>
-        <source>One row every so many packets</source>
+        <source>Packets per row</source>
         <translation>Eine Zeile je so viele Pakete</translation>
     </message>
     <message>
@@ -10197,18 +10863,18 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Labor-UR5e</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
         <translation>Zum Beispiel %1. {date}, {time}, {robot} und {number} werden eingesetzt; eine vorhandene Datei wird nie ersetzt.</translation>
     </message>
     <message numerus="yes">
-        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
         <translation>
             <numerusform>%n Paket je Zeile: %1 Zeilen je Sekunde von einem Roboter, der 500 Pakete je Sekunde sendet.</numerusform>
             <numerusform>%n Pakete je Zeile: %1 Zeilen je Sekunde von einem Roboter, der 500 Pakete je Sekunde sendet.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Format of a recording</source>
+        <source>Recording format</source>
         <translation>Format einer Aufzeichnung</translation>
     </message>
     <message>
@@ -10220,7 +10886,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>MCAP: jedes Feld, Log und Projekt, für ROS-Werkzeuge</translation>
     </message>
     <message>
-        <source>Megabytes of the disk that stay free</source>
+        <source>Free disk space to keep, in megabytes</source>
         <translation>Megabyte der Festplatte, die frei bleiben</translation>
     </message>
     <message>
@@ -10228,7 +10894,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation> MB</translation>
     </message>
     <message>
-        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <source>A recording stops and is completed before the free disk space falls below this value.</source>
         <translation>Eine Aufzeichnung endet ordentlich und ist vollständig, bevor weniger auf der Festplatte frei ist.</translation>
     </message>
     <message>
@@ -10243,7 +10909,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
 <context>
     <name>tiller::app::ReportDialog</name>
     <message>
-        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <source>Include names and addresses of robots, inputs, outputs and files</source>
         <translation>Mit Namen und Adressen von Robotern, Ein- und Ausgängen und Dateien</translation>
     </message>
     <message>
@@ -10263,7 +10929,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Dateien des Berichts</translation>
     </message>
     <message>
-        <source>What this file says</source>
+        <source>Content of this file</source>
         <translation>Was diese Datei sagt</translation>
     </message>
     <message>
@@ -10275,7 +10941,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
         <translation>Eine Datei mit dem, was jemand wissen muss, der Ihnen hilft. Unten steht alles, was darin sein wird. Sie wird gespeichert, wo Sie wollen; Tiller sendet sie nirgendwohin.</translation>
     </message>
     <message>
@@ -10298,7 +10964,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Beispielprojekt öffnen</translation>
     </message>
     <message>
-        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
         <translation>Jedes ist für einen UR5e geteacht und kann mit dem simulierten Roboter durchgegangen werden. Sie arbeiten an einer Kopie: Speichern fragt nach einer eigenen Datei.</translation>
     </message>
     <message>
@@ -10317,7 +10983,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Look and motion</source>
+        <source>Appearance and motion</source>
         <translation>Aussehen und Bewegung</translation>
     </message>
     <message>
@@ -10329,7 +10995,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Aufzeichnung</translation>
     </message>
     <message>
-        <source>Keys</source>
+        <source>Shortcuts</source>
         <translation>Tasten</translation>
     </message>
     <message>
@@ -10341,7 +11007,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Einstellungen exportieren…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <source>Save all settings to one file, for another computer or as a backup</source>
         <translation>Eine Datei mit allem, was gemerkt wird, für einen anderen Computer oder als Kopie</translation>
     </message>
     <message>
@@ -10349,7 +11015,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Einstellungen importieren…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces</source>
+        <source>Import settings from a file after showing what will be replaced</source>
         <translation>Übernimmt, was eine solche Datei enthält; sagt vorher, was sie ersetzt</translation>
     </message>
     <message>
@@ -10365,7 +11031,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Dunkel</translation>
     </message>
     <message>
-        <source>Size of keys and rows</source>
+        <source>Size of controls</source>
         <translation>Größe von Tasten und Zeilen</translation>
     </message>
     <message>
@@ -10385,7 +11051,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Size of everything</source>
+        <source>Interface size</source>
         <translation>Größe von allem</translation>
     </message>
     <message>
@@ -10417,7 +11083,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Geschwindigkeitsgrenze dieses Programms</translation>
     </message>
     <message>
-        <source>Longest hold</source>
+        <source>Maximum hold time</source>
         <translation>Längstes Halten</translation>
     </message>
     <message>
@@ -10425,15 +11091,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation>Nach dieser Zeit endet das Verfahren, und die Taste muss neu gedrückt werden. Freedrive hat fünf Minuten, eine Bewegung zu einem Ort ihre Dauer und 5 s.</translation>
     </message>
     <message>
-        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
         <translation>Touch: so hoch, wie ein Finger es braucht. In einem Fenster niedriger als %1 px bleiben die Tasten der Gelenke, Register und Titelleisten kleiner.</translation>
     </message>
     <message>
-        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
         <translation>Wie Längen, Geschwindigkeiten des TCP und Ausrichtungen gezeigt und eingegeben werden. Diagramme und Dateien behalten Meter, Millimeter und Grad.</translation>
     </message>
     <message>
@@ -10441,27 +11107,27 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Geschwindigkeitsgrenze</translation>
     </message>
     <message>
-        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <source>Scales text, controls, plots and the view.</source>
         <translation>Text, Tasten, Zeilen, Diagramme und die Ansicht, alle gleich.</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
         <translation>Gilt ab dem nächsten Start von Tiller. Der Bildschirm hat nur Platz für %1 %, die es dann haben wird.</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller.</source>
+        <source>Takes effect at the next start of Tiller.</source>
         <translation>Gilt ab dem nächsten Start von Tiller.</translation>
     </message>
     <message>
-        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
         <translation>▲ Über %1. Nichts anderes begrenzt das Verfahren vom PC: weder der manuelle Modus noch das Zustimmgerät des Pendants. Die Kopfzeile sagt es, und es endet mit dem Programm.</translation>
     </message>
     <message>
-        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
         <translation>Keine Bewegung dieses Programms geht darüber, am TCP und am Ellbogen. Gilt sofort und stoppt, was sich bewegt.</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>Tasten der Befehle</translation>
     </message>
     <message>
@@ -10469,7 +11135,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>Key</source>
+        <source>Shortcut</source>
         <translation>Taste</translation>
     </message>
     <message>
@@ -10477,19 +11143,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Vorgegebene Tasten wiederherstellen</translation>
     </message>
     <message>
-        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
-        <translation>Drücken Sie die neue Taste im Feld; die Rücktaste nimmt sie weg. Leertaste und Esc stoppen immer den Arm.</translation>
-    </message>
-    <message>
-        <source>Key for %1</source>
+        <source>Shortcut for %1</source>
         <translation>Taste für %1</translation>
     </message>
     <message>
-        <source>%1 stops the arm and nothing else.</source>
+        <source>%1 is reserved for stopping the arm.</source>
         <translation>%1 stoppt den Arm und nichts sonst.</translation>
     </message>
     <message>
-        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
         <translation>%1 gehört zu &quot;%2&quot;. Nehmen Sie sie zuerst dort weg.</translation>
     </message>
     <message>
@@ -10497,24 +11159,44 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>As the system: %1</source>
+        <source>System language: %1</source>
         <translation>Wie das System: %1</translation>
     </message>
     <message>
-        <source>Open the window anew</source>
+        <source>Reopen window</source>
         <translation>Fenster neu öffnen</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
         <translation>Stoppt den Arm, gibt die Steuerung ab und verbindet sich neu; was die Diagramme zeigen, beginnt neu. Das Projekt wird gespeichert.</translation>
     </message>
     <message>
-        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
         <translation>Von Fenster und Prüfungen. Dateien und Skripte sind in allen gleich.</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
         <translation>Gilt ab dem nächsten Start von Tiller oder sobald das Fenster neu geöffnet ist.</translation>
+    </message>
+    <message>
+        <source>Monitor only</source>
+        <translation>Nur beobachten</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>For PCs that only monitor: this window does not take control, set outputs or start programs. STOP still works.</source>
+        <translation>Für PCs, die nur beobachten: Dieses Fenster übernimmt keine Steuerung, setzt keine Ausgänge und startet keine Programme. STOP funktioniert weiterhin.</translation>
+    </message>
+    <message>
+        <source>Monitor only (set on the command line)</source>
+        <translation>Nur beobachten (auf der Befehlszeile gesetzt)</translation>
+    </message>
+    <message>
+        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
+        <translation>Drücken Sie das neue Tastenkürzel im Feld; die Rücktaste entfernt es. Mit Steuerung halten Leertaste und Esc den Arm immer an.</translation>
     </message>
 </context>
 <context>
@@ -10540,7 +11222,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
         <translation>%1 wurde nicht importiert. Nichts wurde geändert. %2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. What was here before is in %2</source>
+        <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>Einstellungen importiert aus %1. Was vorher hier war, ist in %2</translation>
     </message>
 </context>

@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12,19 +12,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 was not done. %2</source>
+        <source>%1 was not completed. %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper did not come to rest within %1 s.</source>
+        <source>The gripper did not stop moving within %1 s.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -110,19 +110,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait for %1 on, at most %2 s</source>
+        <source>Wait until %1 is on, %2 s at most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait for %1 off, at most %2 s</source>
+        <source>Wait until %1 is off, %2 s at most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait for %1 on</source>
+        <source>Wait until %1 is on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait for %1 off</source>
+        <source>Wait until %1 is off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -150,14 +150,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait a while</source>
+        <source>Wait</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
-        <source>go back: nothing left to undo</source>
+        <source>go back: no recorded motion left</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -176,7 +176,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not expected</source>
+        <source>unexpected argument &quot;%1&quot;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -200,11 +200,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--robot and --simulator exclude each other</source>
+        <source>--robot and --simulator cannot be combined</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -212,11 +212,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <source>only one project can be opened; remove &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -243,7 +251,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -251,11 +259,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <source>%1: within %2 at all times, maximum %3 at %4 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -268,43 +276,43 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm did what the model of a %1 does</source>
+        <source>The arm moved as the model of a %1 does</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -355,11 +363,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is not where the controller sent it.</source>
+        <source>The arm is not at the commanded position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -367,11 +375,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The straight move leads through a singular position of the arm.</source>
+        <source>The linear move passes through a singularity of the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints out of it; use MoveJ through this region.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -379,7 +387,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed while it stood.</source>
+        <source>The arm sagged or was pushed at standstill.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -391,19 +399,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <source>Correct payload and mounting, release the arm, and try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Collision noticed by a joint</source>
+        <source>Collision detected by a joint</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion explains.</source>
+        <source>A joint needed more torque than the motion requires.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -411,11 +419,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Collision noticed by the tool force</source>
+        <source>Collision detected by the tool force</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The force at the tool exceeded what is allowed.</source>
+        <source>The force at the tool exceeded its limit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -427,7 +435,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look for an obstacle and check payload and mounting.</source>
+        <source>Check for obstacles, and check payload and mounting.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -439,7 +447,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -447,11 +455,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program asked for a jump in position.</source>
+        <source>A program commanded a step in position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -459,23 +467,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program asked for a jump in speed.</source>
+        <source>A program commanded a step in speed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lower the acceleration, or smooth the path.</source>
+        <source>Reduce the acceleration, or smooth the path.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Protective stop by a program</source>
+        <source>Protective stop requested by a program</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The running program itself asked for the stop.</source>
+        <source>The running program requested the stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>See the program&apos;s own messages before it.</source>
+        <source>See the messages of the program before this one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -483,7 +491,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -499,7 +507,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -510,19 +518,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <source>There is no signal “%1”. See the signal list for the names.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no signal in it.</source>
+        <source>The expression contains no signal.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There are too many signals in it.</source>
+        <source>The expression contains too many signals.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It must give one number.</source>
+        <source>The expression must evaluate to one number.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -530,15 +538,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <source>There is one equals sign too many. For a comparison, use ==</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <source>The time window must be between 0.001 and 60 seconds.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -560,19 +568,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the RTDE port takes connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not answer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>what answers on port %1 does not speak RTDE</source>
+        <source>the service on port %1 does not use RTDE</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program took the port.</source>
+        <source>Check the address: this is another device, or another program uses the port.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -580,11 +588,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>another program holds %1</source>
+        <source>another program uses %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -596,19 +604,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>24 to 47 are free</source>
+        <source>registers 24 to 47 are free</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a fieldbus adapter or another program holds %1</source>
+        <source>a fieldbus adapter or another program uses %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <source>No action needed for jogging. To use these registers, disable EtherNet/IP, PROFINET or MODBUS in the robot&apos;s installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>0 to 23 are free</source>
+        <source>registers 0 to 23 are free</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -620,15 +628,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <source>Power on and release the brakes with the button in the header.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the robot takes the subscription but sends no data</source>
+        <source>the robot accepts the subscription but sends no data</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -636,11 +644,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 of %2 packages a second</source>
+        <source>%1 of %2 packets per second</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -648,7 +656,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the system grants this user no real-time priority</source>
+        <source>the system does not grant this user real-time priority</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -660,11 +668,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -672,11 +680,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no way to %1</source>
+        <source>There is no route to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -684,11 +692,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <source>%1 answers, but offers none of a robot&apos;s services</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -712,31 +720,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <source>Enable this interface on the robot: Settings, Security, Services.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the dashboard takes connections but does not answer</source>
+        <source>the dashboard accepts connections but does not answer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>what answers on port %1 is not a dashboard</source>
+        <source>the service on port %1 is not a dashboard server</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check the address, and that no other program uses this port.</source>
+        <source>Check the address, and check that no other program uses this port.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -752,15 +760,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -768,15 +776,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <source>Check that this is the address of the robot, and restart its controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>robot type %1 is newer than this program</source>
+        <source>robot type %1 is not known to this version of Tiller</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -808,7 +816,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>RTDE is understood</source>
+        <source>RTDE protocol</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -836,7 +844,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No fieldbus holds registers</source>
+        <source>No fieldbus uses registers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -844,7 +852,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Real-time privilege of this PC</source>
+        <source>Real-time priority on this PC</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -852,15 +860,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>permitted, and asked for by loops with priority</source>
+        <source>permitted, and requested by real-time loops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>processors may sleep deeply, loops begin later</source>
+        <source>CPUs may enter deep sleep states, which delays loops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fast wake-ups of this PC</source>
+        <source>Timer wake-ups of this PC</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -887,11 +895,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Let the arm come to rest before freedrive.</source>
+        <source>Wait until the arm is at standstill before Freedrive.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -902,29 +910,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
-        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -943,7 +951,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -951,7 +959,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -959,27 +967,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stops the arm; the next press has this speed.</source>
+        <source>Stops the arm. The next press uses this speed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves by this much, only while the key is held.</source>
+        <source>Moves by this distance, only while the key is held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves by this much at each press.</source>
+        <source>Moves by this distance at each press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog until contact, %1 N</source>
+        <source>Jog until contact (%1 N)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -987,7 +995,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -999,7 +1007,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the force in N at which the motion ends.</source>
+        <source>Asks for the contact force in N that ends the motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1007,11 +1015,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What the hand can move while Freedrive is held.</source>
+        <source>Selects the axes that can be moved by hand during Freedrive.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <source>Asks for the step length. The step angle does not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1019,7 +1027,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1096,7 +1104,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>jog %1 or turn the base</source>
+        <source>jog %1 or rotate the base</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1108,11 +1116,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>turn wrist 2</source>
+        <source>rotate wrist 2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>jog %1 or turn wrist 2</source>
+        <source>jog %1 or rotate wrist 2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1120,23 +1128,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>turn %1 %2</source>
+        <source>rotate %1 %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>jog %1 or turn %2 %3</source>
+        <source>jog %1 or rotate %2 %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP at its speed cap: %1</source>
+        <source>TCP at the speed cap of %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the cap is in the settings</source>
+        <source>change the cap in Settings</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Elbow at its speed cap: %1</source>
+        <source>Elbow at the speed cap of %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1144,15 +1152,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turning at its cap: %1</source>
+        <source>Rotation at its cap of %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 at its top speed: %2</source>
+        <source>%1 at its maximum speed of %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>choose a slower class</source>
+        <source>choose a lower speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move away from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jog %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3: %4 of the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1222,15 +1246,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1294,7 +1318,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose the simulator or the address of a robot</source>
+        <source>Select the simulator or enter the address of a robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1306,11 +1330,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1322,7 +1342,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Late is a packet that comes more than half a period after its time.</source>
+        <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1338,11 +1358,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm follows the hand that moves it.</source>
+        <source>The arm can be moved by hand.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Freedrive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Data late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1357,7 +1385,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm off line</source>
+        <source>Arm disconnected</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1385,7 +1413,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is off. Power it on.</source>
+        <source>The arm is powered off. Power it on.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1393,7 +1421,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <source>The arm is powered and initializing. Wait a moment.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1409,7 +1437,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1417,7 +1445,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Brakes are released. The arm stands still.</source>
+        <source>Brakes are released. The arm is at standstill.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1441,7 +1469,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot keeps to its reduced limits.</source>
+        <source>The reduced safety limits are active.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1465,7 +1493,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1505,7 +1533,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <source>A joint was replaced. Validate the joints on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1513,7 +1541,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <source>The controller does not report its safety mode. Check the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1561,7 +1589,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1585,7 +1613,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1601,7 +1629,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1621,7 +1649,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Program plays</source>
+        <source>Program running</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1633,7 +1661,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program is coming to a halt.</source>
+        <source>The program is pausing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1641,7 +1669,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1649,7 +1677,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program is going on: the arm may move.</source>
+        <source>The program is resuming: the arm may move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1668,7 +1696,7 @@
 <context>
     <name>OutputGripper</name>
     <message>
-        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1688,11 +1716,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>told to open</source>
+        <source>open requested</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>told to close</source>
+        <source>close requested</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1715,11 +1743,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A recording runs already.</source>
+        <source>A recording is already running.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1731,11 +1759,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ends the recording; its file is complete.</source>
+        <source>Stops the recording and completes its file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing is recorded.</source>
+        <source>No recording is running.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1743,7 +1771,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1751,7 +1779,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <source>Saves the visible range as an image, a drawing, a page or values.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1759,7 +1787,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How much time the plots show.</source>
+        <source>Sets the time range of the plots.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1771,27 +1799,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rename the chosen input or output</source>
+        <source>Rename selected input or output</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The row of the tab I/O that has the focus.</source>
+        <source>Applies to the focused row of the I/O tab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch the chosen output</source>
+        <source>Switch selected output</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <source>Switches the focused output of the I/O tab on or off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pulse the chosen output</source>
+        <source>Pulse selected output</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1799,7 +1827,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows only the lines with these words.</source>
+        <source>Shows only entries that contain these words.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1807,7 +1835,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Log: show warnings and worse</source>
+        <source>Log: show warnings and errors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1815,7 +1843,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Chooses which lines of the log are shown.</source>
+        <source>Selects which log entries are shown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1823,7 +1851,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Copies the selected lines, or all that are shown.</source>
+        <source>Copies the selected entries, or all visible entries.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1831,7 +1859,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Writes the lines that are shown to a file.</source>
+        <source>Writes the visible entries to a file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1839,7 +1867,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1847,26 +1875,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An empty page behind the others; all pages show the same time.</source>
+        <source>Adds an empty page after the others. All pages share the time axis.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show all of the plots&apos; history</source>
+        <source>Show the entire history</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All that is in memory, each plot at its best scale.</source>
+        <source>Shows all data in memory and scales each plot automatically.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>PlotMenu</name>
     <message>
-        <source>Take the lane %1 away</source>
+        <source>Remove lane %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Note here…</source>
+        <source>Add note here…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1878,7 +1906,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Let the cursors read %1</source>
+        <source>Read %1 at the cursors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1886,15 +1914,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take %1 away</source>
+        <source>Remove %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Alarm when %1</source>
+        <source>Warn when %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No alarm when %1</source>
+        <source>Do not warn when %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1902,7 +1930,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moving mean of %1 over half a second</source>
+        <source>Moving mean of %1 over 0.5 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1918,15 +1946,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>New plot beside</source>
+        <source>New plot to the right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take this plot away</source>
+        <source>Remove this plot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Let the curves decide about the scale</source>
+        <source>Scale to the curves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1941,11 +1969,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <source>The arm is in a protective stop. Press Recover… in the header.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1953,43 +1981,43 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm runs and is under your control again.</source>
+        <source>The arm is running and under your control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <source>No new frame yet. Use 3 points in the Frames tab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” lies as it was asked for.</source>
+        <source>“%1” meets the requirements.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <source>The waypoint was deleted. Start adds a new one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <source>“%1” has moved by %2 and is %3 from the expected position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the tool was turned.</source>
+        <source>“%1” is at the expected position, but the tool orientation changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1997,23 +2025,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slowed down to %1. Go on.</source>
+        <source>Slowed down to %1. Continue.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No limit yet. The line below the pad will name it.</source>
+        <source>No limit reached yet. The line below the pad will name it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>That is the limit. Now back: %1 of %2.</source>
+        <source>Limit reached. Now jog back: %1 of %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Found it, and out of it again.</source>
+        <source>You reached the limit and moved out of it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2025,7 +2053,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No recording yet. Record is above the plots.</source>
+        <source>No recording yet. Press Record above the plots.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2033,11 +2061,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <source>%1 does not match the recording. Look at the Fz curve.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Right: it was %1.</source>
+        <source>Correct: it was %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2061,23 +2089,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2093,6 +2121,21 @@
     </message>
 </context>
 <context>
+    <name>ProjectLock</name>
+    <message>
+        <source>%1 on %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2103,11 +2146,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself.</source>
+        <source>No data from the robot. Reconnecting automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robot data is late. Waiting for it to come back.</source>
+        <source>Robot data are late. Waiting for new data.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2122,7 +2165,7 @@
 <context>
     <name>RecordingChoice</name>
     <message>
-        <source>A file needs a name that does not begin with a point.</source>
+        <source>A file name must not be empty or begin with a period.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2141,11 +2184,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2161,15 +2204,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What stopped it is known and removed.</source>
+        <source>The cause of the stop is known and removed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <source>Payload and TCP match the mounted tool.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2177,15 +2220,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <source>The cause is removed, and no one is within reach of the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <source>No action needed here: this state ends when its cause is removed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2247,7 +2290,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program runs already.</source>
+        <source>A program is already running.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2255,7 +2298,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose the simulator, a robot or a project.</source>
+        <source>Select the simulator, a robot or a project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2271,11 +2314,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <source>Checks everything between this PC and the robot and suggests fixes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a robot first.</source>
+        <source>Select a robot first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2283,7 +2326,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ends the connection; a motion of ours stops first.</source>
+        <source>Stops our motion, then closes the connection.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2295,7 +2338,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm has power, or is getting it.</source>
+        <source>The arm is powered on or powering on.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2303,11 +2346,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <source>Stops programs, engages the brakes and powers the arm off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is off.</source>
+        <source>The arm is powered off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2315,15 +2358,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, and the way back.</source>
+        <source>Shows what stopped the arm and the recovery steps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No stop of the safety system.</source>
+        <source>The safety system reports no stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2339,11 +2382,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In control already.</source>
+        <source>Already in control.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2363,7 +2402,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <source>Software stop of all motion. Not an emergency stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2371,19 +2410,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <source>Loads a program stored on the robot by name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pauses the program that runs.</source>
+        <source>Pauses the running program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stops the robot&apos;s own program.</source>
+        <source>Stops the program on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2431,6 +2474,22 @@
     </message>
     <message>
         <source>%1: off for %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input register %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2485,22 +2544,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock protective stop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>RobotTooling</name>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2519,7 +2582,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2527,26 +2590,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measuring round</source>
+        <source>Measuring</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From between front and side, a little above, with everything in the picture.</source>
+        <source>From between front and side, slightly above, with everything visible.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2574,18 +2637,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fit everything into the view</source>
+        <source>Fit everything in the view</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>Nothing is recorded: connect to a robot first.</source>
+        <source>Cannot record: connect to a robot first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2607,11 +2670,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <source>Invalid value for the setting &quot;%1&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file is too large for settings.</source>
+        <source>The file is too large for a settings file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2619,7 +2682,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file holds no settings of Tiller.</source>
+        <source>The file contains no Tiller settings.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2627,19 +2690,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file does not say which version it has.</source>
+        <source>The file does not state its version.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file has no list of values, or one that is too long.</source>
+        <source>The list of values is missing or too long.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no name of a setting.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>read %1</source>
+        <source>&quot;%1&quot; is not a valid setting name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2674,7 +2733,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2682,71 +2741,71 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Torque at the TCP</source>
+        <source>TCP torque</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Position of the TCP</source>
+        <source>TCP position</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation vector of the TCP</source>
+        <source>TCP rotation vector</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation speed of the TCP</source>
+        <source>TCP angular speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Acceleration of the TCP</source>
+        <source>TCP acceleration</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Target position of the TCP</source>
+        <source>Target TCP position</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Target rotation vector of the TCP</source>
+        <source>Target TCP rotation vector</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Target speed of the TCP</source>
+        <source>Target TCP speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Target rotation speed of the TCP</source>
+        <source>Target TCP angular speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Raw force of the sensor</source>
+        <source>Raw sensor force</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Raw torque of the sensor</source>
+        <source>Raw sensor torque</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Force at the TCP, norm</source>
+        <source>TCP force, norm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Accelerometer in the flange</source>
+        <source>Tool accelerometer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Position of the elbow</source>
+        <source>Elbow position</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of the elbow</source>
+        <source>Elbow speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2798,15 +2857,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Allowed deviation of the currents</source>
+        <source>Allowed current deviation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Position deviation over its limit</source>
+        <source>Position deviation, ratio to limit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Collision measure over its limit</source>
+        <source>Collision measure, ratio to limit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2886,7 +2945,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Current of the I/O</source>
+        <source>I/O current</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2910,7 +2969,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time of a control step</source>
+        <source>Control step time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3045,7 +3104,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The cap moves and turns as the tool shall.</source>
+        <source>The tool follows the motion of the cap.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3056,22 +3115,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <source>There are fewer than %1 samples: select a longer range.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Values are missing in this range: choose one without a gap.</source>
+        <source>Values are missing in this range: select a range without gaps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is too little memory.</source>
+        <source>Not enough memory.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>StartProject</name>
     <message>
-        <source>The project worked in last is not there any more: %1</source>
+        <source>The last project no longer exists: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3157,31 +3216,31 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <source>The robot does not answer. Check the cable and the address.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <source>The answer violates the RTDE protocol. Check address and port.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3189,11 +3248,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot&apos;s software does not have this value.</source>
+        <source>The robot&apos;s software does not provide this value.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3209,35 +3268,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed within the cap.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <source>The robot could not run the program. See the log for the message of the controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check that the file exists and may be read.</source>
+        <source>Check that the file exists and that you have permission to read it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a folder you may write to.</source>
+        <source>Choose a folder that you have permission to write to.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file was left as it is. Open a backup, or repair the named place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
+        <source>The file was not changed. Open a backup, or repair the reported position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3257,11 +3312,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connection ended by the robot</source>
+        <source>Connection closed by the robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No answer in time</source>
+        <source>Timed out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3269,11 +3324,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Link lost</source>
+        <source>Connection lost</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not understood</source>
+        <source>Protocol error</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3309,7 +3364,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not a valid value</source>
+        <source>Invalid value</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3329,11 +3384,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>File cannot be read</source>
+        <source>Cannot read the file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>File cannot be written</source>
+        <source>Cannot write the file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3365,7 +3420,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>window no longer active</source>
+        <source>window lost activation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3409,7 +3464,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not refreshed in time</source>
+        <source>input not refreshed in time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3417,7 +3472,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>link lost</source>
+        <source>connection lost</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3449,23 +3504,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no sign that it was still held</source>
+        <source>no confirmation that the key is still held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>held for the longest time; press again</source>
+        <source>maximum hold time reached; press again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Only watching. Take control to move the arm.</source>
+        <source>Monitoring. Take control to move the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3481,15 +3536,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The control program does not answer. Take control again.</source>
+        <source>The control program does not respond. Take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The link was lost. Take control again.</source>
+        <source>The connection was lost. Take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A script of your own is running. Control comes back when it ends.</source>
+        <source>Your script is running. Control returns when it ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free some space on the disk, then save or record again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The control connection does not respond.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3512,11 +3579,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is neither J nor L</source>
+        <source>“%1” must be J or L</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is neither joints nor pose</source>
+        <source>“%1” must be joints or pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3524,18 +3591,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is no colour of a waypoint</source>
+        <source>“%1” is not a waypoint colour</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: a quotation mark is not closed</source>
+        <source>Line %1: missing closing quotation mark</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3553,15 +3620,15 @@
         </translation>
     </message>
     <message>
-        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Actions in their order</source>
+        <source>Actions in order</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3573,7 +3640,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Add an action after the chosen one</source>
+        <source>Add an action after the selected one</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3581,7 +3648,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove the chosen action</source>
+        <source>Remove the selected action</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3589,7 +3656,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Do the chosen action earlier</source>
+        <source>Move the selected action up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3597,15 +3664,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Do the chosen action later</source>
+        <source>Move the selected action down</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is done</source>
+        <source>Action</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Which terminal</source>
+        <source>Terminal</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3625,11 +3692,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>At most, seconds</source>
+        <source>Timeout in seconds</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3681,7 +3748,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>bar; empty: not scaled</source>
+        <source>e.g. bar; empty: not scaled</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3708,11 +3775,287 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CellPage</name>
+    <message>
+        <source>Size %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn and checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A box or plane needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No boxes or planes yet.
+Move the TCP to a corner of an obstacle and press Corner here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LX</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LZ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First corner taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the TCP to the opposite corner and press Other corner.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Include “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exclude “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the safety distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corner here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length along X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length along Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length along Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point on the plane X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point on the plane Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point on the plane Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal X, towards the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal Y, towards the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal Z, towards the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When off, it is not drawn and not checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal plane in the base frame that the arm must stay above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safety distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the floor to the TCP height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set a corner of a box to the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plane here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP, perpendicular to the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a box numerically</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a plane numerically</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the box or plane to the TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Include or exclude the box or plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename box or plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate box or plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete box or plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resize “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The normal must not be zero. Enter a component first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotate “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3727,7 +4070,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Compare this recording with the model of its arm, with other limits</source>
+        <source>Compare this recording with the arm model, with different limits</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3739,11 +4082,11 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Compare no further</source>
+        <source>Stop comparing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Put cursor A where arm and model part</source>
+        <source>Place cursor A where arm and model diverge</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3754,7 +4097,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3790,7 +4133,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What has a limit of 0 is not compared.</source>
+        <source>Signals with a limit of 0 are not compared.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3801,11 +4144,11 @@ Right click or F2 to rename and scale.</source>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until the program ends)</source>
+        <source>Moves the arm (until Tiller is closed)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3817,7 +4160,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Which way the arm would go</source>
+        <source>Direction in which the arm would move</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3829,7 +4172,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3837,7 +4180,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3856,7 +4199,7 @@ Right click or F2 to rename and scale.</source>
 <context>
     <name>tiller::FigureBox</name>
     <message>
-        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3902,7 +4245,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <source>The list will not appear again. Use the command “First steps” to show it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3917,7 +4260,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no waypoint uses it</source>
+        <source>not used by any waypoint</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -3936,14 +4279,14 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoint moved with it.</source>
+        <source>No waypoints moved with it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -3954,10 +4297,10 @@ Right click or F2 to rename and scale.</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach there.</source>
+        <source>%n of them are now out of reach.</source>
         <translation>
-            <numerusform>%n of them is out of reach there.</numerusform>
-            <numerusform>%n of them are out of reach there.</numerusform>
+            <numerusform>%n of them is now out of reach.</numerusform>
+            <numerusform>%n of them are now out of reach.</numerusform>
         </translation>
     </message>
     <message>
@@ -3969,11 +4312,11 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It moves by %1 (%2, base frame).</source>
+        <source>The frame moves by %1 (%2, base frame).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No waypoint is given in it.</source>
+        <source>No waypoint uses this frame.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -3996,15 +4339,15 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is touched up</source>
+        <source>Touched up “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set the place of “%1”</source>
+        <source>Set the position of “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is set in figures. %2</source>
+        <source>“%1” was set numerically. %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4016,10 +4359,10 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
-            <numerusform>%n waypoint is given in it. It stays where it is, given in Base.</numerusform>
-            <numerusform>%n waypoints are given in it. They stay where they are, given in Base.</numerusform>
+            <numerusform>%n waypoint uses this frame. It keeps its position and is converted to Base.</numerusform>
+            <numerusform>%n waypoints use this frame. They keep their positions and are converted to Base.</numerusform>
         </translation>
     </message>
     <message>
@@ -4046,11 +4389,11 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <source>“%1” is a built-in frame. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is taken by another frame. Choose another name.</source>
+        <source>Another frame is named “%1”. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4090,7 +4433,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints that move with it</source>
+        <source>Waypoints that move with the frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4120,7 +4463,7 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cancel the frame</source>
+        <source>Cancel frame teaching</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4152,15 +4495,15 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the point again.</source>
+        <source>The robot sent an invalid position. Take the point again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4168,23 +4511,23 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <source>Jog the tip to the origin of the frame and take the point (P).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4227,12 +4570,12 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>More about frames</source>
+        <source>More frame commands</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4240,7 +4583,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4248,7 +4591,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4256,7 +4599,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <source>Move the selected frame to the TCP (Shift+U)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4276,7 +4619,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make the frame of the points taken</source>
+        <source>Create frame from points</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4300,7 +4643,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set frame in figures</source>
+        <source>Enter frame numerically</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4324,22 +4667,22 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::GoThrough</name>
     <message>
-        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no waypoint before this one.</source>
+        <source>This is the first waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A waypoint of the way is not in this project any more.</source>
+        <source>A waypoint of the route was deleted from the project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4347,7 +4690,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4377,31 +4720,31 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One waypoint back, hold</source>
+        <source>Previous waypoint, hold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Goes back to the waypoint before while the key is held</source>
+        <source>Moves to the previous waypoint while the key is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One waypoint on, hold</source>
+        <source>Next waypoint, hold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the key is held, and stops there</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Which waypoints to go through</source>
+        <source>Waypoints of the route</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Which waypoints</source>
+        <source>Waypoints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Which waypoints to go through, in the order of the list</source>
+        <source>Selects the waypoints of the route, in the order of the list</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4417,15 +4760,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In a loop</source>
+        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After the last waypoint comes the first again, for as long as the key is held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4433,7 +4772,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The coming one: %1 of %2, %3</source>
+        <source>Next: %1 of %2, %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4441,7 +4780,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Done. The next press begins at the first.</source>
+        <source>Done. The next press starts at the first waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4449,7 +4788,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4475,15 +4814,15 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
 <context>
     <name>tiller::GripperPanel</name>
     <message>
-        <source>State of the gripper</source>
+        <source>Gripper state</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the gripper is open</source>
+        <source>Gripper opening</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What the gripper holds</source>
+        <source>Gripped object</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4535,7 +4874,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Which gripper</source>
+        <source>Gripper type</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4563,19 +4902,19 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opening wanted</source>
+        <source>Target opening</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of the fingers</source>
+        <source>Finger speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Force of the fingers</source>
+        <source>Finger force</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What to do about the gripper</source>
+        <source>Suggested action</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4611,15 +4950,15 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <source>Force of the next grip. 0 % is about %1, 100 % about %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4643,11 +4982,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One moment…</source>
+        <source>Please wait…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <source>Select the mounted gripper. The choice is stored for this robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4655,7 +4994,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>being activated…</source>
+        <source>activating…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4675,19 +5014,19 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>active, standing</source>
+        <source>active, at standstill</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>unknown while it moves</source>
+        <source>unknown while moving</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>an object, from outside</source>
+        <source>object, outer grip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>an object, from inside</source>
+        <source>object, inner grip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4695,11 +5034,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With this port offset no gripper can be reached.</source>
+        <source>The gripper cannot be reached with this port offset.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Being activated: the fingers open and close once.</source>
+        <source>Activating: the fingers open and close once.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4711,31 +5050,31 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opens the gripper; what it holds is let go.</source>
+        <source>Opens the gripper and releases the object.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep fingers out of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sends the fingers to this opening.</source>
+        <source>Moves the fingers to this opening.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Its speed or its force is no figure it takes.</source>
+        <source>Speed or force is out of range.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper did not take the command.</source>
+        <source>The gripper did not accept the command.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4790,7 +5129,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the stop to standstill, measured. Cause: %1</source>
+        <source>Measured from stop command to standstill. Cause: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4802,19 +5141,23 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not measured</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>LAST STOP · no witness</source>
+        <source>LAST STOP · no key check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MONITOR ONLY</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4825,18 +5168,18 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <source>Hold this key: the arm moves only while it is held.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
     <message>
-        <source>The window was not the active one. Press again.</source>
+        <source>The window was not active. Press again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click into the window first.</source>
+        <source>Click in the window first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4844,11 +5187,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4879,7 +5222,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4902,21 +5245,17 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, old data</source>
+        <source>%1, outdated</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>
-Cannot be switched while no data come from the robot.</source>
+Cannot be switched while the robot sends no data.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>
 Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 (held by another)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4929,6 +5268,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Name of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4990,7 +5333,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Registers of the robot&apos;s programs</source>
+        <source>Registers of robot programs</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4998,7 +5341,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <source>Select a row of the I/O tab with the Tab key first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5006,11 +5349,23 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another program or the installation may own it.</source>
+        <source>Another program or the installation may control it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This is a replay: go back to live first.</source>
+        <source>Replay is active: return to live data first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be pulsed now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controlled by another program</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5029,7 +5384,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shown below the pad</source>
+        <source>Frame of the displayed pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5061,7 +5416,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Goes back the way the arm came while held</source>
+        <source>Retraces the last motion while held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5073,7 +5428,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5081,7 +5436,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5097,7 +5452,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>let go and press again</source>
+        <source>release and press again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5109,14 +5464,14 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last stop: not seen, data ended while the arm moved</source>
+        <source>Last stop: not measured, data stopped while the arm was moving</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::JogKey</name>
     <message>
-        <source>%1 left this way</source>
+        <source>%1 left in this direction</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5166,7 +5521,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <source>Axes of the view: X right, Y away from you, Z up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5174,11 +5529,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One step a press: %1</source>
+        <source>One step per press: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5186,15 +5541,15 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One step a press: %1. Click again for other steps</source>
+        <source>One step per press: %1. Click again for other steps</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5214,31 +5569,31 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of the TCP in %1</source>
+        <source>TCP speed in %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Force that ends the motion, in N</source>
+        <source>Contact force that ends the motion, in N</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turns while the key is held</source>
+        <source>Rotates while the key is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1</source>
+        <source>One rotation step per press, tool or joint: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Other turn…</source>
+        <source>Other angle…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5246,7 +5601,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn in degrees</source>
+        <source>Angle in degrees</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5258,6 +5613,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>%1 plus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5337,11 +5696,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open the recording of this incident, at the moment of the stop</source>
+        <source>Open the recording of this incident at the time of the stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open the recording at this moment</source>
+        <source>Open the recording at this time</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5368,7 +5727,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Filter the log by words</source>
+        <source>Filter the log by text</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5380,7 +5739,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5388,11 +5747,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Write the lines that are shown to a file</source>
+        <source>Write the visible entries to a file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The selected line in full</source>
+        <source>Details of the selected entry</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5416,70 +5775,50 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open the recording of the selected line: incidents have one</source>
+        <source>Open the recording of the selected entry (incidents have a recording)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
     <message>
-        <source>%1 touches %2 of the arm already here</source>
+        <source>%1 collides with %2 after %3 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <source>The path enters the wrist singularity after %1 of its length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 touches the floor already here</source>
+        <source>Slow near the wrist singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 meets the floor after %2 of the way</source>
+        <source>The path enters the elbow singularity after %1 of its length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 touches “%2” already here</source>
+        <source>Slow near the elbow singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 meets “%2” after %3 of the way</source>
+        <source>The path enters the shoulder singularity after %1 of its length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <source>Slow near the shoulder singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the way</source>
+        <source>A joint would have to jump after %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <source>%1 exceeds its range after %2 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slow near the stretched elbow at %1 of the way</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The line runs into the axis of the base after %1 of the way</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slow near the axis of the base at %1 of the way</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A joint would have to turn at once after %1 of the way</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 leaves its range after %2 of the way</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <source>The path leaves the reach of the arm after %1 of its length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5512,6 +5851,26 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is in contact with %2, and the move leads closer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 of %3 after %4 of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5564,7 +5923,7 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5594,35 +5953,35 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What was recorded until then is kept.</source>
+        <source>The path recorded so far is kept.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>End the recording of the path</source>
+        <source>Stop recording path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path is being thinned.</source>
+        <source>Simplifying the path…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ends the recording and keeps the path as waypoints</source>
+        <source>Stops recording and stores the path as waypoints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5634,7 +5993,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path was not written.</source>
+        <source>The path was not exported.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5649,26 +6008,26 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PathRecorder</name>
     <message numerus="yes">
-        <source>%n packets did not arrive.</source>
+        <source>%n packets were lost.</source>
         <translation>
-            <numerusform>%n packet did not arrive.</numerusform>
-            <numerusform>%n packets did not arrive.</numerusform>
+            <numerusform>%n packet was lost.</numerusform>
+            <numerusform>%n packets were lost.</numerusform>
         </translation>
     </message>
     <message>
-        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <source>Import refused: a path is being recorded. Stop that recording first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The demonstration could not be read.</source>
+        <source>The demonstration could not be imported.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5676,7 +6035,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm did not move: no path was kept.</source>
+        <source>The arm did not move: no path was stored.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5684,15 +6043,15 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <source>“%1” is out of reach. Touch it up, or remove it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5715,7 +6074,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>First place</source>
+        <source>First cell</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5723,19 +6082,19 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Beginning of the last row</source>
+        <source>Start of the last row</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>choose a waypoint</source>
+        <source>select a waypoint</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>as it was taught</source>
+        <source>as taught</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Places in a row</source>
+        <source>Cells per row</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5747,11 +6106,11 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Height of a layer</source>
+        <source>Layer height</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From one layer to the next, against the direction of the tool.</source>
+        <source>Distance between layers, opposite to the tool direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5767,7 +6126,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make pattern</source>
+        <source>Create pattern</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5779,31 +6138,31 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is a pattern of that name. Choose another one.</source>
+        <source>A pattern with this name exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <source>Select a waypoint for each corner. Teach the three corners first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <source>Two corners are identical. Select another waypoint for one of them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The height of a layer is no figure it can be.</source>
+        <source>Invalid layer height.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Layers need a height.</source>
+        <source>Enter a layer height.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 places are more than the %2 a pattern can have.</source>
+        <source>The pattern has %1 cells; the maximum is %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Every place is left out.</source>
+        <source>All cells are excluded.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -5814,7 +6173,7 @@ Clear the search to see everything.</source>
         </translation>
     </message>
     <message>
-        <source>%1 All can be reached.</source>
+        <source>%1 All are within reach.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5822,21 +6181,21 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach; they are marked.</source>
+        <source>%n of them are out of reach and marked.</source>
         <translation>
-            <numerusform>%n of them is out of reach; it is marked.</numerusform>
-            <numerusform>%n of them are out of reach; they are marked.</numerusform>
+            <numerusform>%n of them is out of reach and marked.</numerusform>
+            <numerusform>%n of them are out of reach and marked.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Places of the pattern</source>
+        <source>Cells of the pattern</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5855,11 +6214,11 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Find the payload</source>
+        <source>Measure payload</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Find the payload by weighing it in several poses</source>
+        <source>Measure the payload in several poses</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5867,7 +6226,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5875,50 +6234,50 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cancel finding the payload</source>
+        <source>Cancel payload measurement</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <source>%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Turn the wrist to another side and take the pose. Still needed: %n</numerusform>
-            <numerusform>Turn the wrist to another side and take the pose. Still needed: %n</numerusform>
+            <numerusform>Rotate the wrist in another direction and take the pose. Poses still needed: %n</numerusform>
+            <numerusform>Rotate the wrist in another direction and take the pose. Poses still needed: %n</numerusform>
         </translation>
     </message>
     <message>
@@ -5926,11 +6285,11 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove the worst</source>
+        <source>Remove least accurate pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove the last</source>
+        <source>Remove last pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5938,7 +6297,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5969,7 +6328,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is taken by another payload. Choose another name.</source>
+        <source>Another payload is named “%1”. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5993,8 +6352,8 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No payload yet.
-Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <source>No payloads yet.
+Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6030,7 +6389,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Return applies it to the project; the robot keeps its own.</source>
+        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6042,27 +6401,27 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weigh…</source>
+        <source>Measure…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Find the payload with the arm</source>
+        <source>Measure the payload with the arm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Is it true?</source>
+        <source>Verify</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check whether the payload is true</source>
+        <source>Verify the payload</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the payload the robot has</source>
+        <source>Store the active payload of the robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>New payload in figures</source>
+        <source>Enter new payload</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6098,7 +6457,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select a payload to set.</source>
+        <source>Select the payload to set.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6106,7 +6465,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6114,67 +6473,67 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <source>The robot sends no forces: the payload cannot be verified.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The payload is true. %1</source>
+        <source>The payload is correct. %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The payload is true</source>
+        <source>The payload is correct</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>About %1 kg more hang there than it was told of.</source>
+        <source>The load is about %1 kg heavier than the configured payload.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>About %1 kg less hang there than it was told of.</source>
+        <source>The load is about %1 kg lighter than the configured payload.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <source>The centre of gravity differs, or something is touching the tool.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The payload is not true. %1 %2</source>
+        <source>The payload is wrong. %1 %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The payload is not true</source>
+        <source>The payload is wrong</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1; the robot was told %2 kg, centre %3</source>
+        <source>%1; the robot has %2 kg, centre of gravity %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot has another payload than “%1”</source>
+        <source>The robot&apos;s payload differs from “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <source>On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing was changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6201,7 +6560,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Kind of analysis</source>
+        <source>Type of analysis</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6209,11 +6568,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Over this signal</source>
+        <source>X-axis signal</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Put a signal onto the plots first.</source>
+        <source>Add a signal to the plots first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6221,11 +6580,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6244,10 +6603,10 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), one in %1</source>
+        <source>%n sample(s), every %1th shown</source>
         <translation>
-            <numerusform>%n sample, one in %1</numerusform>
-            <numerusform>%n samples, one in %1</numerusform>
+            <numerusform>%n sample, every %1th shown</numerusform>
+            <numerusform>%n samples, every %1th shown</numerusform>
         </translation>
     </message>
     <message>
@@ -6255,7 +6614,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6266,11 +6625,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <source>Not compared with the arm model: the recording does not state the robot model.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm and model part: %1</source>
+        <source>Arm and model diverge: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6329,7 +6688,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export the shown range</source>
+        <source>Export the visible range</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6337,7 +6696,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6369,7 +6728,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hold the plots still; data and recording go on</source>
+        <source>Freeze the plots; data and recording continue</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6389,11 +6748,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Exported the shown range to %1</source>
+        <source>Exported the visible range to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6421,15 +6780,15 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6437,23 +6796,23 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show the force as the robot measures it again. %1</source>
+        <source>Show the force as measured by the robot. %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is recorded</source>
+        <source>Recording options</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6461,14 +6820,14 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A row for every packet</source>
+        <source>One row per packet</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>A row for every %n packet(s)</source>
+        <source>One row every %n packet(s)</source>
         <translation>
-            <numerusform>A row for every packet</numerusform>
-            <numerusform>A row for every %n packets</numerusform>
+            <numerusform>One row every %n packet</numerusform>
+            <numerusform>One row every %n packets</numerusform>
         </translation>
     </message>
     <message>
@@ -6491,7 +6850,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show the folder</source>
+        <source>Open folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6503,7 +6862,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, at %2 s of the plots&apos; time</source>
+        <source>%1, at %2 s on the time axis</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6515,11 +6874,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What happened at this moment?</source>
+        <source>What happened at this time?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The plots are in the clipboard as a picture.</source>
+        <source>The plots were copied to the clipboard as an image.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6535,7 +6894,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take this page away</source>
+        <source>Remove this page</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6547,19 +6906,19 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Close the recordings</source>
+        <source>Close recordings</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Copy the plots as a picture</source>
+        <source>Copy plots as image</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save this arrangement…</source>
+        <source>Save layout…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open an arrangement…</source>
+        <source>Open layout…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6567,11 +6926,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>save the arrangement to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>open the arrangement %1</source>
+        <source>save the layout to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6587,15 +6942,15 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save the arrangement of the plots</source>
+        <source>Save plot layout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arrangement of plots (*.json)</source>
+        <source>Plot layouts (*.json)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open an arrangement of plots</source>
+        <source>Open plot layout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6611,7 +6966,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6623,11 +6978,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pages and arrangement of the plots</source>
+        <source>Pages and layout of the plots</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6635,7 +6990,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>read an arrangement of plots</source>
+        <source>read a plot layout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6643,7 +6998,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export the shown range…</source>
+        <source>Export the visible range…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6651,7 +7006,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Before the newest sample</source>
+        <source>Relative to the newest sample</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6659,11 +7014,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time of the day</source>
+        <source>Time of day</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <source>The maximum number of plot pages is reached: remove a page first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6671,14 +7026,14 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
-            <numerusform>%1 · %2 a second · %3 free · %n packet lost</numerusform>
-            <numerusform>%1 · %2 a second · %3 free · %n packets lost</numerusform>
+            <numerusform>%1 · %2 per second · %3 free · %n packet lost</numerusform>
+            <numerusform>%1 · %2 per second · %3 free · %n packets lost</numerusform>
         </translation>
     </message>
     <message>
@@ -6724,7 +7079,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Double click: another name</source>
+        <source>Double-click to rename</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6787,15 +7142,15 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 · summing up: %2</source>
+        <source>%1 · calculating: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not all of the range could be summed up: %1</source>
+        <source>Statistics are incomplete: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6826,11 +7181,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scale held · double click the axis to let it go</source>
+        <source>Fixed scale · double-click the axis to scale automatically</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Zeroed: %1 %2 taken off</source>
+        <source>Zeroed (offset %1 %2)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6838,7 +7193,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6900,11 +7255,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6927,7 +7282,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is taken by another position. Choose another name.</source>
+        <source>Another position is named “%1”. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6940,7 +7295,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a place and press Set home here, or Add here.</source>
+Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6948,11 +7303,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Return applies it; nothing moves but the position.</source>
+        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6960,7 +7315,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The safe height is where the TCP is now</source>
+        <source>Set the safe height to the current TCP height</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6972,7 +7327,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the position the arm has</source>
+        <source>Store the current position of the arm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6988,11 +7343,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Use the usual home again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Use the usual home</source>
+        <source>Reset to default home</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7004,7 +7355,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7012,11 +7363,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set “%1” to where the arm stands?</source>
+        <source>Set “%1” to the current position of the arm?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The key Home goes there from now on.</source>
+        <source>The Home key will move the arm there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7076,11 +7427,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: the key Home goes there</source>
+        <source>%1: target of the Home key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7091,7 +7442,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <source>Start the simulated robot first (robot menu).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7099,11 +7450,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is in a stop. Recover from it first.</source>
+        <source>The arm is stopped by the safety system. Recover first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Done. Start does it once more.</source>
+        <source>Done. Press Start to repeat the task.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7130,7 +7481,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>figure, then Return</source>
+        <source>enter value, press Return</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7138,11 +7489,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The task before</source>
+        <source>Previous task</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The next task</source>
+        <source>Next task</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7150,15 +7501,15 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Begins the task, or begins it anew</source>
+        <source>Starts or restarts the task</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Goes on to the next task</source>
+        <source>Continues with the next task</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Possible once the check above says so</source>
+        <source>Available after the check above has passed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7169,15 +7520,15 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Check</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Bad</source>
+        <source>Failed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not looked at</source>
+        <source>Not checked</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7189,7 +7540,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Check again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7201,19 +7552,19 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep everybody out of the arm&apos;s reach.
+        <source>Keep everyone out of reach of the arm.
 Keep the emergency stop at hand: STOP in this window is a software stop.
-Begin slowly: the first speed is %1.
-Watch the arm, not the screen, while a key is held.
-Let go of the key and the arm stops.</source>
+Start slowly: the initial speed is %1.
+Watch the arm, not the screen, while you hold a key.
+Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Looking at %1…</source>
+        <source>Checking %1…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Something is in the way</source>
+        <source>Problems found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7229,7 +7580,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7247,7 +7598,7 @@ Let go of the key and the arm stops.</source>
         </translation>
     </message>
     <message>
-        <source>Change the order</source>
+        <source>Change order</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7262,7 +7613,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <source>%1. Update Tiller to open it. The file was not changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7286,7 +7637,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <source>%1. Readable waypoints: %2, unreadable: %3. The damaged file is kept.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -7301,7 +7652,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is a copy and has changes that are in no file.</source>
+        <source>“%1” is a copy with unsaved changes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7309,11 +7660,193 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drop the changes</source>
+        <source>Discard changes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is saved again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other window closed %1. Changes in this window are saved again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is open in another window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as a copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another window or program has changed %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reloaded %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This window&apos;s project is now %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A project without a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved work is available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” was changed on %2 and not saved to a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask again next time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project has unsaved changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFit</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 and %n more</numerusform>
+            <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>TCP of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, but a %2 is connected. The same joint positions lead to different poses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project uses the TCP “%1”. The active TCP of the robot differs by %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project fits the connected robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect the robot for this project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project of another robot model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP differs from the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the robot’s TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out of reach: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some positions are out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves to positions of this project are blocked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7347,6 +7880,34 @@ Let go of the key and the arm stops.</source>
         <source>%1 — a copy, not saved to a file</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 — open in another window, changes here are not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — changed by another program, changes here are not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>save %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -7355,7 +7916,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7363,7 +7924,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7371,7 +7932,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <source>Suspected joint: %1 (largest deviation from its target current).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7379,11 +7940,11 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tick what you have looked at.</source>
+        <source>Tick the items that you have checked.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asked; waiting for the robot…</source>
+        <source>Requested; waiting for the robot…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7418,15 +7979,15 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Kind of input register</source>
+        <source>Input register type</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Number of the input register</source>
+        <source>Input register number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Value for the input register</source>
+        <source>Input register value</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7445,7 +8006,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <source>Show the current state of the robot. The recording stays open in the plots</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7468,7 +8029,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <source>The popup could not be closed from here: close it on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7483,7 +8044,7 @@ Let go of the key and the arm stops.</source>
         </translation>
     </message>
     <message>
-        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <source>A waiting program continues when the popup is closed: keep clear of the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7554,11 +8115,11 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <source>No data from the robot. Reconnecting automatically; motion does not resume.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Data from the robot are late.</source>
+        <source>Robot data are late.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7566,12 +8127,39 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Taking control was ended by a stop</source>
+        <source>Taking control was cancelled by a stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monitor only is off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: refused. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The robot sends too many messages: %n were not shown</source>
+        <translation>
+            <numerusform>The robot sends too many messages: %n was not shown</numerusform>
+            <numerusform>The robot sends too many messages: %n were not shown</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7581,7 +8169,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7593,7 +8181,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7613,27 +8201,27 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <source>The gripper is activating; the command runs afterwards.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press Activate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7641,35 +8229,35 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press Activate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7687,7 +8275,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7719,7 +8307,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture</source>
+        <source>Fit the arm, target and waypoints in the view</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7742,22 +8330,22 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <source>ghost “%1” · reachable · largest rotation %2 %3 · %4 s at %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>1 name hidden: come nearer</source>
+        <source>1 name hidden: zoom in</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n names hidden: come nearer</source>
+        <source>%n names hidden: zoom in</source>
         <translation>
-            <numerusform>%n name hidden: come nearer</numerusform>
-            <numerusform>%n names hidden: come nearer</numerusform>
+            <numerusform>%n name hidden: zoom in</numerusform>
+            <numerusform>%n names hidden: zoom in</numerusform>
         </translation>
     </message>
     <message>
@@ -7765,15 +8353,15 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <source>ghost “%1” · %2 · largest rotation %3 %4 · %5 s at %6</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” as it will be</source>
+        <source>“%1” after the change</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” as it was</source>
+        <source>“%1” before the change</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7788,7 +8376,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 does not come in the same packets as the others.</source>
+        <source>%1 is not part of the same RTDE packets as the other signals.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7796,7 +8384,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <source>The robot cannot send so many signals at once: remove other signals first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7804,7 +8392,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no row in this recording.</source>
+        <source>The recording is empty.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7812,11 +8400,11 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 could not be computed to its end: %2</source>
+        <source>%1 could not be computed completely: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7839,11 +8427,11 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: this robot does not send it.</source>
+        <source>%1: not sent by this robot.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7854,7 +8442,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <source>This robot is simulated. No real robot moves.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7880,19 +8468,7 @@ Let go of the key and the arm stops.</source>
 <context>
     <name>tiller::StatusLine</name>
     <message>
-        <source>Recording, session and last message</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 — %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not saved</source>
+        <source>Recording, project and last message</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7904,7 +8480,7 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recording ended</source>
+        <source>Recording stopped</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7927,8 +8503,23 @@ Let go of the key and the arm stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Space / Esc
-not an e-stop</source>
+        <source>Space and Esc stop as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space / Esc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not an e-stop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7954,7 +8545,7 @@ not an e-stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <source>Another TCP is named “%1”. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7966,8 +8557,8 @@ not an e-stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No TCP yet.
-Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <source>No TCPs yet.
+Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7975,7 +8566,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7999,7 +8590,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the TCP the robot has</source>
+        <source>Store the active TCP of the robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8007,7 +8598,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>New TCP in figures</source>
+        <source>Enter new TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8043,7 +8634,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is the TCP the robot has.</source>
+        <source>“%1” is the active TCP of the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8055,7 +8646,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select a TCP to set.</source>
+        <source>Select the TCP to set.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8063,7 +8654,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8075,19 +8666,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, %2 from the one the robot has</source>
+        <source>%1, %2 from the robot&apos;s TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot has another TCP than “%1”</source>
+        <source>The robot&apos;s TCP differs from “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8102,7 +8693,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take the worst again</source>
+        <source>Retake least accurate pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8126,7 +8717,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation as it is</source>
+        <source>Keep current rotation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8142,34 +8733,34 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the poses again.</source>
+        <source>The robot sent an invalid position. Take the poses again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</numerusform>
-            <numerusform>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</numerusform>
+            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</numerusform>
+            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>The tool keeps the rotation it has now.</source>
+        <source>The tool keeps its current rotation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8177,43 +8768,43 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the three again.</source>
+        <source>The robot sent an invalid position. Take the three poses again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take the last again</source>
+        <source>Retake last pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8225,11 +8816,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Poses can be taken while the robot sends data.</source>
+        <source>Poses can be taken only while the robot sends data.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8263,29 +8854,40 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP, payload or positions</source>
+        <source>Cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP, payload, positions or cell</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left, then %3 is at its limit</source>
+        <source>%1: %2 left to the limit of %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 left, then the end of the reach or a singularity</source>
+        <source>%1: %2 left to the end of reach or a singularity</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 left to the plane the base stands on</source>
+        <source>%1: %2 left, then %3 is %4 from %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VectorEditor</name>
+    <message>
+        <source>%1. Press Return to apply. The robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::ViewCard</name>
     <message>
-        <source>Fold</source>
+        <source>Collapse</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8293,11 +8895,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The view is too small to unfold this</source>
+        <source>The view is too small to expand this</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unfold</source>
+        <source>Expand</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8316,7 +8918,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -8331,11 +8933,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>joints rule</source>
+        <source>joints have priority</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>pose rules</source>
+        <source>pose has priority</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8343,11 +8945,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>place of “%1”</source>
+        <source>cell of “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8367,15 +8969,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows the keys of Go through in place of the figures.</source>
+        <source>Shows the Go through controls instead of the values.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Values</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows the figures in place of the keys of Go through.</source>
+        <source>Shows the values instead of the Go through controls.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8408,19 +9010,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern first, and select them.</source>
+        <source>Teach the three corners of the pattern and select them first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make the pattern “%1”</source>
+        <source>Create the pattern “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dissolve the pattern “%1”</source>
+        <source>Convert the pattern “%1” to waypoints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select a place of a pattern.</source>
+        <source>Select a cell of a pattern.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8432,11 +9034,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The frame it was given in then is not in the project any more.</source>
+        <source>The frame of the earlier version was deleted from the project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take an earlier “%1” back</source>
+        <source>Restore an earlier version of “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8456,11 +9058,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing was imported</source>
+        <source>Import failed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is too large for a list of waypoints.</source>
+        <source>%1 is too large for a waypoint file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8487,7 +9089,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing was exported</source>
+        <source>Export failed</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -8498,7 +9100,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         </translation>
     </message>
     <message>
-        <source>Select waypoints where something is to be done.</source>
+        <source>Select the waypoints to add actions to.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -8523,7 +9125,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         </translation>
     </message>
     <message>
-        <source>Nothing was pasted</source>
+        <source>Paste failed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8549,7 +9151,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Changes, the newest first</source>
+        <source>Changes, newest first</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8561,7 +9163,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go back to before this</source>
+        <source>Restore the version before this change</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8569,15 +9171,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <source>Position: moved by %1 (%2, base frame)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Joints: %1 turned most, by %2</source>
+        <source>Joints: largest change %2 (%1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the joints rule</source>
+        <source>joints have priority</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8585,7 +9187,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a frame that is no more</source>
+        <source>a deleted frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8613,7 +9215,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP: taught with another one</source>
+        <source>TCP: taught with another TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8629,19 +9231,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Actions: others than now</source>
+        <source>Actions: changed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It was not changed since it was taught.</source>
+        <source>Not changed since it was taught.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Before this it was as it is now.</source>
+        <source>The version before this change equals the current version.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Before this it was:</source>
+        <source>Before this change:</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8664,7 +9266,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8672,11 +9274,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Out of reach. Touch it up nearer to the base.</source>
+        <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8692,19 +9294,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>MoveL: the TCP goes along a straight line</source>
+        <source>MoveL: the TCP moves along a straight line</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The joints rule: the arm comes back in the same posture</source>
+        <source>Joints have priority: the arm returns to the same configuration</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The pose rules: it moves with its frame</source>
+        <source>The pose has priority: the waypoint moves with its frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Can be reached</source>
+        <source>Within reach</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8736,7 +9338,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <source>Waypoint %2 is named “%1”. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8744,11 +9346,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make “%1” a MoveJ</source>
+        <source>Change “%1” to MoveJ</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make “%1” a MoveL</source>
+        <source>Change “%1” to MoveL</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8760,7 +9362,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give “%1” in %2</source>
+        <source>Change the frame of “%1” to %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8780,7 +9382,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <source>The arm cannot reach this pose. “%1” was not changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8796,11 +9398,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name %1, the coming one</source>
+        <source>Name %1, next waypoint</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Done there: %1</source>
+        <source>Actions: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8813,6 +9415,18 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
             <numerusform>%n action</numerusform>
             <numerusform>%n actions</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>✕ arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ path</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8846,7 +9460,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Only what is ticked is changed.</source>
+        <source>Only the selected properties are changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8941,7 +9555,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8957,7 +9571,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tool, each its own</source>
+        <source>Tool of each waypoint</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8977,7 +9591,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>About or along</source>
+        <source>Axis of rotation or mirroring</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8985,7 +9599,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8993,18 +9607,18 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <source>%n of them would be out of reach. They are kept and marked.</source>
         <translation>
-            <numerusform>%n of them would be out of reach; it is kept, and marked.</numerusform>
-            <numerusform>%n of them would be out of reach; they are kept, and marked.</numerusform>
+            <numerusform>%n of them would be out of reach. It is kept and marked.</numerusform>
+            <numerusform>%n of them would be out of reach. They are kept and marked.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All stay in reach.</source>
+        <source>All remain within reach.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9038,16 +9652,16 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a place and press Teach here (T).</source>
+Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9059,15 +9673,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Add the place where the arm stands, after the selection (T)</source>
+        <source>Add the current position after the selection (T)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Replace the selected place by where the arm stands (U)</source>
+        <source>Replace the selected waypoint with the current position (U)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9123,7 +9737,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9155,7 +9769,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Offset, turn or mirror…</source>
+        <source>Offset, rotate or mirror…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9167,7 +9781,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <source>Convert pattern to waypoints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9175,7 +9789,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Actions there…</source>
+        <source>Actions…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9202,11 +9816,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Search a command</source>
+        <source>Search commands</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
+        <source>Type a command or keyword</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9214,7 +9828,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not possible now</source>
+        <source>not available now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9225,11 +9839,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <source>A host name contains only letters, digits, dots and hyphens.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9241,7 +9855,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <source>A simulated UR5e in this program. All functions are available without risk.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9277,7 +9891,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9289,7 +9903,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <source>Waypoints from a file, without a robot: everything works except motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9297,7 +9911,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9305,14 +9919,14 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <source>Starts the simulated robot and opens a project with taught waypoints.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>make the folder %1: choose one that may be written to</source>
+        <source>create the folder %1: choose a folder that you have permission to write to</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9344,7 +9958,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>let go</source>
+        <source>release</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9356,7 +9970,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>let go of Go to</source>
+        <source>release Go to</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9384,11 +9998,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the robot reports no reason</source>
+        <source>the robot reported no reason</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9444,7 +10058,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9468,7 +10082,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>So far a stick may be out without moving anything.</source>
+        <source>Deflection below which the device does not move the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9480,15 +10094,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: only the axis that is out furthest</source>
+        <source>%1: dominant axis only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9504,18 +10118,18 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9523,10 +10137,6 @@ Jog the arm to a place and press Teach here (T).</source>
     <name>tiller::app::HelpPage</name>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9553,6 +10163,10 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9561,11 +10175,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed cap and longest hold</source>
+        <source>Speed cap and maximum hold time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9609,19 +10223,19 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1 holds:</source>
+        <source>The selected settings are replaced by those in %1:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: the same already</source>
+        <source>%1: identical</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: none in the file</source>
+        <source>%1: not in the file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9629,11 +10243,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <source>The replaced settings are saved to a separate file, which can be imported again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is nothing in the file that is not here already.</source>
+        <source>All settings in the file match the current settings.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9644,7 +10258,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A checklist in the view: from power on to a recording.</source>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9656,11 +10270,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Practice: put “%1”</source>
+        <source>Practice: place “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9671,7 +10285,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9707,7 +10321,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9731,7 +10345,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saves to this file now, and every change from now on.</source>
+        <source>Saves to this file now and saves all further changes automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9751,7 +10365,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Brings this tab to the front.</source>
+        <source>Shows this tab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9759,7 +10373,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9775,7 +10389,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Changes the colours at once and remembers it.</source>
+        <source>Changes the colour theme now and for the next start.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9791,7 +10405,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9811,11 +10425,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as the tablet shows it</source>
+        <source>Name of the program on the robot, as shown on the teach pendant</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as in pick.urp</source>
+        <source>Name of the program on the robot, e.g. pick.urp</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9831,7 +10445,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9839,11 +10453,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <source>Shows the Gripper page of the I/O tab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All panels back to where the current perspective has them.</source>
+        <source>Restores the panel layout of the current perspective.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9851,7 +10465,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9859,7 +10473,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <source>Saves all settings to one file, for another computer or as a backup.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9867,7 +10481,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <source>Imports settings from a file after showing what will be replaced.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9875,7 +10489,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the others.</source>
+        <source>Moves this panel to that side of the main window.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9895,7 +10509,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <source>A recording is running. Stop it first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9907,10 +10521,10 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
-            <numerusform>%n box or plane of the cell is not known to the simulated robot: it has no room for more.</numerusform>
-            <numerusform>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</numerusform>
+            <numerusform>%n box or plane of the cell exceeds the limit of the simulated robot and is ignored by it.</numerusform>
+            <numerusform>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</numerusform>
         </translation>
     </message>
     <message>
@@ -9918,7 +10532,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9926,26 +10540,78 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tiller ended unexpectedly the last time</source>
+        <source>Tiller closed unexpectedly</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <source>Tiller saved a crash log. You can attach it to a problem report.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The settings could not be saved. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adapt project to this robot…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program is paused on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program is running on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking control stops it. It cannot be resumed, only started again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop it and take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep it running</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
     <message>
-        <source>Put back</source>
+        <source>Dock</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Back into the main window</source>
+        <source>Move the panel back to the main window</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9953,7 +10619,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Closes this panel. The menu View brings it back.</source>
+        <source>Closes this panel. Use the View menu to show it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9961,7 +10627,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <source>Click to move, float or close this panel. Drag to move it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9972,11 +10638,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The panels as they stand now, into the current perspective.</source>
+        <source>Saves the current panel layout to the current perspective.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This perspective is built in. Save it under a name of your own.</source>
+        <source>This perspective is built in. Save it under another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9984,7 +10650,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The panels as they stand now, under a name of your own.</source>
+        <source>Saves the current panel layout under a new name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9996,7 +10662,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Gives the current perspective another name.</source>
+        <source>Renames the current perspective.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10004,7 +10670,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This perspective is built in and keeps its name.</source>
+        <source>This perspective is built in and cannot be renamed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10012,11 +10678,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <source>Deletes the current perspective. The panel layout does not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This perspective is built in and stays.</source>
+        <source>This perspective is built in and cannot be deleted.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10024,7 +10690,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <source>Perspective %1. Select a panel layout, or save the current one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10056,7 +10722,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep it</source>
+        <source>Keep</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10067,7 +10733,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <source>Shows the view, the waypoints next to it and the plots below.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10075,7 +10741,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <source>Shows inputs and outputs, a smaller view next to them and taller plots below.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10083,7 +10749,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows the plots alone, as large as the window allows.</source>
+        <source>Shows only the plots, as large as possible.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10091,7 +10757,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10103,19 +10769,19 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is a perspective of this name. Choose another name.</source>
+        <source>A perspective with this name exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10134,15 +10800,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pattern of the file name</source>
+        <source>File name pattern</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <source>{date}, {time}, {robot} and {number} are replaced when a recording starts.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One row every so many packets</source>
+        <source>Packets per row</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10182,18 +10848,18 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
         <translation>
-            <numerusform>%n packet a row: %1 rows a second from a robot that sends 500 packets a second.</numerusform>
-            <numerusform>%n packets a row: %1 rows a second from a robot that sends 500 packets a second.</numerusform>
+            <numerusform>%n packet per row: %1 rows per second from a robot that sends 500 packets per second.</numerusform>
+            <numerusform>%n packets per row: %1 rows per second from a robot that sends 500 packets per second.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Format of a recording</source>
+        <source>Recording format</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10205,7 +10871,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Megabytes of the disk that stay free</source>
+        <source>Free disk space to keep, in megabytes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10213,7 +10879,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <source>A recording stops and is completed before the free disk space falls below this value.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10228,7 +10894,7 @@ Jog the arm to a place and press Teach here (T).</source>
 <context>
     <name>tiller::app::ReportDialog</name>
     <message>
-        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <source>Include names and addresses of robots, inputs, outputs and files</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10248,7 +10914,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What this file says</source>
+        <source>Content of this file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10260,7 +10926,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10283,7 +10949,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10302,7 +10968,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look and motion</source>
+        <source>Appearance and motion</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10310,7 +10976,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keys</source>
+        <source>Shortcuts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10330,7 +10996,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Size of keys and rows</source>
+        <source>Size of controls</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10374,7 +11040,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10382,15 +11048,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10398,7 +11064,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Key</source>
+        <source>Shortcut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10406,23 +11072,19 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
+        <source>Shortcut for %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Key for %1</source>
+        <source>%1 is reserved for stopping the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 stops the arm and nothing else.</source>
+        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Longest hold</source>
+        <source>Maximum hold time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10430,7 +11092,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10442,7 +11104,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <source>Save all settings to one file, for another computer or as a backup</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10450,7 +11112,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces</source>
+        <source>Import settings from a file after showing what will be replaced</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10458,23 +11120,23 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Size of everything</source>
+        <source>Interface size</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <source>Scales text, controls, plots and the view.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller.</source>
+        <source>Takes effect at the next start of Tiller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10482,23 +11144,43 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>As the system: %1</source>
+        <source>System language: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open the window anew</source>
+        <source>Reopen window</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monitor only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For PCs that only monitor: this window does not take control, set outputs or start programs. STOP still works.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monitor only (set on the command line)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10525,7 +11207,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Settings imported from %1. What was here before is in %2</source>
+        <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
         <translation>Este robot no tiene aquí ninguna pinza. Elíjala en E/S, Pinza.</translation>
     </message>
     <message>
@@ -12,19 +12,19 @@
         <translation>Recorrer</translation>
     </message>
     <message>
-        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
         <translation>%1 no se activó en %2 s. Compruebe a qué se espera y pulse otra vez.</translation>
     </message>
     <message>
-        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
         <translation>%1 no se desactivó en %2 s. Compruebe a qué se espera y pulse otra vez.</translation>
     </message>
     <message>
-        <source>%1 was not done. %2</source>
+        <source>%1 was not completed. %2</source>
         <translation>%1 no se hizo. %2</translation>
     </message>
     <message>
-        <source>The gripper did not come to rest within %1 s.</source>
+        <source>The gripper did not stop moving within %1 s.</source>
         <translation>La pinza no se detuvo en %1 s.</translation>
     </message>
 </context>
@@ -110,19 +110,19 @@
         <translation>%1 desactivada %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 on, at most %2 s</source>
+        <source>Wait until %1 is on, %2 s at most</source>
         <translation>Esperar a que %1 se active, como máximo %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 off, at most %2 s</source>
+        <source>Wait until %1 is off, %2 s at most</source>
         <translation>Esperar a que %1 se desactive, como máximo %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 on</source>
+        <source>Wait until %1 is on</source>
         <translation>Esperar a que %1 se active</translation>
     </message>
     <message>
-        <source>Wait for %1 off</source>
+        <source>Wait until %1 is off</source>
         <translation>Esperar a que %1 se desactive</translation>
     </message>
     <message>
@@ -150,14 +150,14 @@
         <translation>Esperar una entrada</translation>
     </message>
     <message>
-        <source>Wait a while</source>
+        <source>Wait</source>
         <translation>Esperar un tiempo</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
-        <source>go back: nothing left to undo</source>
+        <source>go back: no recorded motion left</source>
         <translation>retroceder: no queda nada que deshacer</translation>
     </message>
 </context>
@@ -176,7 +176,7 @@
         <translation>Conectar con el robot en esta dirección o nombre de host.</translation>
     </message>
     <message>
-        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
         <translation>Ejecutar la demostración en el robot simulado, dejar sus archivos en esta carpeta y salir.</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>véase tiller --help</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not expected</source>
+        <source>unexpected argument &quot;%1&quot;</source>
         <translation>no se esperaba &quot;%1&quot;</translation>
     </message>
     <message>
@@ -200,11 +200,11 @@
         <translation>--theme admite light o dark, no &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--robot and --simulator exclude each other</source>
+        <source>--robot and --simulator cannot be combined</source>
         <translation>--robot y --simulator se excluyen</translation>
     </message>
     <message>
-        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
         <translation>--demo funciona solo con el robot simulado, no con --robot</translation>
     </message>
     <message>
@@ -212,12 +212,20 @@
         <translation>--demo necesita una carpeta</translation>
     </message>
     <message>
-        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot necesita una dirección, como --robot 192.168.0.10</translation>
     </message>
     <message>
-        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <source>only one project can be opened; remove &quot;%1&quot;</source>
         <translation>solo se puede abrir un proyecto, no también &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
+        <translation>Solo supervisión: no cambiar nada en el robot salvo con STOP. No se puede desactivar en los ajustes.</translation>
+    </message>
+    <message>
+        <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
+        <translation>--demo mueve el robot simulado y no se puede combinar con --monitor-only</translation>
     </message>
 </context>
 <context>
@@ -243,7 +251,7 @@
         <translation>%1: no se comparan</translation>
     </message>
     <message>
-        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
         <translation>%1: no se comparan, la grabación no tiene %2; grabe todas las señales, en MCAP</translation>
     </message>
     <message>
@@ -251,11 +259,11 @@
         <translation>%1: sin valores</translation>
     </message>
     <message>
-        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <source>%1: within %2 at all times, maximum %3 at %4 s</source>
         <translation>%1: nunca más de %2, como máximo %3 a los %4 s</translation>
     </message>
     <message>
-        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
         <translation>%1: más de %2 desde los %3 s (%4), como máximo %5 a los %6 s</translation>
     </message>
     <message>
@@ -268,43 +276,43 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
         <translation>El brazo y el modelo se separan a los %1 s: %2 se desvía %3</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
         <translation>El brazo y el modelo se separan a los %1 s: el TCP se desvía %2</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
         <translation>El brazo y el modelo se separan a los %1 s: %2 necesita %3 más o menos de lo debido</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
         <translation>El brazo y el modelo se separan a los %1 s: una fuerza de %2 empuja el TCP</translation>
     </message>
     <message>
-        <source>The arm did what the model of a %1 does</source>
+        <source>The arm moved as the model of a %1 does</source>
         <translation>El brazo hizo lo que hace el modelo de un %1</translation>
     </message>
     <message>
-        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>No se pudo comparar nada: el brazo estuvo siempre sin energía o se guiaba con la mano.</translation>
     </message>
     <message>
-        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
         <translation>Nunca estuvieron juntos: compruebe la carga útil indicada al robot, el modelo y lo que toca el brazo.</translation>
     </message>
     <message>
-        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
         <translation>A partir de ahí algo empujó o sujetó el brazo, su carga era otra o una articulación no siguió.</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
         <translation>Esta grabación no se puede comparar con un modelo: falta lo que se ordenó a las articulaciones o dónde estaban. Grabe todas las señales, en MCAP.</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>Esta grabación no se puede comparar con un modelo: sus filas están demasiado separadas. Grabe cada paquete.</translation>
     </message>
     <message>
@@ -355,11 +363,11 @@
         <translation>La posición se desvía de la trayectoria</translation>
     </message>
     <message>
-        <source>The arm is not where the controller sent it.</source>
+        <source>The arm is not at the commanded position.</source>
         <translation>El brazo no está donde el controlador lo envió.</translation>
     </message>
     <message>
-        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
         <translation>Busque un obstáculo; compruebe carga útil, centro de gravedad y montaje; reduzca la aceleración.</translation>
     </message>
     <message>
@@ -367,11 +375,11 @@
         <translation>Singularidad</translation>
     </message>
     <message>
-        <source>The straight move leads through a singular position of the arm.</source>
+        <source>The linear move passes through a singularity of the arm.</source>
         <translation>El movimiento recto pasa por una posición singular del brazo.</translation>
     </message>
     <message>
-        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints out of it; use MoveJ through this region.</source>
         <translation>Salga moviendo articulaciones sueltas; use MoveJ en esta zona.</translation>
     </message>
     <message>
@@ -379,7 +387,7 @@
         <translation>No puede mantener su posición</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed while it stood.</source>
+        <source>The arm sagged or was pushed at standstill.</source>
         <translation>El brazo cedió o fue empujado mientras estaba parado.</translation>
     </message>
     <message>
@@ -391,19 +399,19 @@
         <translation>Carga útil o montaje incorrectos</translation>
     </message>
     <message>
-        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
         <translation>Las fuerzas no corresponden a la carga útil, o algo empujó el brazo al empezar el movimiento libre.</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <source>Correct payload and mounting, release the arm, and try again.</source>
         <translation>Corrija la carga útil y el montaje, suelte el brazo e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>Collision noticed by a joint</source>
+        <source>Collision detected by a joint</source>
         <translation>Una articulación notó una colisión</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion explains.</source>
+        <source>A joint needed more torque than the motion requires.</source>
         <translation>Una articulación necesitó más par del que explica el movimiento.</translation>
     </message>
     <message>
@@ -411,11 +419,11 @@
         <translation>Quite el obstáculo; si no lo había, compruebe la carga útil.</translation>
     </message>
     <message>
-        <source>Collision noticed by the tool force</source>
+        <source>Collision detected by the tool force</source>
         <translation>Colisión notada por la fuerza en la herramienta</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded what is allowed.</source>
+        <source>The force at the tool exceeded its limit.</source>
         <translation>La fuerza en la herramienta superó lo permitido.</translation>
     </message>
     <message>
@@ -427,7 +435,7 @@
         <translation>Una articulación se apartó de su posición ordenada.</translation>
     </message>
     <message>
-        <source>Look for an obstacle and check payload and mounting.</source>
+        <source>Check for obstacles, and check payload and mounting.</source>
         <translation>Busque un obstáculo y compruebe carga útil y montaje.</translation>
     </message>
     <message>
@@ -439,7 +447,7 @@
         <translation>Una articulación tuvo más de cincuenta paradas de protección en ocho horas.</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>Encuentre la causa de las paradas antes de seguir; después reinicie el controlador.</translation>
     </message>
     <message>
@@ -447,11 +455,11 @@
         <translation>Cambio brusco de la posición objetivo</translation>
     </message>
     <message>
-        <source>A program asked for a jump in position.</source>
+        <source>A program commanded a step in position.</source>
         <translation>Un programa pidió un salto de posición.</translation>
     </message>
     <message>
-        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
         <translation>Haga que el programa empiece donde está el brazo y mantenga pequeños sus pasos servo.</translation>
     </message>
     <message>
@@ -459,23 +467,23 @@
         <translation>Cambio brusco de la velocidad objetivo</translation>
     </message>
     <message>
-        <source>A program asked for a jump in speed.</source>
+        <source>A program commanded a step in speed.</source>
         <translation>Un programa pidió un salto de velocidad.</translation>
     </message>
     <message>
-        <source>Lower the acceleration, or smooth the path.</source>
+        <source>Reduce the acceleration, or smooth the path.</source>
         <translation>Reduzca la aceleración o suavice la trayectoria.</translation>
     </message>
     <message>
-        <source>Protective stop by a program</source>
+        <source>Protective stop requested by a program</source>
         <translation>Parada de protección por un programa</translation>
     </message>
     <message>
-        <source>The running program itself asked for the stop.</source>
+        <source>The running program requested the stop.</source>
         <translation>El propio programa en marcha pidió la parada.</translation>
     </message>
     <message>
-        <source>See the program&apos;s own messages before it.</source>
+        <source>See the messages of the program before this one.</source>
         <translation>Vea los mensajes anteriores del programa.</translation>
     </message>
     <message>
@@ -483,7 +491,7 @@
         <translation>El robot está en control local</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
         <translation>Se envió un script, pero el robot solo escucha a su consola.</translation>
     </message>
     <message>
@@ -499,7 +507,7 @@
         <translation>El controlador comunicó este número.</translation>
     </message>
     <message>
-        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>Busque C%1 en el directorio de códigos de error del fabricante.</translation>
     </message>
 </context>
@@ -510,19 +518,19 @@
         <translation>calcular una señal</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <source>There is no signal “%1”. See the signal list for the names.</source>
         <translation>No hay señal «%1». La lista de señales muestra los nombres.</translation>
     </message>
     <message>
-        <source>There is no signal in it.</source>
+        <source>The expression contains no signal.</source>
         <translation>No contiene ninguna señal.</translation>
     </message>
     <message>
-        <source>There are too many signals in it.</source>
+        <source>The expression contains too many signals.</source>
         <translation>Contiene demasiadas señales.</translation>
     </message>
     <message>
-        <source>It must give one number.</source>
+        <source>The expression must evaluate to one number.</source>
         <translation>Debe dar un número.</translation>
     </message>
     <message>
@@ -530,15 +538,15 @@
         <translation>El texto es demasiado largo.</translation>
     </message>
     <message>
-        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>Escriba un nombre, un signo igual y una expresión: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <source>There is one equals sign too many. For a comparison, use ==</source>
         <translation>Hay un signo igual de más; una comparación tiene dos: ==</translation>
     </message>
     <message>
-        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <source>The time window must be between 0.001 and 60 seconds.</source>
         <translation>El intervalo de tiempo está entre 0.001 y 60 segundos.</translation>
     </message>
 </context>
@@ -568,27 +576,27 @@
         <translation>Faltan algunos valores y los registros para el control. Actualice el robot a %1.%2 o posterior.</translation>
     </message>
     <message>
-        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
         <translation>Mire el brazo, quite la causa y recupérelo: Recuperar… en la cabecera, o en la consola portátil.</translation>
     </message>
     <message>
-        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <source>Power on and release the brakes with the button in the header.</source>
         <translation>Encienda y libere los frenos: el botón de la cabecera le guía.</translation>
     </message>
     <message>
-        <source>the RTDE port takes connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not answer</source>
         <translation>el puerto RTDE acepta conexiones pero no responde</translation>
     </message>
     <message>
-        <source>what answers on port %1 does not speak RTDE</source>
+        <source>the service on port %1 does not use RTDE</source>
         <translation>lo que responde en el puerto %1 no habla RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>Demasiados clientes RTDE, o un controlador colgado: cierre otros programas y reinicie el controlador.</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program took the port.</source>
+        <source>Check the address: this is another device, or another program uses the port.</source>
         <translation>Compruebe la dirección: es otro dispositivo, u otro programa ocupa el puerto.</translation>
     </message>
     <message>
@@ -596,11 +604,11 @@
         <translation>versión de protocolo %1</translation>
     </message>
     <message>
-        <source>another program holds %1</source>
+        <source>another program uses %1</source>
         <translation>otro programa ocupa %1</translation>
     </message>
     <message>
-        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
         <translation>Cierre el otro programa que controla este robot (otra ventana, ROS, ur_rtde).</translation>
     </message>
     <message>
@@ -612,23 +620,23 @@
         <translation>Actualice el software del robot a 3.9 o 5.3.</translation>
     </message>
     <message>
-        <source>24 to 47 are free</source>
+        <source>registers 24 to 47 are free</source>
         <translation>24 a 47 están libres</translation>
     </message>
     <message>
-        <source>a fieldbus adapter or another program holds %1</source>
+        <source>a fieldbus adapter or another program uses %1</source>
         <translation>un adaptador de bus de campo u otro programa ocupa %1</translation>
     </message>
     <message>
-        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <source>No action needed for jogging. To use these registers, disable EtherNet/IP, PROFINET or MODBUS in the robot&apos;s installation.</source>
         <translation>Para mover a mano no hay nada que hacer. Para usar estos registros, desactive EtherNet/IP, PROFINET o MODBUS en la instalación del robot.</translation>
     </message>
     <message>
-        <source>0 to 23 are free</source>
+        <source>registers 0 to 23 are free</source>
         <translation>0 a 23 están libres</translation>
     </message>
     <message>
-        <source>the robot takes the subscription but sends no data</source>
+        <source>the robot accepts the subscription but sends no data</source>
         <translation>el robot acepta la suscripción pero no envía datos</translation>
     </message>
     <message>
@@ -636,11 +644,11 @@
         <translation>Cierre otros programas RTDE y reinicie el controlador del robot.</translation>
     </message>
     <message>
-        <source>%1 of %2 packages a second</source>
+        <source>%1 of %2 packets per second</source>
         <translation>%1 de %2 paquetes por segundo</translation>
     </message>
     <message>
-        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
         <translation>Faltan paquetes: use un cable, no un enlace por radio; cierre otros programas que cargan el robot o este PC.</translation>
     </message>
     <message>
@@ -648,15 +656,15 @@
         <translation>prioridad %1</translation>
     </message>
     <message>
-        <source>the system grants this user no real-time priority</source>
+        <source>the system does not grant this user real-time priority</source>
         <translation>el sistema no concede a este usuario prioridad de tiempo real</translation>
     </message>
     <message>
-        <source>permitted, and asked for by loops with priority</source>
+        <source>permitted, and requested by real-time loops</source>
         <translation>permitido, y pedido por los bucles con prioridad</translation>
     </message>
     <message>
-        <source>processors may sleep deeply, loops begin later</source>
+        <source>CPUs may enter deep sleep states, which delays loops</source>
         <translation>los procesadores pueden dormir profundamente, los bucles empiezan más tarde</translation>
     </message>
     <message>
@@ -668,11 +676,11 @@
         <translation>Si hay una herramienta montada, ajuste TCP y carga útil en la instalación del robot: una carga útil incorrecta causa paradas de protección y hace ceder el brazo en movimiento libre.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
         <translation>&quot;%1&quot; no es una dirección y no se conoce ningún host de ese nombre</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
         <translation>Introduzca los cuatro números que muestra la consola portátil en Acerca de, o pregunte el nombre a quien administra la red.</translation>
     </message>
     <message>
@@ -680,11 +688,11 @@
         <translation>%1 no responde</translation>
     </message>
     <message>
-        <source>There is no way to %1</source>
+        <source>There is no route to %1</source>
         <translation>No hay camino hasta %1</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>Compruebe que el robot está encendido, el cable conectado y que no hay un cortafuegos en medio.</translation>
     </message>
     <message>
@@ -692,11 +700,11 @@
         <translation>Dé a este PC una dirección en la red del robot (los mismos tres primeros números) y compruebe el cable.</translation>
     </message>
     <message>
-        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <source>%1 answers, but offers none of a robot&apos;s services</source>
         <translation>%1 responde, pero no hay ningún servicio de robot</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
         <translation>Compruebe que es la dirección del robot. Un robot recién encendido necesita otro minuto.</translation>
     </message>
     <message>
@@ -720,31 +728,31 @@
         <translation>el puerto %1 no responde</translation>
     </message>
     <message>
-        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <source>Enable this interface on the robot: Settings, Security, Services.</source>
         <translation>Active esta interfaz en el robot: Ajustes, Seguridad, Servicios.</translation>
     </message>
     <message>
-        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
         <translation>Un cortafuegos se traga este puerto: permita el puerto TCP %1 hacia el robot.</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
         <translation>Cambie el robot a control remoto en la consola portátil, arriba a la derecha. Sin eso, Tiller solo observa.</translation>
     </message>
     <message>
-        <source>the dashboard takes connections but does not answer</source>
+        <source>the dashboard accepts connections but does not answer</source>
         <translation>el dashboard acepta conexiones pero no responde</translation>
     </message>
     <message>
-        <source>what answers on port %1 is not a dashboard</source>
+        <source>the service on port %1 is not a dashboard server</source>
         <translation>lo que responde en el puerto %1 no es un dashboard</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
         <translation>Reinicie el controlador del robot; si sigue así, mire su registro.</translation>
     </message>
     <message>
-        <source>Check the address, and that no other program uses this port.</source>
+        <source>Check the address, and check that no other program uses this port.</source>
         <translation>Compruebe la dirección y que ningún otro programa use este puerto.</translation>
     </message>
     <message>
@@ -760,15 +768,15 @@
         <translation>Local</translation>
     </message>
     <message>
-        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
         <translation>no están ni el dashboard (puerto %1) ni la Robot API (puerto %2)</translation>
     </message>
     <message>
-        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
         <translation>Active el Dashboard Server en el robot: Ajustes, Seguridad, Servicios. PolyScope X necesita 10.11 o posterior para la Robot API.</translation>
     </message>
     <message>
-        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
         <translation>Robot API %1, puerto %2; los avisos se cierran en la tableta</translation>
     </message>
     <message>
@@ -776,15 +784,15 @@
         <translation>la interfaz primaria no describe el brazo</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <source>Check that this is the address of the robot, and restart its controller.</source>
         <translation>Compruebe que es la dirección del robot y reinicie su controlador.</translation>
     </message>
     <message>
-        <source>robot type %1 is newer than this program</source>
+        <source>robot type %1 is not known to this version of Tiller</source>
         <translation>el tipo de robot %1 es más nuevo que este programa</translation>
     </message>
     <message>
-        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
         <translation>Observar funciona. Los límites y las vistas previas usan las medidas que comunica el robot; muévalo despacio al principio.</translation>
     </message>
     <message>
@@ -816,7 +824,7 @@
         <translation>Dashboard o Robot API</translation>
     </message>
     <message>
-        <source>RTDE is understood</source>
+        <source>RTDE protocol</source>
         <translation>RTDE se entiende</translation>
     </message>
     <message>
@@ -844,7 +852,7 @@
         <translation>Registros para el control libres</translation>
     </message>
     <message>
-        <source>No fieldbus holds registers</source>
+        <source>No fieldbus uses registers</source>
         <translation>Ningún bus de campo ocupa registros</translation>
     </message>
     <message>
@@ -852,11 +860,11 @@
         <translation>Frecuencia de datos</translation>
     </message>
     <message>
-        <source>Real-time privilege of this PC</source>
+        <source>Real-time priority on this PC</source>
         <translation>Privilegio de tiempo real de este PC</translation>
     </message>
     <message>
-        <source>Fast wake-ups of this PC</source>
+        <source>Timer wake-ups of this PC</source>
         <translation>Despertar rápido de este PC</translation>
     </message>
     <message>
@@ -887,11 +895,11 @@
         <translation>Línea Z</translation>
     </message>
     <message>
-        <source>Let the arm come to rest before freedrive.</source>
+        <source>Wait until the arm is at standstill before Freedrive.</source>
         <translation>Deje que el brazo se detenga antes del movimiento libre.</translation>
     </message>
     <message>
-        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
         <translation>El brazo siente %1 con una carga útil de %2 kg: se movería solo. Suelte la herramienta o corrija carga útil y TCP.</translation>
     </message>
 </context>
@@ -902,29 +910,29 @@
         <translation>hombro izquierdo</translation>
     </message>
     <message>
-        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
         <translation>Palanca izquierda X e Y, palanca derecha Z y giro. Hombro derecho: las palancas giran.</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
-        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
         <translation>No hay segundo testigo en esta pantalla (%1): si una tecla sigue pulsada solo se sabe por los eventos de la ventana.</translation>
     </message>
     <message>
-        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>Se pregunta al servidor gráfico cada 10 ms si el botón o la tecla sigue pulsado.</translation>
     </message>
     <message>
-        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
         <translation>No se puede preguntar una segunda vez al servidor gráfico: si una tecla sigue pulsada solo se sabe por los eventos de la ventana.</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
         <translation>Esta pantalla tiene píxeles pequeños. «Tamaño de todo» en Ajustes agranda texto, teclas y gráficos.</translation>
     </message>
 </context>
@@ -943,7 +951,7 @@
         <translation>Armar o desarmar el teclado</translation>
     </message>
     <message>
-        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
         <translation>Armado, las flechas mueven el brazo; un marco rodea la ventana. Termina solo tras medio minuto.</translation>
     </message>
     <message>
@@ -951,7 +959,7 @@
         <translation>Gamepad y SpaceMouse…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>Qué dice ahora cada dispositivo y hacia dónde irá.</translation>
     </message>
     <message>
@@ -959,27 +967,27 @@
         <translation>Cero aquí</translation>
     </message>
     <message>
-        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
         <translation>Cuenta el recorrido del TCP desde aquí; otra vez: de nuevo desde la pulsación.</translation>
     </message>
     <message>
-        <source>Stops the arm; the next press has this speed.</source>
+        <source>Stops the arm. The next press uses this speed.</source>
         <translation>Detiene el brazo; la próxima pulsación tiene esta velocidad.</translation>
     </message>
     <message>
-        <source>Moves by this much, only while the key is held.</source>
+        <source>Moves by this distance, only while the key is held.</source>
         <translation>Mueve esta cantidad, solo mientras se mantiene la tecla.</translation>
     </message>
     <message>
-        <source>Moves by this much at each press.</source>
+        <source>Moves by this distance at each press.</source>
         <translation>Mueve esta cantidad en cada pulsación.</translation>
     </message>
     <message>
-        <source>Jog until contact, %1 N</source>
+        <source>Jog until contact (%1 N)</source>
         <translation>Mover hasta contacto, %1 N</translation>
     </message>
     <message>
-        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
         <translation>Una tecla mantenida mueve despacio y termina cuando la herramienta encuentra esta fuerza.</translation>
     </message>
     <message>
@@ -987,7 +995,7 @@
         <translation>Otra velocidad manual…</translation>
     </message>
     <message>
-        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
         <translation>Pregunta la velocidad del TCP; giros y articulaciones en proporción.</translation>
     </message>
     <message>
@@ -995,7 +1003,7 @@
         <translation>Otro paso manual…</translation>
     </message>
     <message>
-        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <source>Asks for the step length. The step angle does not change.</source>
         <translation>Pregunta la longitud de un paso; el ángulo de los giros se mantiene.</translation>
     </message>
     <message>
@@ -1003,7 +1011,7 @@
         <translation>Otro giro manual…</translation>
     </message>
     <message>
-        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
         <translation>Pregunta el ángulo de un paso que gira la herramienta o una articulación; la longitud se mantiene.</translation>
     </message>
     <message>
@@ -1011,7 +1019,7 @@
         <translation>Mover hasta contacto, otra fuerza…</translation>
     </message>
     <message>
-        <source>Asks for the force in N at which the motion ends.</source>
+        <source>Asks for the contact force in N that ends the motion.</source>
         <translation>Pregunta la fuerza en N a la que termina el movimiento.</translation>
     </message>
     <message>
@@ -1019,7 +1027,7 @@
         <translation>Movimiento libre: %1</translation>
     </message>
     <message>
-        <source>What the hand can move while Freedrive is held.</source>
+        <source>Selects the axes that can be moved by hand during Freedrive.</source>
         <translation>Qué puede mover la mano mientras se mantiene el movimiento libre.</translation>
     </message>
 </context>
@@ -1096,7 +1104,7 @@
         <translation>mueva hacia fuera</translation>
     </message>
     <message>
-        <source>jog %1 or turn the base</source>
+        <source>jog %1 or rotate the base</source>
         <translation>mueva %1 o gire la base</translation>
     </message>
     <message>
@@ -1108,11 +1116,11 @@
         <translation>Muñeca 2 cerca de 0° o 180°: %1 de la velocidad</translation>
     </message>
     <message>
-        <source>turn wrist 2</source>
+        <source>rotate wrist 2</source>
         <translation>gire la muñeca 2</translation>
     </message>
     <message>
-        <source>jog %1 or turn wrist 2</source>
+        <source>jog %1 or rotate wrist 2</source>
         <translation>mueva %1 o gire la muñeca 2</translation>
     </message>
     <message>
@@ -1120,23 +1128,23 @@
         <translation>%1 a %2° de su límite</translation>
     </message>
     <message>
-        <source>turn %1 %2</source>
+        <source>rotate %1 %2</source>
         <translation>gire %1 %2</translation>
     </message>
     <message>
-        <source>jog %1 or turn %2 %3</source>
+        <source>jog %1 or rotate %2 %3</source>
         <translation>mueva %1 o gire %2 %3</translation>
     </message>
     <message>
-        <source>TCP at its speed cap: %1</source>
+        <source>TCP at the speed cap of %1</source>
         <translation>TCP en su límite de velocidad: %1</translation>
     </message>
     <message>
-        <source>the cap is in the settings</source>
+        <source>change the cap in Settings</source>
         <translation>el límite está en los ajustes</translation>
     </message>
     <message>
-        <source>Elbow at its speed cap: %1</source>
+        <source>Elbow at the speed cap of %1</source>
         <translation>Codo en su límite de velocidad: %1</translation>
     </message>
     <message>
@@ -1144,16 +1152,32 @@
         <translation>mueva menos de lado</translation>
     </message>
     <message>
-        <source>Turning at its cap: %1</source>
+        <source>Rotation at its cap of %1</source>
         <translation>Giro en su límite: %1</translation>
     </message>
     <message>
-        <source>%1 at its top speed: %2</source>
+        <source>%1 at its maximum speed of %2</source>
         <translation>%1 a su velocidad máxima: %2</translation>
     </message>
     <message>
-        <source>choose a slower class</source>
+        <source>choose a lower speed</source>
         <translation>elija una clase más lenta</translation>
+    </message>
+    <message>
+        <source>move away from it</source>
+        <translation>alejarse</translation>
+    </message>
+    <message>
+        <source>jog %1</source>
+        <translation>mover %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3: %4 of the speed</source>
+        <translation>%1 está a %2 de %3: %4 de la velocidad</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3</source>
+        <translation>%1 está a %2 de %3</translation>
     </message>
 </context>
 <context>
@@ -1170,7 +1194,7 @@
         <translation>MOVIMIENTO LIBRE</translation>
     </message>
     <message>
-        <source>The arm follows the hand that moves it.</source>
+        <source>The arm can be moved by hand.</source>
         <translation>El brazo sigue la mano que lo mueve.</translation>
     </message>
     <message>
@@ -1238,15 +1262,15 @@
         <translation>observando</translation>
     </message>
     <message>
-        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>Los paquetes llegan tarde o no llegan: el movimiento puede detenerse solo y los gráficos tienen huecos. Use un cable, no un enlace por radio, y cierre otros programas.</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
         <translation>Las órdenes tardan más de 20 ms: el brazo sigue la tecla con retraso. Mueva despacio.</translation>
     </message>
     <message>
-        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
         <translation>Bien: el brazo sigue la tecla enseguida, y un enlace cortado lo detiene en un cuarto de segundo.</translation>
     </message>
     <message>
@@ -1258,7 +1282,7 @@
         <translation>Desde la conexión: %1 paquetes, %2 tarde, %3 perdidos</translation>
     </message>
     <message>
-        <source>Late is a packet that comes more than half a period after its time.</source>
+        <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
         <translation>Tarde es un paquete que llega más de medio período después de su hora.</translation>
     </message>
     <message>
@@ -1326,7 +1350,7 @@
         <translation>Tomar el control</translation>
     </message>
     <message>
-        <source>Choose the simulator or the address of a robot</source>
+        <source>Select the simulator or enter the address of a robot</source>
         <translation>Elija el simulador o la dirección de un robot</translation>
     </message>
     <message>
@@ -1338,12 +1362,16 @@
         <translation>El brazo puede ceder unos milímetros. Manténgase apartado.</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
         <translation>Muestra qué detuvo el brazo, los últimos cinco segundos y el camino de vuelta. Nada se mueve.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>Inicia el programa de control en el robot, lo que detiene cualquier otro programa.</translation>
+        <source>Data late</source>
+        <translation>Datos con retraso</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>Inicia el programa de control en el robot. Pregunta antes de detener otro programa.</translation>
     </message>
 </context>
 <context>
@@ -1357,7 +1385,7 @@
         <translation>El controlador del robot no está en marcha. Reinicie la caja de control.</translation>
     </message>
     <message>
-        <source>Arm off line</source>
+        <source>Arm disconnected</source>
         <translation>Brazo sin conexión</translation>
     </message>
     <message>
@@ -1385,7 +1413,7 @@
         <translation>Apagado</translation>
     </message>
     <message>
-        <source>The arm is off. Power it on.</source>
+        <source>The arm is powered off. Power it on.</source>
         <translation>El brazo está apagado. Enciéndalo.</translation>
     </message>
     <message>
@@ -1393,7 +1421,7 @@
         <translation>Encendido</translation>
     </message>
     <message>
-        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <source>The arm is powered and initializing. Wait a moment.</source>
         <translation>El brazo tiene corriente y se prepara. Espere un momento.</translation>
     </message>
     <message>
@@ -1409,7 +1437,7 @@
         <translation>Backdrive</translation>
     </message>
     <message>
-        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
         <translation>El brazo se mueve a mano venciendo sus frenos. Suelte el botón de movimiento libre.</translation>
     </message>
     <message>
@@ -1417,7 +1445,7 @@
         <translation>En marcha</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm stands still.</source>
+        <source>Brakes are released. The arm is at standstill.</source>
         <translation>Los frenos están liberados. El brazo está quieto.</translation>
     </message>
     <message>
@@ -1441,7 +1469,7 @@
         <translation>Reducido</translation>
     </message>
     <message>
-        <source>The robot keeps to its reduced limits.</source>
+        <source>The reduced safety limits are active.</source>
         <translation>El robot respeta sus límites reducidos.</translation>
     </message>
     <message>
@@ -1465,7 +1493,7 @@
         <translation>Parada de salvaguarda</translation>
     </message>
     <message>
-        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
         <translation>Una salvaguarda está abierta. Ciérrela; donde haya un rearme configurado, púlselo.</translation>
     </message>
     <message>
@@ -1505,7 +1533,7 @@
         <translation>Validar articulaciones</translation>
     </message>
     <message>
-        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <source>A joint was replaced. Validate the joints on the teach pendant.</source>
         <translation>Se cambió una articulación. Valide las articulaciones en la consola portátil.</translation>
     </message>
     <message>
@@ -1513,7 +1541,7 @@
         <translation>Indefinido</translation>
     </message>
     <message>
-        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <source>The controller does not report its safety mode. Check the teach pendant.</source>
         <translation>El controlador no dice su modo de seguridad. Mire la consola portátil.</translation>
     </message>
     <message>
@@ -1561,7 +1589,7 @@
         <translation>PROFIsafe en espera</translation>
     </message>
     <message>
-        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
         <translation>El robot espera a su controlador PROFIsafe. Compruebe el bus de campo y sus parámetros.</translation>
     </message>
     <message>
@@ -1585,7 +1613,7 @@
         <translation>Parada de emergencia PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
         <translation>El controlador PROFIsafe pide una parada de emergencia. Suéltela allí, después encienda y libere los frenos.</translation>
     </message>
     <message>
@@ -1601,7 +1629,7 @@
         <translation>Parada por plano de E/S</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
         <translation>La herramienta cruzó un plano de seguridad activado por una entrada. Sáquela con la consola portátil o desactive la entrada.</translation>
     </message>
     <message>
@@ -1621,7 +1649,7 @@
         <translation>No hay ningún programa en marcha en el robot.</translation>
     </message>
     <message>
-        <source>Program plays</source>
+        <source>Program running</source>
         <translation>Programa en marcha</translation>
     </message>
     <message>
@@ -1633,7 +1661,7 @@
         <translation>Programa pausándose</translation>
     </message>
     <message>
-        <source>The program is coming to a halt.</source>
+        <source>The program is pausing.</source>
         <translation>El programa se está deteniendo.</translation>
     </message>
     <message>
@@ -1641,7 +1669,7 @@
         <translation>Programa en pausa</translation>
     </message>
     <message>
-        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
         <translation>Reproducir sigue con el movimiento interrumpido; detenga el programa para abandonarlo.</translation>
     </message>
     <message>
@@ -1649,7 +1677,7 @@
         <translation>Programa reanudándose</translation>
     </message>
     <message>
-        <source>The program is going on: the arm may move.</source>
+        <source>The program is resuming: the arm may move.</source>
         <translation>El programa continúa: el brazo puede moverse.</translation>
     </message>
     <message>
@@ -1668,7 +1696,7 @@
 <context>
     <name>OutputGripper</name>
     <message>
-        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
         <translation>El robot no confirmó las salidas. Quizá pertenezcan a otro programa o a la instalación.</translation>
     </message>
     <message>
@@ -1688,11 +1716,11 @@
         <translation>desconocido</translation>
     </message>
     <message>
-        <source>told to open</source>
+        <source>open requested</source>
         <translation>orden de abrir</translation>
     </message>
     <message>
-        <source>told to close</source>
+        <source>close requested</source>
         <translation>orden de cerrar</translation>
     </message>
     <message>
@@ -1715,11 +1743,11 @@
         <translation>Grabar</translation>
     </message>
     <message>
-        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
         <translation>Escribe cada paquete del robot en un archivo CSV, hasta que se detenga.</translation>
     </message>
     <message>
-        <source>A recording runs already.</source>
+        <source>A recording is already running.</source>
         <translation>Ya hay una grabación en marcha.</translation>
     </message>
     <message>
@@ -1731,11 +1759,11 @@
         <translation>Detener grabación</translation>
     </message>
     <message>
-        <source>Ends the recording; its file is complete.</source>
+        <source>Stops the recording and completes its file.</source>
         <translation>Termina la grabación; su archivo está completo.</translation>
     </message>
     <message>
-        <source>Nothing is recorded.</source>
+        <source>No recording is running.</source>
         <translation>No se graba nada.</translation>
     </message>
     <message>
@@ -1743,7 +1771,7 @@
         <translation>Pausar o reanudar los gráficos</translation>
     </message>
     <message>
-        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
         <translation>Congela los gráficos; los datos y la grabación siguen. Otra vez: vuelta a las muestras más nuevas.</translation>
     </message>
     <message>
@@ -1751,7 +1779,7 @@
         <translation>Exportar los gráficos…</translation>
     </message>
     <message>
-        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <source>Saves the visible range as an image, a drawing, a page or values.</source>
         <translation>Guarda el intervalo mostrado como imagen, dibujo, página o valores.</translation>
     </message>
     <message>
@@ -1759,7 +1787,7 @@
         <translation>Los gráficos muestran %1</translation>
     </message>
     <message>
-        <source>How much time the plots show.</source>
+        <source>Sets the time range of the plots.</source>
         <translation>Cuánto tiempo muestran los gráficos.</translation>
     </message>
     <message>
@@ -1771,27 +1799,27 @@
         <translation>Encuentra un borne o un registro por su número o nombre.</translation>
     </message>
     <message>
-        <source>Rename the chosen input or output</source>
+        <source>Rename selected input or output</source>
         <translation>Renombrar la entrada o salida elegida</translation>
     </message>
     <message>
-        <source>The row of the tab I/O that has the focus.</source>
+        <source>Applies to the focused row of the I/O tab.</source>
         <translation>La fila de la pestaña E/S que tiene el foco.</translation>
     </message>
     <message>
-        <source>Switch the chosen output</source>
+        <source>Switch selected output</source>
         <translation>Conmutar la salida elegida</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <source>Switches the focused output of the I/O tab on or off.</source>
         <translation>La salida de la pestaña E/S que tiene el foco: activada, o desactivada de nuevo.</translation>
     </message>
     <message>
-        <source>Pulse the chosen output</source>
+        <source>Pulse selected output</source>
         <translation>Pulso en la salida elegida</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
         <translation>La salida de la pestaña E/S que tiene el foco: activada medio segundo, después desactivada.</translation>
     </message>
     <message>
@@ -1799,7 +1827,7 @@
         <translation>Buscar en el registro</translation>
     </message>
     <message>
-        <source>Shows only the lines with these words.</source>
+        <source>Shows only entries that contain these words.</source>
         <translation>Muestra solo las líneas con estas palabras.</translation>
     </message>
     <message>
@@ -1807,7 +1835,7 @@
         <translation>Registro: mostrar todo</translation>
     </message>
     <message>
-        <source>Log: show warnings and worse</source>
+        <source>Log: show warnings and errors</source>
         <translation>Registro: mostrar avisos y peores</translation>
     </message>
     <message>
@@ -1815,7 +1843,7 @@
         <translation>Registro: mostrar errores</translation>
     </message>
     <message>
-        <source>Chooses which lines of the log are shown.</source>
+        <source>Selects which log entries are shown.</source>
         <translation>Elige qué líneas del registro se muestran.</translation>
     </message>
     <message>
@@ -1823,7 +1851,7 @@
         <translation>Copiar el registro</translation>
     </message>
     <message>
-        <source>Copies the selected lines, or all that are shown.</source>
+        <source>Copies the selected entries, or all visible entries.</source>
         <translation>Copia las líneas seleccionadas, o todas las mostradas.</translation>
     </message>
     <message>
@@ -1831,7 +1859,7 @@
         <translation>Exportar el registro…</translation>
     </message>
     <message>
-        <source>Writes the lines that are shown to a file.</source>
+        <source>Writes the visible entries to a file.</source>
         <translation>Escribe en un archivo las líneas mostradas.</translation>
     </message>
     <message>
@@ -1839,7 +1867,7 @@
         <translation>Buscar señales para los gráficos</translation>
     </message>
     <message>
-        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
         <translation>Abre la lista de todo lo que dice el robot: a un gráfico arrastrando, con doble clic o Intro.</translation>
     </message>
     <message>
@@ -1847,26 +1875,26 @@
         <translation>Nueva página de gráficos</translation>
     </message>
     <message>
-        <source>An empty page behind the others; all pages show the same time.</source>
+        <source>Adds an empty page after the others. All pages share the time axis.</source>
         <translation>Una página vacía tras las demás; todas muestran el mismo tiempo.</translation>
     </message>
     <message>
-        <source>Show all of the plots&apos; history</source>
+        <source>Show the entire history</source>
         <translation>Mostrar todo el historial de los gráficos</translation>
     </message>
     <message>
-        <source>All that is in memory, each plot at its best scale.</source>
+        <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>Todo lo que hay en memoria, cada gráfico en su mejor escala.</translation>
     </message>
 </context>
 <context>
     <name>PlotMenu</name>
     <message>
-        <source>Take the lane %1 away</source>
+        <source>Remove lane %1</source>
         <translation>Quitar la pista %1</translation>
     </message>
     <message>
-        <source>Note here…</source>
+        <source>Add note here…</source>
         <translation>Anotar aquí…</translation>
     </message>
     <message>
@@ -1878,7 +1906,7 @@
         <translation>Ocultar %1</translation>
     </message>
     <message>
-        <source>Let the cursors read %1</source>
+        <source>Read %1 at the cursors</source>
         <translation>Que los cursores lean %1</translation>
     </message>
     <message>
@@ -1886,15 +1914,15 @@
         <translation>Pasar %1 a un gráfico propio</translation>
     </message>
     <message>
-        <source>Take %1 away</source>
+        <source>Remove %1</source>
         <translation>Quitar %1</translation>
     </message>
     <message>
-        <source>Alarm when %1</source>
+        <source>Warn when %1</source>
         <translation>Alarma cuando %1</translation>
     </message>
     <message>
-        <source>No alarm when %1</source>
+        <source>Do not warn when %1</source>
         <translation>Sin alarma cuando %1</translation>
     </message>
     <message>
@@ -1902,7 +1930,7 @@
         <translation>Tasa de cambio de %1</translation>
     </message>
     <message>
-        <source>Moving mean of %1 over half a second</source>
+        <source>Moving mean of %1 over 0.5 s</source>
         <translation>Media móvil de %1 en medio segundo</translation>
     </message>
     <message>
@@ -1918,15 +1946,15 @@
         <translation>Nuevo gráfico debajo</translation>
     </message>
     <message>
-        <source>New plot beside</source>
+        <source>New plot to the right</source>
         <translation>Nuevo gráfico al lado</translation>
     </message>
     <message>
-        <source>Take this plot away</source>
+        <source>Remove this plot</source>
         <translation>Quitar este gráfico</translation>
     </message>
     <message>
-        <source>Let the curves decide about the scale</source>
+        <source>Scale to the curves</source>
         <translation>Que las curvas decidan la escala</translation>
     </message>
     <message>
@@ -1941,11 +1969,11 @@
         <translation>Esperando la parada.</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <source>The arm is in a protective stop. Press Recover… in the header.</source>
         <translation>El brazo está en una parada de protección. Pulse Recuperar en la cabecera.</translation>
     </message>
     <message>
-        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
         <translation>Desbloqueado. El brazo aún no está en marcha: siga la página de recuperación.</translation>
     </message>
     <message>
@@ -1953,43 +1981,43 @@
         <translation>Desbloqueado. Tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>The arm runs and is under your control again.</source>
+        <source>The arm is running and under your control again.</source>
         <translation>El brazo está en marcha y de nuevo bajo su control.</translation>
     </message>
     <message>
-        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <source>No new frame yet. Use 3 points in the Frames tab.</source>
         <translation>Aún no hay sistema de coordenadas nuevo. «3 puntos» está en la pestaña Sistemas.</translation>
     </message>
     <message>
-        <source>“%1” lies as it was asked for.</source>
+        <source>“%1” meets the requirements.</source>
         <translation>«%1» está donde se pedía.</translation>
     </message>
     <message>
-        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
         <translation>«%1»: su Z se desvía %2° de la de la base. El tercer punto está del lado de +Y.</translation>
     </message>
     <message>
-        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
         <translation>«%1»: su X se desvía %2° de la Y de la base.</translation>
     </message>
     <message>
-        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
         <translation>«%1» no se tomó con el brazo: el TCP no ha estado en su origen.</translation>
     </message>
     <message>
-        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <source>The waypoint was deleted. Start adds a new one.</source>
         <translation>El punto de paso ya no está. Iniciar pone uno nuevo.</translation>
     </message>
     <message>
-        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
         <translation>«%1» está donde estaba. El brazo está a %2 a lo largo de X.</translation>
     </message>
     <message>
-        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <source>“%1” has moved by %2 and is %3 from the expected position.</source>
         <translation>«%1» se movió %2 y está a %3 de donde debería.</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the tool was turned.</source>
+        <source>“%1” is at the expected position, but the tool orientation changed.</source>
         <translation>«%1» está en el sitio, pero la herramienta giró.</translation>
     </message>
     <message>
@@ -1997,23 +2025,23 @@
         <translation>«%1» está de nuevo en la pieza.</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
         <translation>«%1» está en el sitio, pero el brazo no está allí. Retoque con el brazo en la pieza.</translation>
     </message>
     <message>
-        <source>Slowed down to %1. Go on.</source>
+        <source>Slowed down to %1. Continue.</source>
         <translation>Ralentizado a %1. Continúe.</translation>
     </message>
     <message>
-        <source>No limit yet. The line below the pad will name it.</source>
+        <source>No limit reached yet. The line below the pad will name it.</source>
         <translation>Aún sin límite. La línea bajo el teclado lo nombrará.</translation>
     </message>
     <message>
-        <source>That is the limit. Now back: %1 of %2.</source>
+        <source>Limit reached. Now jog back: %1 of %2.</source>
         <translation>Ese es el límite. Ahora atrás: %1 de %2.</translation>
     </message>
     <message>
-        <source>Found it, and out of it again.</source>
+        <source>You reached the limit and moved out of it again.</source>
         <translation>Encontrado, y de nuevo fuera.</translation>
     </message>
     <message>
@@ -2025,7 +2053,7 @@
         <translation>Esa grabación es demasiado corta. Grabe de nuevo.</translation>
     </message>
     <message>
-        <source>No recording yet. Record is above the plots.</source>
+        <source>No recording yet. Press Record above the plots.</source>
         <translation>Aún sin grabación. Grabar está sobre los gráficos.</translation>
     </message>
     <message>
@@ -2033,11 +2061,11 @@
         <translation>Grabado. Introduzca la fuerza que muestra el gráfico.</translation>
     </message>
     <message>
-        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <source>%1 does not match the recording. Look at the Fz curve.</source>
         <translation>%1 no es lo que se grabó. Mire la curva Fz.</translation>
     </message>
     <message>
-        <source>Right: it was %1.</source>
+        <source>Correct: it was %1.</source>
         <translation>Correcto: era %1.</translation>
     </message>
     <message>
@@ -2061,23 +2089,23 @@
         <translation>Grabar y medir</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
         <translation>Iniciar hace chocar el brazo simulado, que entra en parada de protección. Mire qué lo detuvo, espere los cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Enseñe un sistema de coordenadas con tres puntos en la pestaña Sistemas. Su X debe ir a lo largo de Y+ de la base, su Z hacia arriba: tome el origen, después un punto más allá por Y+, después otro más allá por X−.</translation>
     </message>
     <message>
-        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>Iniciar pone un punto de paso «pieza» donde está el brazo. Desde entonces la pieza se movió %1 por X+ de la base. Vaya allí, seleccione el punto y retóquelo (U).</translation>
     </message>
     <message>
-        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>Aléjese de la base, hacia fuera, hasta que un límite frene el brazo a la mitad. La línea bajo el teclado lo nombra y dice la salida. Después vuelva %1.</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>Iniciar hace que una mano presione la herramienta desde arriba. Grabe al menos tres segundos y detenga. Lea en los gráficos cuánta es la fuerza Fz e introdúzcala.</translation>
     </message>
     <message>
@@ -2093,6 +2121,21 @@
     </message>
 </context>
 <context>
+    <name>ProjectLock</name>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation>proceso %1</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>otro programa</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2103,11 +2146,11 @@
         <translation>Conectando…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself.</source>
+        <source>No data from the robot. Reconnecting automatically.</source>
         <translation>Sin datos del robot. Se reconecta solo.</translation>
     </message>
     <message>
-        <source>Robot data is late. Waiting for it to come back.</source>
+        <source>Robot data are late. Waiting for new data.</source>
         <translation>Los datos del robot llegan tarde. Esperando a que vuelvan.</translation>
     </message>
     <message>
@@ -2122,7 +2165,7 @@
 <context>
     <name>RecordingChoice</name>
     <message>
-        <source>A file needs a name that does not begin with a point.</source>
+        <source>A file name must not be empty or begin with a period.</source>
         <translation>Un archivo necesita un nombre que no empiece por un punto.</translation>
     </message>
     <message>
@@ -2141,11 +2184,11 @@
         <translation>La seguridad vuelve a ser normal</translation>
     </message>
     <message>
-        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
         <translation>El brazo se puede mover. Lo armado antes de la parada no lo mueve: cada movimiento necesita una nueva pulsación.</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
         <translation>El brazo está listo. Tome el control para moverlo, o siga en la consola portátil.</translation>
     </message>
     <message>
@@ -2161,15 +2204,15 @@
         <translation>Esperando la conexión</translation>
     </message>
     <message>
-        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
         <translation>Miré el brazo: nadie lo toca, nada está atrapado.</translation>
     </message>
     <message>
-        <source>What stopped it is known and removed.</source>
+        <source>The cause of the stop is known and removed.</source>
         <translation>Se sabe qué lo detuvo, y está quitado.</translation>
     </message>
     <message>
-        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <source>Payload and TCP match the mounted tool.</source>
         <translation>Carga útil y TCP son los de la herramienta montada.</translation>
     </message>
     <message>
@@ -2177,15 +2220,15 @@
         <translation>Posible en %1 s</translation>
     </message>
     <message>
-        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
         <translation>Miré el brazo y el registro del robot: la causa se conoce.</translation>
     </message>
     <message>
-        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <source>The cause is removed, and no one is within reach of the arm.</source>
         <translation>La causa está quitada y nadie está al alcance del brazo.</translation>
     </message>
     <message>
-        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <source>No action needed here: this state ends when its cause is removed.</source>
         <translation>Aquí no hay nada que pulsar: termina cuando desaparece su causa.</translation>
     </message>
     <message>
@@ -2247,7 +2290,7 @@
         <translation>No hay ningún programa en marcha en el robot.</translation>
     </message>
     <message>
-        <source>A program runs already.</source>
+        <source>A program is already running.</source>
         <translation>Ya hay un programa en marcha.</translation>
     </message>
     <message>
@@ -2255,7 +2298,7 @@
         <translation>Conectar…</translation>
     </message>
     <message>
-        <source>Choose the simulator, a robot or a project.</source>
+        <source>Select the simulator, a robot or a project.</source>
         <translation>Elegir el simulador, un robot o un proyecto.</translation>
     </message>
     <message>
@@ -2271,11 +2314,11 @@
         <translation>Comprobar la conexión…</translation>
     </message>
     <message>
-        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <source>Checks everything between this PC and the robot and suggests fixes.</source>
         <translation>Mira todo lo que hay entre este PC y el robot, cada cosa con su remedio.</translation>
     </message>
     <message>
-        <source>Choose a robot first.</source>
+        <source>Select a robot first.</source>
         <translation>Elija primero un robot.</translation>
     </message>
     <message>
@@ -2283,7 +2326,7 @@
         <translation>Desconectar</translation>
     </message>
     <message>
-        <source>Ends the connection; a motion of ours stops first.</source>
+        <source>Stops our motion, then closes the connection.</source>
         <translation>Termina la conexión; un movimiento nuestro se detiene antes.</translation>
     </message>
     <message>
@@ -2295,7 +2338,7 @@
         <translation>Enciende el brazo. Los frenos siguen puestos.</translation>
     </message>
     <message>
-        <source>The arm has power, or is getting it.</source>
+        <source>The arm is powered on or powering on.</source>
         <translation>El brazo tiene corriente, o la está recibiendo.</translation>
     </message>
     <message>
@@ -2303,11 +2346,11 @@
         <translation>El brazo puede ceder unos milímetros. Manténgase apartado.</translation>
     </message>
     <message>
-        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <source>Stops programs, engages the brakes and powers the arm off.</source>
         <translation>Pone los frenos y quita la corriente al brazo; los programas se detienen.</translation>
     </message>
     <message>
-        <source>The arm is off.</source>
+        <source>The arm is powered off.</source>
         <translation>El brazo está apagado.</translation>
     </message>
     <message>
@@ -2315,15 +2358,15 @@
         <translation>Recuperar…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, and the way back.</source>
+        <source>Shows what stopped the arm and the recovery steps.</source>
         <translation>Muestra qué detuvo el brazo y el camino de vuelta.</translation>
     </message>
     <message>
-        <source>No stop of the safety system.</source>
+        <source>The safety system reports no stop.</source>
         <translation>Ninguna parada del sistema de seguridad.</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
         <translation>Tras una infracción o un fallo, una vez hallada la causa. El brazo sigue apagado.</translation>
     </message>
     <message>
@@ -2339,11 +2382,7 @@
         <translation>Tomar el control</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>Inicia el programa de control en el robot, lo que detiene cualquier otro programa.</translation>
-    </message>
-    <message>
-        <source>In control already.</source>
+        <source>Already in control.</source>
         <translation>Ya con control.</translation>
     </message>
     <message>
@@ -2363,7 +2402,7 @@
         <translation>Parar</translation>
     </message>
     <message>
-        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <source>Software stop of all motion. Not an emergency stop.</source>
         <translation>Parada por software de todo lo que se mueve. No es una parada de emergencia.</translation>
     </message>
     <message>
@@ -2371,20 +2410,24 @@
         <translation>Cargar programa…</translation>
     </message>
     <message>
-        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <source>Loads a program stored on the robot by name.</source>
         <translation>Carga por su nombre un programa propio del robot.</translation>
     </message>
     <message>
-        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
         <translation>Inicia el programa cargado, o sigue con uno en pausa: el brazo puede moverse enseguida.</translation>
     </message>
     <message>
-        <source>Pauses the program that runs.</source>
+        <source>Pauses the running program.</source>
         <translation>Pausa el programa en marcha.</translation>
     </message>
     <message>
-        <source>Stops the robot&apos;s own program.</source>
+        <source>Stops the program on the robot.</source>
         <translation>Detiene el programa propio del robot.</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>Inicia el programa de control en el robot. Pregunta antes de detener otro programa.</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2475,22 @@
     <message>
         <source>%1: off for %2 s</source>
         <translation>%1: desactivada %2 s</translation>
+    </message>
+    <message>
+        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <translation>El robot temporiza los impulsos, y para ello se necesita el control. Tome primero el control, o active y desactive la salida.</translation>
+    </message>
+    <message>
+        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <translation>El robot no terminó el impulso de %1 porque su programa se detuvo o quedó en pausa. Tiller desactiva la salida.</translation>
+    </message>
+    <message>
+        <source>Input register %1</source>
+        <translation>Registro de entrada %1</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>Deslizador de velocidad</translation>
     </message>
 </context>
 <context>
@@ -2485,22 +2544,26 @@
         <translation>Se detuvo el programa del robot</translation>
     </message>
     <message>
-        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
         <translation>El programa del robot no se detuvo: deténgalo en la consola portátil. %1</translation>
     </message>
     <message>
-        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
         <translation>El robot se cambió a control local: se detuvo el movimiento y se devolvió el control. Cámbielo a control remoto en la consola portátil y tome de nuevo el control.</translation>
+    </message>
+    <message>
+        <source>Unlock protective stop</source>
+        <translation>Desbloquear la parada de protección</translation>
     </message>
 </context>
 <context>
     <name>RobotTooling</name>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>El brazo no está bajo control. Tome primero el control.</translation>
     </message>
     <message>
-        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
         <translation>TCP y carga útil se fijan con el brazo parado. Deje que se detenga.</translation>
     </message>
     <message>
@@ -2519,7 +2582,7 @@
         <translation>Tomar y colocar</translation>
     </message>
     <message>
-        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
         <translation>Se toma una pieza de un alimentador y se pone en uno de seis sitios de una bandeja. Los sitios se dan en el sistema de la bandeja y se mueven con ella.</translation>
     </message>
     <message>
@@ -2527,26 +2590,26 @@
         <translation>Encolado a lo largo de una trayectoria</translation>
     </message>
     <message>
-        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
         <translation>Un cordón alrededor de una tapa con esquinas redondeadas, lento y en rectas. La fusión mantiene la boquilla en movimiento en las esquinas.</translation>
     </message>
     <message>
-        <source>Measuring round</source>
+        <source>Measuring</source>
         <translation>Ronda de medición</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
         <translation>Un palpador toca una pieza desde arriba y por cuatro lados, cada vez desde un punto de aproximación y con la herramienta inclinada.</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>Mirar desde el primer lado, en perspectiva</translation>
     </message>
     <message>
-        <source>From between front and side, a little above, with everything in the picture.</source>
+        <source>From between front and side, slightly above, with everything visible.</source>
         <translation>Entre el frente y el lado, un poco desde arriba, con todo en la imagen.</translation>
     </message>
     <message>
@@ -2574,18 +2637,18 @@
         <translation>X de la base a la derecha, Y arriba.</translation>
     </message>
     <message>
-        <source>Fit everything into the view</source>
+        <source>Fit everything in the view</source>
         <translation>Ajustar todo a la vista</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>Brazo, objetivo y puntos de paso en la imagen, desde el lado actual.</translation>
     </message>
 </context>
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>Nothing is recorded: connect to a robot first.</source>
+        <source>Cannot record: connect to a robot first.</source>
         <translation>No se graba nada: conéctese primero a un robot.</translation>
     </message>
     <message>
@@ -2607,11 +2670,11 @@
         <translation>escribir %1</translation>
     </message>
     <message>
-        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <source>Invalid value for the setting &quot;%1&quot;.</source>
         <translation>El valor de &quot;%1&quot; no puede estar en los ajustes.</translation>
     </message>
     <message>
-        <source>The file is too large for settings.</source>
+        <source>The file is too large for a settings file.</source>
         <translation>El archivo es demasiado grande para ser de ajustes.</translation>
     </message>
     <message>
@@ -2619,7 +2682,7 @@
         <translation>El archivo está dañado en el byte %1: %2.</translation>
     </message>
     <message>
-        <source>The file holds no settings of Tiller.</source>
+        <source>The file contains no Tiller settings.</source>
         <translation>El archivo no contiene ajustes de Tiller.</translation>
     </message>
     <message>
@@ -2627,20 +2690,16 @@
         <translation>El archivo lo escribió un Tiller más nuevo. Actualice Tiller para importarlo.</translation>
     </message>
     <message>
-        <source>The file does not say which version it has.</source>
+        <source>The file does not state its version.</source>
         <translation>El archivo no dice qué versión tiene.</translation>
     </message>
     <message>
-        <source>The file has no list of values, or one that is too long.</source>
+        <source>The list of values is missing or too long.</source>
         <translation>El archivo no tiene lista de valores, o es demasiado larga.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no name of a setting.</source>
+        <source>&quot;%1&quot; is not a valid setting name.</source>
         <translation>&quot;%1&quot; no es el nombre de un ajuste.</translation>
-    </message>
-    <message>
-        <source>read %1</source>
-        <translation>leer %1</translation>
     </message>
 </context>
 <context>
@@ -2674,7 +2733,7 @@
         <translation>Carga útil y herramienta</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>Más</translation>
     </message>
     <message>
@@ -2682,71 +2741,71 @@
         <translation>Registros</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>Fuerza en el TCP</translation>
     </message>
     <message>
-        <source>Torque at the TCP</source>
+        <source>TCP torque</source>
         <translation>Par en el TCP</translation>
     </message>
     <message>
-        <source>Position of the TCP</source>
+        <source>TCP position</source>
         <translation>Posición del TCP</translation>
     </message>
     <message>
-        <source>Rotation vector of the TCP</source>
+        <source>TCP rotation vector</source>
         <translation>Vector de rotación del TCP</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>Velocidad del TCP</translation>
     </message>
     <message>
-        <source>Rotation speed of the TCP</source>
+        <source>TCP angular speed</source>
         <translation>Velocidad de rotación del TCP</translation>
     </message>
     <message>
-        <source>Acceleration of the TCP</source>
+        <source>TCP acceleration</source>
         <translation>Aceleración del TCP</translation>
     </message>
     <message>
-        <source>Target position of the TCP</source>
+        <source>Target TCP position</source>
         <translation>Posición objetivo del TCP</translation>
     </message>
     <message>
-        <source>Target rotation vector of the TCP</source>
+        <source>Target TCP rotation vector</source>
         <translation>Vector de rotación objetivo del TCP</translation>
     </message>
     <message>
-        <source>Target speed of the TCP</source>
+        <source>Target TCP speed</source>
         <translation>Velocidad objetivo del TCP</translation>
     </message>
     <message>
-        <source>Target rotation speed of the TCP</source>
+        <source>Target TCP angular speed</source>
         <translation>Velocidad de rotación objetivo del TCP</translation>
     </message>
     <message>
-        <source>Raw force of the sensor</source>
+        <source>Raw sensor force</source>
         <translation>Fuerza bruta del sensor</translation>
     </message>
     <message>
-        <source>Raw torque of the sensor</source>
+        <source>Raw sensor torque</source>
         <translation>Par bruto del sensor</translation>
     </message>
     <message>
-        <source>Force at the TCP, norm</source>
+        <source>TCP force, norm</source>
         <translation>Fuerza en el TCP, norma</translation>
     </message>
     <message>
-        <source>Accelerometer in the flange</source>
+        <source>Tool accelerometer</source>
         <translation>Acelerómetro en la brida</translation>
     </message>
     <message>
-        <source>Position of the elbow</source>
+        <source>Elbow position</source>
         <translation>Posición del codo</translation>
     </message>
     <message>
-        <source>Speed of the elbow</source>
+        <source>Elbow speed</source>
         <translation>Velocidad del codo</translation>
     </message>
     <message>
@@ -2798,15 +2857,15 @@
         <translation>Corrientes de control articulares</translation>
     </message>
     <message>
-        <source>Allowed deviation of the currents</source>
+        <source>Allowed current deviation</source>
         <translation>Desviación permitida de las corrientes</translation>
     </message>
     <message>
-        <source>Position deviation over its limit</source>
+        <source>Position deviation, ratio to limit</source>
         <translation>Desviación de posición sobre su límite</translation>
     </message>
     <message>
-        <source>Collision measure over its limit</source>
+        <source>Collision measure, ratio to limit</source>
         <translation>Medida de colisión sobre su límite</translation>
     </message>
     <message>
@@ -2886,7 +2945,7 @@
         <translation>Corriente del brazo</translation>
     </message>
     <message>
-        <source>Current of the I/O</source>
+        <source>I/O current</source>
         <translation>Corriente de las E/S</translation>
     </message>
     <message>
@@ -2910,7 +2969,7 @@
         <translation>Deslizador de velocidad</translation>
     </message>
     <message>
-        <source>Time of a control step</source>
+        <source>Control step time</source>
         <translation>Tiempo de un paso de control</translation>
     </message>
     <message>
@@ -3045,7 +3104,7 @@
         <translation>tecla izquierda</translation>
     </message>
     <message>
-        <source>The cap moves and turns as the tool shall.</source>
+        <source>The tool follows the motion of the cap.</source>
         <translation>La tapa se mueve y gira como debe hacerlo la herramienta.</translation>
     </message>
 </context>
@@ -3056,22 +3115,22 @@
         <translation>calcular un espectro</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <source>There are fewer than %1 samples: select a longer range.</source>
         <translation>Hay menos de %1 muestras: elija un intervalo más largo.</translation>
     </message>
     <message>
-        <source>Values are missing in this range: choose one without a gap.</source>
+        <source>Values are missing in this range: select a range without gaps.</source>
         <translation>Faltan valores en este intervalo: elija uno sin huecos.</translation>
     </message>
     <message>
-        <source>There is too little memory.</source>
+        <source>Not enough memory.</source>
         <translation>No hay memoria suficiente.</translation>
     </message>
 </context>
 <context>
     <name>StartProject</name>
     <message>
-        <source>The project worked in last is not there any more: %1</source>
+        <source>The last project no longer exists: %1</source>
         <translation>El último proyecto en el que se trabajó ya no está: %1</translation>
     </message>
 </context>
@@ -3157,31 +3216,31 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
         <translation>Compruebe la dirección: cuatro números como 192.168.0.10, o un nombre que la red conozca.</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
         <translation>Compruebe que el robot está encendido, el cable conectado y que este PC está en la misma red.</translation>
     </message>
     <message>
-        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
         <translation>Active la interfaz en el robot: Ajustes, Seguridad, Servicios. Un robot recién arrancado puede necesitar otro minuto.</translation>
     </message>
     <message>
-        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
         <translation>El robot terminó la conexión: quizá se está reiniciando o se cambió entre Local y Remoto.</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <source>The robot does not answer. Check the cable and the address.</source>
         <translation>El robot no responde. Compruebe el cable y que la dirección es la del robot.</translation>
     </message>
     <message>
-        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
         <translation>Dejaron de llegar datos. Compruebe el cable; la conexión vuelve sola, el movimiento no.</translation>
     </message>
     <message>
-        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <source>The answer violates the RTDE protocol. Check address and port.</source>
         <translation>Lo que responde allí no habla RTDE como debe. Compruebe dirección y puerto.</translation>
     </message>
     <message>
@@ -3189,11 +3248,11 @@
         <translation>El software del robot es demasiado antiguo para esto.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software does not have this value.</source>
+        <source>The robot&apos;s software does not provide this value.</source>
         <translation>El software del robot no tiene este valor.</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
         <translation>Otro programa o un bus de campo del robot ocupa estos registros: cierre el otro programa o desactive el bus de campo en la instalación.</translation>
     </message>
     <message>
@@ -3209,36 +3268,32 @@
         <translation>Lleve primero el robot a «En marcha» y su seguridad a «Normal».</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>Cambie el robot a control remoto en la consola portátil, arriba a la derecha.</translation>
     </message>
     <message>
-        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed within the cap.</source>
         <translation>Elija un objetivo dentro del rango del brazo y una velocidad dentro del límite.</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
         <translation>El brazo no puede alcanzar esta pose: acerque el punto o gire la herramienta.</translation>
     </message>
     <message>
-        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <source>The robot could not run the program. See the log for the message of the controller.</source>
         <translation>El robot no pudo ejecutar el programa enviado. Vea sus propias palabras en el registro.</translation>
     </message>
     <message>
-        <source>Check that the file exists and may be read.</source>
+        <source>Check that the file exists and that you have permission to read it.</source>
         <translation>Compruebe que el archivo existe y se puede leer.</translation>
     </message>
     <message>
-        <source>Choose a folder you may write to.</source>
+        <source>Choose a folder that you have permission to write to.</source>
         <translation>Elija una carpeta en la que pueda escribir.</translation>
     </message>
     <message>
-        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <source>The file was not changed. Open a backup, or repair the reported position.</source>
         <translation>El archivo quedó como estaba. Abra una copia de seguridad o repare el lugar indicado.</translation>
-    </message>
-    <message>
-        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
-        <translation>El disco está lleno: lo grabado hasta ahora se conserva. Libere espacio y grabe de nuevo.</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3257,11 +3312,11 @@
         <translation>Conexión rechazada</translation>
     </message>
     <message>
-        <source>Connection ended by the robot</source>
+        <source>Connection closed by the robot</source>
         <translation>Conexión terminada por el robot</translation>
     </message>
     <message>
-        <source>No answer in time</source>
+        <source>Timed out</source>
         <translation>Sin respuesta a tiempo</translation>
     </message>
     <message>
@@ -3269,11 +3324,11 @@
         <translation>Cancelado</translation>
     </message>
     <message>
-        <source>Link lost</source>
+        <source>Connection lost</source>
         <translation>Enlace perdido</translation>
     </message>
     <message>
-        <source>Not understood</source>
+        <source>Protocol error</source>
         <translation>No se entiende</translation>
     </message>
     <message>
@@ -3309,7 +3364,7 @@
         <translation>Fuera de los límites</translation>
     </message>
     <message>
-        <source>Not a valid value</source>
+        <source>Invalid value</source>
         <translation>Valor no válido</translation>
     </message>
     <message>
@@ -3329,11 +3384,11 @@
         <translation>Error de programa en el robot</translation>
     </message>
     <message>
-        <source>File cannot be read</source>
+        <source>Cannot read the file</source>
         <translation>No se puede leer el archivo</translation>
     </message>
     <message>
-        <source>File cannot be written</source>
+        <source>Cannot write the file</source>
         <translation>No se puede escribir el archivo</translation>
     </message>
     <message>
@@ -3365,7 +3420,7 @@
         <translation>foco perdido</translation>
     </message>
     <message>
-        <source>window no longer active</source>
+        <source>window lost activation</source>
         <translation>la ventana ya no está activa</translation>
     </message>
     <message>
@@ -3409,7 +3464,7 @@
         <translation>cambió el modo del robot o de seguridad</translation>
     </message>
     <message>
-        <source>not refreshed in time</source>
+        <source>input not refreshed in time</source>
         <translation>no renovado a tiempo</translation>
     </message>
     <message>
@@ -3417,7 +3472,7 @@
         <translation>el PC entra en suspensión</translation>
     </message>
     <message>
-        <source>link lost</source>
+        <source>connection lost</source>
         <translation>enlace perdido</translation>
     </message>
     <message>
@@ -3449,23 +3504,23 @@
         <translation>objetivo demasiado lejos para un paso</translation>
     </message>
     <message>
-        <source>no sign that it was still held</source>
+        <source>no confirmation that the key is still held</source>
         <translation>sin señal de que siguiera pulsada</translation>
     </message>
     <message>
-        <source>held for the longest time; press again</source>
+        <source>maximum hold time reached; press again</source>
         <translation>pulsada el máximo tiempo; pulse de nuevo</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
         <translation>PolyScope X anterior a 10.11 no acepta tales órdenes por la red: use la tableta.</translation>
     </message>
     <message>
-        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
         <translation>PolyScope X no tiene orden para cerrar avisos por la red: use la tableta.</translation>
     </message>
     <message>
-        <source>Only watching. Take control to move the arm.</source>
+        <source>Monitoring. Take control to move the arm.</source>
         <translation>Solo observando. Tome el control para mover el brazo.</translation>
     </message>
     <message>
@@ -3481,16 +3536,28 @@
         <translation>El programa de control se detuvo en el robot. Tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>The control program does not answer. Take control again.</source>
+        <source>The control program does not respond. Take control again.</source>
         <translation>El programa de control no responde. Tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>The link was lost. Take control again.</source>
+        <source>The connection was lost. Take control again.</source>
         <translation>Se perdió el enlace. Tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>A script of your own is running. Control comes back when it ends.</source>
+        <source>Your script is running. Control returns when it ends.</source>
         <translation>Un script propio está en marcha. El control vuelve cuando termine.</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk, then save or record again.</source>
+        <translation>Libere espacio en el disco y vuelva a guardar o grabar.</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <translation>Solo supervisión: esta ventana no cambia nada en el robot. Se define en los ajustes o con --monitor-only.</translation>
+    </message>
+    <message>
+        <source>The control connection does not respond.</source>
+        <translation>La conexión de control no responde.</translation>
     </message>
 </context>
 <context>
@@ -3512,11 +3579,11 @@
         <translation>Línea %1, %2: %3</translation>
     </message>
     <message>
-        <source>“%1” is neither J nor L</source>
+        <source>“%1” must be J or L</source>
         <translation>«%1» no es J ni L</translation>
     </message>
     <message>
-        <source>“%1” is neither joints nor pose</source>
+        <source>“%1” must be joints or pose</source>
         <translation>«%1» no es joints ni pose</translation>
     </message>
     <message>
@@ -3524,18 +3591,18 @@
         <translation>en este proyecto no hay sistema «%1»</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
         <translation>Esto no es una tabla de puntos de paso. Copie uno de la lista para ver sus columnas, o pegue los seis números de una pose.</translation>
     </message>
     <message>
-        <source>“%1” is no colour of a waypoint</source>
+        <source>“%1” is not a waypoint colour</source>
         <translation>«%1» no es un color de punto de paso</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: a quotation mark is not closed</source>
+        <source>Line %1: missing closing quotation mark</source>
         <translation>Línea %1: unas comillas no se cierran</translation>
     </message>
 </context>
@@ -3553,15 +3620,15 @@
         </translation>
     </message>
     <message>
-        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
         <translation>Se hacen en este orden cuando «Recorrer» ha llevado el brazo allí, y solo mientras se mantiene pulsada la tecla.</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
         <translation>Estos puntos tienen acciones distintas. «Cambiar» da a todos las de abajo.</translation>
     </message>
     <message>
-        <source>Actions in their order</source>
+        <source>Actions in order</source>
         <translation>Acciones en su orden</translation>
     </message>
     <message>
@@ -3573,7 +3640,7 @@
         <translation>Añadir</translation>
     </message>
     <message>
-        <source>Add an action after the chosen one</source>
+        <source>Add an action after the selected one</source>
         <translation>Añadir una acción tras la elegida</translation>
     </message>
     <message>
@@ -3581,7 +3648,7 @@
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>Remove the chosen action</source>
+        <source>Remove the selected action</source>
         <translation>Quitar la acción elegida</translation>
     </message>
     <message>
@@ -3589,7 +3656,7 @@
         <translation>Subir</translation>
     </message>
     <message>
-        <source>Do the chosen action earlier</source>
+        <source>Move the selected action up</source>
         <translation>Hacer antes la acción elegida</translation>
     </message>
     <message>
@@ -3597,15 +3664,15 @@
         <translation>Bajar</translation>
     </message>
     <message>
-        <source>Do the chosen action later</source>
+        <source>Move the selected action down</source>
         <translation>Hacer después la acción elegida</translation>
     </message>
     <message>
-        <source>What is done</source>
+        <source>Action</source>
         <translation>Qué se hace</translation>
     </message>
     <message>
-        <source>Which terminal</source>
+        <source>Terminal</source>
         <translation>Qué borne</translation>
     </message>
     <message>
@@ -3625,11 +3692,11 @@
         <translation>activada</translation>
     </message>
     <message>
-        <source>At most, seconds</source>
+        <source>Timeout in seconds</source>
         <translation>Como máximo, segundos</translation>
     </message>
     <message>
-        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
         <translation>Entonces termina y lo dice. 0: mientras se mantenga la tecla, como máximo una hora</translation>
     </message>
 </context>
@@ -3682,7 +3749,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Escala de %1</translation>
     </message>
     <message>
-        <source>bar; empty: not scaled</source>
+        <source>e.g. bar; empty: not scaled</source>
         <translation>bar; vacío: sin escala</translation>
     </message>
     <message>
@@ -3709,12 +3776,289 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Armar teclado</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
         <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − giran una articulación. Espacio y Esc detienen. Haga clic o espere medio minuto: el teclado se desarma.</translation>
     </message>
     <message>
-        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
         <translation>Después las flechas mueven el brazo mientras se mantienen; un marco rodea la ventana.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CellPage</name>
+    <message>
+        <source>Size %1</source>
+        <translation>Tamaño %1</translation>
+    </message>
+    <message>
+        <source>Drawn and checked</source>
+        <translation>Dibujado y comprobado</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>A box or plane needs a name.</source>
+        <translation>Una caja o un plano necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose another name.</source>
+        <translation>La celda ya contiene «%1». Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renombrar «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Celda</translation>
+    </message>
+    <message>
+        <source>No boxes or planes yet.
+Move the TCP to a corner of an obstacle and press Corner here.</source>
+        <translation>Aún no hay cajas ni planos.
+Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Comprobado</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centro</translation>
+    </message>
+    <message>
+        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <translation>Centro de la caja. Pulse Intro para aplicar. Solo cambia la caja; el robot no se mueve.</translation>
+    </message>
+    <message>
+        <source>LX</source>
+        <translation>LX</translation>
+    </message>
+    <message>
+        <source>LY</source>
+        <translation>LY</translation>
+    </message>
+    <message>
+        <source>LZ</source>
+        <translation>LZ</translation>
+    </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>Los datos del robot no están actualizados. Espere datos nuevos.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>No hay ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>caja</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>Añadir «%1»</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>plano</translation>
+    </message>
+    <message>
+        <source>First corner taken.</source>
+        <translation>Primera esquina tomada.</translation>
+    </message>
+    <message>
+        <source>Move the TCP to the opposite corner and press Other corner.</source>
+        <translation>Mueva el TCP a la esquina opuesta y pulse Otra esquina.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
+        <translation>Las dos esquinas están en un mismo plano. Mueva el TCP a la esquina opuesta de la caja.</translation>
+    </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation>Mover «%1»</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Duplicar «%1»</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Eliminar «%1»</translation>
+    </message>
+    <message>
+        <source>Include “%1”</source>
+        <translation>Incluir «%1»</translation>
+    </message>
+    <message>
+        <source>Exclude “%1”</source>
+        <translation>Excluir «%1»</translation>
+    </message>
+    <message>
+        <source>Set the floor</source>
+        <translation>Definir el suelo</translation>
+    </message>
+    <message>
+        <source>Remove the floor</source>
+        <translation>Quitar el suelo</translation>
+    </message>
+    <message>
+        <source>Change the safety distance</source>
+        <translation>Cambiar la distancia de seguridad</translation>
+    </message>
+    <message>
+        <source>Other corner</source>
+        <translation>Otra esquina</translation>
+    </message>
+    <message>
+        <source>Corner here</source>
+        <translation>Esquina aquí</translation>
+    </message>
+    <message>
+        <source>%1 · %2 in %3</source>
+        <translation>%1 · %2 en %3</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Length along X</source>
+        <translation>Longitud según X</translation>
+    </message>
+    <message>
+        <source>Length along Y</source>
+        <translation>Longitud según Y</translation>
+    </message>
+    <message>
+        <source>Length along Z</source>
+        <translation>Longitud según Z</translation>
+    </message>
+    <message>
+        <source>Point on the plane X</source>
+        <translation>Punto del plano X</translation>
+    </message>
+    <message>
+        <source>Point on the plane Y</source>
+        <translation>Punto del plano Y</translation>
+    </message>
+    <message>
+        <source>Point on the plane Z</source>
+        <translation>Punto del plano Z</translation>
+    </message>
+    <message>
+        <source>Normal X, towards the arm</source>
+        <translation>Normal X, hacia el brazo</translation>
+    </message>
+    <message>
+        <source>Normal Y, towards the arm</source>
+        <translation>Normal Y, hacia el brazo</translation>
+    </message>
+    <message>
+        <source>Normal Z, towards the arm</source>
+        <translation>Normal Z, hacia el brazo</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Suelo</translation>
+    </message>
+    <message>
+        <source>When off, it is not drawn and not checked.</source>
+        <translation>Desactivado, no se dibuja ni se comprueba.</translation>
+    </message>
+    <message>
+        <source>Horizontal plane in the base frame that the arm must stay above.</source>
+        <translation>Plano horizontal en el sistema de la base, por encima del cual debe quedar el brazo.</translation>
+    </message>
+    <message>
+        <source>Height of the floor</source>
+        <translation>Altura del suelo</translation>
+    </message>
+    <message>
+        <source>Safety distance</source>
+        <translation>Distancia de seguridad</translation>
+    </message>
+    <message>
+        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
+        <translation>El movimiento manual se detiene a esta distancia del propio brazo y de la celda. Los movimientos que se acercan más se rechazan.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Aquí</translation>
+    </message>
+    <message>
+        <source>Set the floor to the TCP height</source>
+        <translation>Poner el suelo a la altura del TCP</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Set a corner of a box to the TCP</source>
+        <translation>Poner una esquina de una caja en el TCP</translation>
+    </message>
+    <message>
+        <source>Plane here</source>
+        <translation>Plano aquí</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP, perpendicular to the tool</source>
+        <translation>Añadir un plano por el TCP, perpendicular a la herramienta</translation>
+    </message>
+    <message>
+        <source>New box</source>
+        <translation>Nueva caja</translation>
+    </message>
+    <message>
+        <source>Add a box numerically</source>
+        <translation>Añadir una caja con valores</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP</source>
+        <translation>Añadir un plano por el TCP</translation>
+    </message>
+    <message>
+        <source>Add a plane numerically</source>
+        <translation>Añadir un plano con valores</translation>
+    </message>
+    <message>
+        <source>Move the box or plane to the TCP</source>
+        <translation>Mover la caja o el plano al TCP</translation>
+    </message>
+    <message>
+        <source>Include or exclude the box or plane</source>
+        <translation>Incluir o excluir la caja o el plano</translation>
+    </message>
+    <message>
+        <source>Rename box or plane</source>
+        <translation>Renombrar la caja o el plano</translation>
+    </message>
+    <message>
+        <source>Duplicate box or plane</source>
+        <translation>Duplicar la caja o el plano</translation>
+    </message>
+    <message>
+        <source>Delete box or plane</source>
+        <translation>Eliminar la caja o el plano</translation>
+    </message>
+    <message>
+        <source>Resize “%1”</source>
+        <translation>Cambiar el tamaño de «%1»</translation>
+    </message>
+    <message>
+        <source>The normal must not be zero. Enter a component first.</source>
+        <translation>La normal no puede ser cero. Introduzca primero una componente.</translation>
+    </message>
+    <message>
+        <source>Rotate “%1”</source>
+        <translation>Girar «%1»</translation>
     </message>
 </context>
 <context>
@@ -3728,7 +4072,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Comparar…</translation>
     </message>
     <message>
-        <source>Compare this recording with the model of its arm, with other limits</source>
+        <source>Compare this recording with the arm model, with different limits</source>
         <translation>Comparar esta grabación con el modelo de su brazo, con otros límites</translation>
     </message>
     <message>
@@ -3740,11 +4084,11 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Ir allí</translation>
     </message>
     <message>
-        <source>Compare no further</source>
+        <source>Stop comparing</source>
         <translation>No seguir comparando</translation>
     </message>
     <message>
-        <source>Put cursor A where arm and model part</source>
+        <source>Place cursor A where arm and model diverge</source>
         <translation>Poner el cursor A donde el brazo y el modelo se separan</translation>
     </message>
 </context>
@@ -3755,7 +4099,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Comparar con el modelo del brazo</translation>
     </message>
     <message>
-        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
         <translation>Lo que se ordenó a las articulaciones se da al brazo simulado, y lo que este hace se compara con lo grabado. Nada toca el brazo simulado, y no conoce la fricción.</translation>
     </message>
     <message>
@@ -3791,7 +4135,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Durante más de</translation>
     </message>
     <message>
-        <source>What has a limit of 0 is not compared.</source>
+        <source>Signals with a limit of 0 are not compared.</source>
         <translation>Lo que tiene el límite 0 no se compara.</translation>
     </message>
     <message>
@@ -3802,11 +4146,11 @@ Clic derecho o F2 para renombrar y escalar.</translation>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until the program ends)</source>
+        <source>Moves the arm (until Tiller is closed)</source>
         <translation>Mueve el brazo (hasta que termine el programa)</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>Solo el eje más desviado</translation>
     </message>
     <message>
@@ -3818,7 +4162,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Dispositivo</translation>
     </message>
     <message>
-        <source>Which way the arm would go</source>
+        <source>Direction in which the arm would move</source>
         <translation>Hacia dónde iría el brazo</translation>
     </message>
     <message>
@@ -3830,7 +4174,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Movería</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
         <translation>Teclado, mientras está armado (Ctrl+J): flechas X e Y, RePág y AvPág Z, con Alt giran, 1 a 6 con + y − una articulación, Inicio, Fin alinea, Retroceso atrás, F movimiento libre. Ctrl más lento, Mayús más rápido. Espacio y Esc detienen.</translation>
     </message>
     <message>
@@ -3838,7 +4182,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>No hay gamepad ni SpaceMouse. Conecte uno: aparece solo.</translation>
     </message>
     <message>
@@ -3857,7 +4201,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
 <context>
     <name>tiller::FigureBox</name>
     <message>
-        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation>No se tomó «%1»: de %2 a %3. No se cambió nada.</translation>
     </message>
 </context>
@@ -3903,7 +4247,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Descartar</translation>
     </message>
     <message>
-        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <source>The list will not appear again. Use the command “First steps” to show it.</source>
         <translation>La lista no vuelve sola. La orden «Primeros pasos» la trae de nuevo.</translation>
     </message>
     <message>
@@ -3922,11 +4266,11 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Origen</translation>
     </message>
     <message>
-        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation>En Base. Intro lo aplica; no se mueve nada salvo el sistema.</translation>
     </message>
     <message>
-        <source>no waypoint uses it</source>
+        <source>not used by any waypoint</source>
         <translation>ningún punto de paso lo usa</translation>
     </message>
     <message numerus="yes">
@@ -3944,7 +4288,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoint moved with it.</source>
+        <source>No waypoints moved with it.</source>
         <translation>Ningún punto de paso se movió con él.</translation>
     </message>
     <message numerus="yes">
@@ -3955,7 +4299,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach there.</source>
+        <source>%n of them are now out of reach.</source>
         <translation>
             <numerusform>%n de ellos queda allí fuera de alcance.</numerusform>
             <numerusform>%n de ellos quedan allí fuera de alcance.</numerusform>
@@ -3970,11 +4314,11 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Enseñar «%1»</translation>
     </message>
     <message>
-        <source>It moves by %1 (%2, base frame).</source>
+        <source>The frame moves by %1 (%2, base frame).</source>
         <translation>Se mueve %1 (%2, sistema base).</translation>
     </message>
     <message>
-        <source>No waypoint is given in it.</source>
+        <source>No waypoint uses this frame.</source>
         <translation>Ningún punto de paso está dado en él.</translation>
     </message>
     <message numerus="yes">
@@ -3997,15 +4341,15 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Retocar «%1»</translation>
     </message>
     <message>
-        <source>“%1” is touched up</source>
+        <source>Touched up “%1”</source>
         <translation>«%1» está retocado</translation>
     </message>
     <message>
-        <source>Set the place of “%1”</source>
+        <source>Set the position of “%1”</source>
         <translation>Fijar el lugar de «%1»</translation>
     </message>
     <message>
-        <source>“%1” is set in figures. %2</source>
+        <source>“%1” was set numerically. %2</source>
         <translation>«%1» está fijado en cifras. %2</translation>
     </message>
     <message>
@@ -4017,7 +4361,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>¿Eliminar «%1»?</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
             <numerusform>%n punto de paso está dado en él. Se queda donde está, dado en Base.</numerusform>
             <numerusform>%n puntos de paso están dados en él. Se quedan donde están, dados en Base.</numerusform>
@@ -4047,11 +4391,11 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <source>“%1” is a built-in frame. Choose another name.</source>
         <translation>«%1» es un sistema que tiene todo robot. Elija otro nombre.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another frame. Choose another name.</source>
+        <source>Another frame is named “%1”. Choose another name.</source>
         <translation>«%1» ya es el nombre de otro sistema. Elija otro nombre.</translation>
     </message>
     <message>
@@ -4091,7 +4435,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Puntos</translation>
     </message>
     <message>
-        <source>Waypoints that move with it</source>
+        <source>Waypoints that move with the frame</source>
         <translation>Puntos de paso que se mueven con él</translation>
     </message>
     <message>
@@ -4121,7 +4465,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Sistema con tres puntos</translation>
     </message>
     <message>
-        <source>Cancel the frame</source>
+        <source>Cancel frame teaching</source>
         <translation>Cancelar el sistema</translation>
     </message>
     <message>
@@ -4153,15 +4497,15 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Tomar</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>Crear sistema</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the point again.</source>
+        <source>The robot sent an invalid position. Take the point again.</source>
         <translation>El robot no envió un lugar válido. Tome el punto de nuevo.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>El punto en +X está a solo %1 del origen. Tómelo de nuevo al menos a %2: cuanto más lejos, más exactos los ejes.</translation>
     </message>
     <message>
@@ -4169,23 +4513,23 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>El tercer punto está a solo %1 del origen. Tómelo de nuevo al menos a %2.</translation>
     </message>
     <message>
-        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
         <translation>Los tres puntos están en línea: el tercero está a solo %1 del eje X. Tómelo de nuevo al menos a %2 hacia +Y.</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
         <translation>Listo: el punto en +X está a %1, el tercero a %2 del eje X.</translation>
     </message>
     <message>
-        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <source>Jog the tip to the origin of the frame and take the point (P).</source>
         <translation>Lleve la punta adonde empieza el sistema y tómelo (P).</translation>
     </message>
     <message>
-        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
         <translation>Ahora a un punto en +X: a %1 del origen, %2 es lo mínimo.</translation>
     </message>
     <message>
-        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
         <translation>Ahora hacia +Y: a %1 del eje X, %2 es lo mínimo.</translation>
     </message>
     <message>
@@ -4228,12 +4572,12 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Retocar el sistema</translation>
     </message>
     <message>
-        <source>More about frames</source>
+        <source>More frame commands</source>
         <translation>Más sobre sistemas</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
         <translation>Aún no hay sistemas.
 Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos para tomar origen, +X y +Y.</translation>
     </message>
@@ -4242,7 +4586,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>sistema nuevo</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
     </message>
     <message>
@@ -4250,7 +4594,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
-        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
         <translation>Un sistema donde está el TCP, con los ejes de la herramienta (Mayús+T)</translation>
     </message>
     <message>
@@ -4258,7 +4602,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Origen, un punto en +X, un punto hacia +Y (Ctrl+Mayús+T)</translation>
     </message>
     <message>
-        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <source>Move the selected frame to the TCP (Shift+U)</source>
         <translation>El sistema seleccionado va adonde está el TCP (Mayús+U)</translation>
     </message>
     <message>
@@ -4278,7 +4622,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Tomar el siguiente punto del sistema</translation>
     </message>
     <message>
-        <source>Make the frame of the points taken</source>
+        <source>Create frame from points</source>
         <translation>Crear el sistema con los puntos tomados</translation>
     </message>
     <message>
@@ -4302,7 +4646,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Renombrar sistema</translation>
     </message>
     <message>
-        <source>Set frame in figures</source>
+        <source>Enter frame numerically</source>
         <translation>Fijar sistema en cifras</translation>
     </message>
     <message>
@@ -4326,22 +4670,22 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Retocar…</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>Crear sistema</translation>
     </message>
 </context>
 <context>
     <name>tiller::GoThrough</name>
     <message>
-        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation>No hay puntos que recorrer. Enseñe algunos o selecciónelos.</translation>
     </message>
     <message>
-        <source>There is no waypoint before this one.</source>
+        <source>This is the first waypoint.</source>
         <translation>No hay punto de paso antes de este.</translation>
     </message>
     <message>
-        <source>A waypoint of the way is not in this project any more.</source>
+        <source>A waypoint of the route was deleted from the project.</source>
         <translation>Un punto del recorrido ya no está en este proyecto.</translation>
     </message>
     <message>
@@ -4349,7 +4693,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>«%1»: %2</translation>
     </message>
     <message>
-        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Un bucle de un solo punto no lleva a ninguna parte. Elija más puntos, o recorra sin bucle.</translation>
     </message>
 </context>
@@ -4372,31 +4716,31 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Recorrer, mantener</translation>
     </message>
     <message>
-        <source>One waypoint back, hold</source>
+        <source>Previous waypoint, hold</source>
         <translation>Un punto atrás, mantener</translation>
     </message>
     <message>
-        <source>Goes back to the waypoint before while the key is held</source>
+        <source>Moves to the previous waypoint while the key is held</source>
         <translation>Vuelve al punto anterior mientras se mantiene la tecla</translation>
     </message>
     <message>
-        <source>One waypoint on, hold</source>
+        <source>Next waypoint, hold</source>
         <translation>Un punto adelante, mantener</translation>
     </message>
     <message>
-        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the key is held, and stops there</source>
         <translation>Va al punto siguiente mientras se mantiene la tecla, y para allí</translation>
     </message>
     <message>
-        <source>Which waypoints to go through</source>
+        <source>Waypoints of the route</source>
         <translation>Qué puntos recorrer</translation>
     </message>
     <message>
-        <source>Which waypoints</source>
+        <source>Waypoints</source>
         <translation>Qué puntos</translation>
     </message>
     <message>
-        <source>Which waypoints to go through, in the order of the list</source>
+        <source>Selects the waypoints of the route, in the order of the list</source>
         <translation>Qué puntos recorrer, en el orden de la lista</translation>
     </message>
     <message>
@@ -4412,15 +4756,11 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Todo</translation>
     </message>
     <message>
-        <source>In a loop</source>
-        <translation>En bucle</translation>
-    </message>
-    <message>
-        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
         <translation>Tras el último punto viene de nuevo el primero, mientras se mantenga la tecla</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>El brazo no está bajo control. Tome primero el control.</translation>
     </message>
     <message>
@@ -4428,7 +4768,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>The coming one: %1 of %2, %3</source>
+        <source>Next: %1 of %2, %3</source>
         <translation>El siguiente: %1 de %2, %3</translation>
     </message>
     <message>
@@ -4436,7 +4776,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>hecho</translation>
     </message>
     <message>
-        <source>Done. The next press begins at the first.</source>
+        <source>Done. The next press starts at the first waypoint.</source>
         <translation>Hecho. La próxima pulsación empieza en el primero.</translation>
     </message>
     <message numerus="yes">
@@ -4451,7 +4791,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation>Va de punto a punto mientras se mantiene la tecla, no más deprisa que la velocidad de movimiento, y hace en cada uno lo que allí hay que hacer. Al soltar se detiene; la siguiente pulsación sigue hacia el punto que viene.</translation>
     </message>
     <message>
@@ -4477,15 +4817,15 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
 <context>
     <name>tiller::GripperPanel</name>
     <message>
-        <source>State of the gripper</source>
+        <source>Gripper state</source>
         <translation>Estado de la pinza</translation>
     </message>
     <message>
-        <source>How far the gripper is open</source>
+        <source>Gripper opening</source>
         <translation>Cuánto está abierta la pinza</translation>
     </message>
     <message>
-        <source>What the gripper holds</source>
+        <source>Gripped object</source>
         <translation>Qué sujeta la pinza</translation>
     </message>
     <message>
@@ -4537,7 +4877,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Pinza: a %1</translation>
     </message>
     <message>
-        <source>Which gripper</source>
+        <source>Gripper type</source>
         <translation>Qué pinza</translation>
     </message>
     <message>
@@ -4565,19 +4905,19 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Salida que abre</translation>
     </message>
     <message>
-        <source>Opening wanted</source>
+        <source>Target opening</source>
         <translation>Apertura deseada</translation>
     </message>
     <message>
-        <source>Speed of the fingers</source>
+        <source>Finger speed</source>
         <translation>Velocidad de los dedos</translation>
     </message>
     <message>
-        <source>Force of the fingers</source>
+        <source>Finger force</source>
         <translation>Fuerza de los dedos</translation>
     </message>
     <message>
-        <source>What to do about the gripper</source>
+        <source>Suggested action</source>
         <translation>Qué hacer con la pinza</translation>
     </message>
     <message>
@@ -4613,15 +4953,15 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Fuerza</translation>
     </message>
     <message>
-        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
         <translation>Cuánto deben abrirse los dedos, 0 a %1. «Mover» los envía allí.</translation>
     </message>
     <message>
-        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
         <translation>Del próximo movimiento. 0 % es unos %1, 100 % unos %2.</translation>
     </message>
     <message>
-        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <source>Force of the next grip. 0 % is about %1, 100 % about %2.</source>
         <translation>Del próximo agarre. 0 % es unos %1, 100 % unos %2.</translation>
     </message>
     <message>
@@ -4645,11 +4985,11 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Sin datos del robot.</translation>
     </message>
     <message>
-        <source>One moment…</source>
+        <source>Please wait…</source>
         <translation>Un momento…</translation>
     </message>
     <message>
-        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <source>Select the mounted gripper. The choice is stored for this robot.</source>
         <translation>Elija qué hay en la muñeca. Se recuerda con este robot.</translation>
     </message>
     <message>
@@ -4657,7 +4997,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>desconocido</translation>
     </message>
     <message>
-        <source>being activated…</source>
+        <source>activating…</source>
         <translation>activándose…</translation>
     </message>
     <message>
@@ -4677,19 +5017,19 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>en movimiento</translation>
     </message>
     <message>
-        <source>active, standing</source>
+        <source>active, at standstill</source>
         <translation>activa, quieta</translation>
     </message>
     <message>
-        <source>unknown while it moves</source>
+        <source>unknown while moving</source>
         <translation>desconocido mientras se mueve</translation>
     </message>
     <message>
-        <source>an object, from outside</source>
+        <source>object, outer grip</source>
         <translation>un objeto, por fuera</translation>
     </message>
     <message>
-        <source>an object, from inside</source>
+        <source>object, inner grip</source>
         <translation>un objeto, por dentro</translation>
     </message>
     <message>
@@ -4697,11 +5037,11 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>nada</translation>
     </message>
     <message>
-        <source>With this port offset no gripper can be reached.</source>
+        <source>The gripper cannot be reached with this port offset.</source>
         <translation>Con este desplazamiento de puertos no se alcanza ninguna pinza.</translation>
     </message>
     <message>
-        <source>Being activated: the fingers open and close once.</source>
+        <source>Activating: the fingers open and close once.</source>
         <translation>Activándose: los dedos abren y cierran una vez.</translation>
     </message>
     <message>
@@ -4713,31 +5053,31 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>La pinza está activa.</translation>
     </message>
     <message>
-        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
         <translation>Una parada del brazo deja la pinza como está: sigue sujetando.</translation>
     </message>
     <message>
-        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>Los dedos abren y cierran una vez; lo que sujetan cae. Aparte los dedos de la pinza.</translation>
     </message>
     <message>
-        <source>Opens the gripper; what it holds is let go.</source>
+        <source>Opens the gripper and releases the object.</source>
         <translation>Abre la pinza; lo que sujeta se suelta.</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep fingers out of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of it.</source>
         <translation>Cierra la pinza. Aparte los dedos.</translation>
     </message>
     <message>
-        <source>Sends the fingers to this opening.</source>
+        <source>Moves the fingers to this opening.</source>
         <translation>Envía los dedos a esta apertura.</translation>
     </message>
     <message>
-        <source>Its speed or its force is no figure it takes.</source>
+        <source>Speed or force is out of range.</source>
         <translation>Su velocidad o su fuerza no es una que admita.</translation>
     </message>
     <message>
-        <source>The gripper did not take the command.</source>
+        <source>The gripper did not accept the command.</source>
         <translation>La pinza no aceptó la orden.</translation>
     </message>
     <message>
@@ -4788,15 +5128,15 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>SIN DATOS</translation>
     </message>
     <message>
-        <source>LAST STOP · no witness</source>
+        <source>LAST STOP · no key check</source>
         <translation>ÚLTIMA PARADA · sin testigo</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not measured</source>
         <translation>no vista</translation>
     </message>
     <message>
-        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
         <translation>Los datos acabaron mientras el brazo se movía: no se sabe cómo se detuvo.</translation>
     </message>
     <message>
@@ -4804,7 +5144,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>From the stop to standstill, measured. Cause: %1</source>
+        <source>Measured from stop command to standstill. Cause: %1</source>
         <translation>De la parada al reposo, medido. Causa: %1</translation>
     </message>
     <message>
@@ -4816,8 +5156,12 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>▲ Límite de velocidad elevado a %1</translation>
     </message>
     <message>
-        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
         <translation>El brazo puede superar %1. Baje el límite en Ajustes; termina con el programa.</translation>
+    </message>
+    <message>
+        <source>MONITOR ONLY</source>
+        <translation>SOLO SUPERVISIÓN</translation>
     </message>
 </context>
 <context>
@@ -4827,18 +5171,18 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>mantener</translation>
     </message>
     <message>
-        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <source>Hold this key: the arm moves only while it is held.</source>
         <translation>Mantenga esta tecla: mueve el brazo solo mientras se mantiene.</translation>
     </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
     <message>
-        <source>The window was not the active one. Press again.</source>
+        <source>The window was not active. Press again.</source>
         <translation>La ventana no era la activa. Pulse de nuevo.</translation>
     </message>
     <message>
-        <source>Click into the window first.</source>
+        <source>Click in the window first.</source>
         <translation>Haga clic primero en la ventana.</translation>
     </message>
     <message>
@@ -4846,11 +5190,11 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Hay un diálogo o menú abierto. Ciérrelo primero.</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>Se mantiene otra tecla.</translation>
     </message>
     <message>
-        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>El servidor gráfico no responde: nadie podría decir cuándo se suelta la tecla.</translation>
     </message>
 </context>
@@ -4881,7 +5225,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>Incidente grabado: %1</translation>
     </message>
     <message>
-        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
         <translation>Todo desde %1 s antes está en %2. Doble clic en esta línea para abrirlo.</translation>
     </message>
 </context>
@@ -4904,12 +5248,12 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
         <translation>pendiente…</translation>
     </message>
     <message>
-        <source>%1, old data</source>
+        <source>%1, outdated</source>
         <translation>%1, datos viejos</translation>
     </message>
     <message>
         <source>
-Cannot be switched while no data come from the robot.</source>
+Cannot be switched while the robot sends no data.</source>
         <translation>
 No se puede conmutar mientras no lleguen datos del robot.</translation>
     </message>
@@ -4918,10 +5262,6 @@ No se puede conmutar mientras no lleguen datos del robot.</translation>
 Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>
 Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
-    </message>
-    <message>
-        <source>%1 (held by another)</source>
-        <translation>%1 (ocupada por otro)</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -4934,6 +5274,10 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     <message>
         <source>Name of %1</source>
         <translation>Nombre de %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4990,7 +5334,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Entradas de herramienta</translation>
     </message>
     <message>
-        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <source>Select a row of the I/O tab with the Tab key first.</source>
         <translation>Vaya primero a una fila de la pestaña E/S con la tecla Tab.</translation>
     </message>
     <message>
@@ -4998,7 +5342,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>El robot no confirmó %1</translation>
     </message>
     <message>
-        <source>Another program or the installation may own it.</source>
+        <source>Another program or the installation may control it.</source>
         <translation>Quizá pertenezca a otro programa o a la instalación.</translation>
     </message>
     <message>
@@ -5006,7 +5350,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Analógicas</translation>
     </message>
     <message>
-        <source>Registers of the robot&apos;s programs</source>
+        <source>Registers of robot programs</source>
         <translation>Registros de los programas del robot</translation>
     </message>
     <message>
@@ -5014,8 +5358,20 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Sin datos del robot.</translation>
     </message>
     <message>
-        <source>This is a replay: go back to live first.</source>
+        <source>Replay is active: return to live data first.</source>
         <translation>Esto es una reproducción: vuelva primero a lo actual.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be pulsed now</source>
+        <translation>Ahora no se puede dar un impulso en %1</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>bloqueado</translation>
+    </message>
+    <message>
+        <source>controlled by another program</source>
+        <translation>controlado por otro programa</translation>
     </message>
 </context>
 <context>
@@ -5037,7 +5393,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Articulaciones</translation>
     </message>
     <message>
-        <source>Shown below the pad</source>
+        <source>Frame of the displayed pose</source>
         <translation>Mostrado bajo el teclado</translation>
     </message>
     <message>
@@ -5045,7 +5401,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>El brazo aún no se ha movido.</translation>
     </message>
     <message>
-        <source>let go and press again</source>
+        <source>release and press again</source>
         <translation>suelte y pulse de nuevo</translation>
     </message>
     <message>
@@ -5073,7 +5429,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Atrás</translation>
     </message>
     <message>
-        <source>Goes back the way the arm came while held</source>
+        <source>Retraces the last motion while held</source>
         <translation>Vuelve por donde vino el brazo mientras se mantiene</translation>
     </message>
     <message>
@@ -5089,11 +5445,11 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Termina en %1 s</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>Se mantiene otra tecla.</translation>
     </message>
     <message>
-        <source>Last stop: not seen, data ended while the arm moved</source>
+        <source>Last stop: not measured, data stopped while the arm was moving</source>
         <translation>Última parada: no vista, los datos acabaron mientras el brazo se movía</translation>
     </message>
     <message>
@@ -5101,7 +5457,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Última parada: %1, reposo tras %2 ms, %3</translation>
     </message>
     <message>
-        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
         <translation>El brazo sigue la mano mientras se mantiene: %1. Clic derecho: otros ejes</translation>
     </message>
     <message>
@@ -5120,7 +5476,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
 <context>
     <name>tiller::JogKey</name>
     <message>
-        <source>%1 left this way</source>
+        <source>%1 left in this direction</source>
         <translation>quedan %1 en este sentido</translation>
     </message>
 </context>
@@ -5166,11 +5522,11 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Mueve mientras se mantiene la tecla</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>Girar</translation>
     </message>
     <message>
-        <source>Turns while the key is held</source>
+        <source>Rotates while the key is held</source>
         <translation>Gira mientras se mantiene la tecla</translation>
     </message>
     <message>
@@ -5178,7 +5534,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Velocidad</translation>
     </message>
     <message>
-        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <source>Axes of the view: X right, Y away from you, Z up</source>
         <translation>Ejes de la imagen: X derecha, Y alejándose, Z arriba</translation>
     </message>
     <message>
@@ -5186,15 +5542,15 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Necesita la vista 3D</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
         <translation>Aún no se enseñó ningún sistema. Enseñe uno en la pestaña Sistemas.</translation>
     </message>
     <message>
-        <source>One step a press: %1</source>
+        <source>One step per press: %1</source>
         <translation>Un paso por pulsación: %1</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1</source>
+        <source>One rotation step per press, tool or joint: %1</source>
         <translation>Un giro por pulsación, de la herramienta o una articulación: %1</translation>
     </message>
     <message>
@@ -5202,23 +5558,23 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
         <translation>Despacio hasta que la herramienta toque algo con %1 N, mientras se mantiene. Otro clic para otros pasos</translation>
     </message>
     <message>
-        <source>One step a press: %1. Click again for other steps</source>
+        <source>One step per press: %1. Click again for other steps</source>
         <translation>Un paso por pulsación: %1. Otro clic para otros pasos</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
         <translation>Un giro por pulsación, de la herramienta o una articulación: %1. Otro clic para otros giros</translation>
     </message>
     <message>
-        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
         <translation>%1 · giros %2 · articulaciones %3 · Ctrl × 0,1, Mayús × 3</translation>
     </message>
     <message>
-        <source>Other turn…</source>
+        <source>Other angle…</source>
         <translation>Otro giro…</translation>
     </message>
     <message>
@@ -5242,15 +5598,15 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Paso en %1</translation>
     </message>
     <message>
-        <source>Turn in degrees</source>
+        <source>Angle in degrees</source>
         <translation>Giro en grados</translation>
     </message>
     <message>
-        <source>Speed of the TCP in %1</source>
+        <source>TCP speed in %1</source>
         <translation>Velocidad del TCP en %1</translation>
     </message>
     <message>
-        <source>Force that ends the motion, in N</source>
+        <source>Contact force that ends the motion, in N</source>
         <translation>Fuerza que termina el movimiento, en N</translation>
     </message>
 </context>
@@ -5263,6 +5619,10 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     <message>
         <source>%1 plus</source>
         <translation>%1 más</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -5341,11 +5701,11 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Abrir</translation>
     </message>
     <message>
-        <source>Open the recording of this incident, at the moment of the stop</source>
+        <source>Open the recording of this incident at the time of the stop</source>
         <translation>Abrir la grabación de este incidente en el momento de la parada</translation>
     </message>
     <message>
-        <source>Open the recording at this moment</source>
+        <source>Open the recording at this time</source>
         <translation>Abrir la grabación en este momento</translation>
     </message>
 </context>
@@ -5372,7 +5732,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Mostrar desde gravedad</translation>
     </message>
     <message>
-        <source>Filter the log by words</source>
+        <source>Filter the log by text</source>
         <translation>Filtrar el registro por palabras</translation>
     </message>
     <message>
@@ -5384,7 +5744,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Copiar</translation>
     </message>
     <message>
-        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
         <translation>Copiar las líneas seleccionadas, o todas las mostradas (Ctrl+C)</translation>
     </message>
     <message>
@@ -5392,11 +5752,11 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Exportar…</translation>
     </message>
     <message>
-        <source>Write the lines that are shown to a file</source>
+        <source>Write the visible entries to a file</source>
         <translation>Escribir en un archivo las líneas mostradas</translation>
     </message>
     <message>
-        <source>The selected line in full</source>
+        <source>Details of the selected entry</source>
         <translation>La línea seleccionada completa</translation>
     </message>
     <message>
@@ -5420,70 +5780,50 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Abrir grabación</translation>
     </message>
     <message>
-        <source>Open the recording of the selected line: incidents have one</source>
+        <source>Open the recording of the selected entry (incidents have a recording)</source>
         <translation>Abrir la grabación de la línea seleccionada: los incidentes tienen una</translation>
     </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
     <message>
-        <source>%1 touches %2 of the arm already here</source>
-        <translation>%1 ya toca %2 del brazo aquí</translation>
-    </message>
-    <message>
-        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <source>%1 collides with %2 after %3 of the path</source>
         <translation>%1 choca con %2 del brazo tras %3 del recorrido</translation>
     </message>
     <message>
-        <source>%1 touches the floor already here</source>
-        <translation>%1 ya toca el suelo aquí</translation>
-    </message>
-    <message>
-        <source>%1 meets the floor after %2 of the way</source>
-        <translation>%1 choca con el suelo tras %2 del recorrido</translation>
-    </message>
-    <message>
-        <source>%1 touches “%2” already here</source>
-        <translation>%1 ya toca «%2» aquí</translation>
-    </message>
-    <message>
-        <source>%1 meets “%2” after %3 of the way</source>
-        <translation>%1 choca con «%2» tras %3 del recorrido</translation>
-    </message>
-    <message>
-        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <source>The path enters the wrist singularity after %1 of its length</source>
         <translation>La línea entra en la singularidad de muñeca tras %1 del recorrido</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the way</source>
+        <source>Slow near the wrist singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de muñeca al %1 del recorrido</translation>
     </message>
     <message>
-        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <source>The path enters the elbow singularity after %1 of its length</source>
         <translation>La línea llega al codo estirado tras %1 del recorrido</translation>
     </message>
     <message>
-        <source>Slow near the stretched elbow at %1 of the way</source>
+        <source>Slow near the elbow singularity at %1 of the path</source>
         <translation>Lento cerca del codo estirado al %1 del recorrido</translation>
     </message>
     <message>
-        <source>The line runs into the axis of the base after %1 of the way</source>
+        <source>The path enters the shoulder singularity after %1 of its length</source>
         <translation>La línea llega al eje de la base tras %1 del recorrido</translation>
     </message>
     <message>
-        <source>Slow near the axis of the base at %1 of the way</source>
+        <source>Slow near the shoulder singularity at %1 of the path</source>
         <translation>Lento cerca del eje de la base al %1 del recorrido</translation>
     </message>
     <message>
-        <source>A joint would have to turn at once after %1 of the way</source>
+        <source>A joint would have to jump after %1 of the path</source>
         <translation>Una articulación tendría que girar de golpe tras %1 del recorrido</translation>
     </message>
     <message>
-        <source>%1 leaves its range after %2 of the way</source>
+        <source>%1 exceeds its range after %2 of the path</source>
         <translation>%1 sale de su rango tras %2 del recorrido</translation>
     </message>
     <message>
-        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <source>The path leaves the reach of the arm after %1 of its length</source>
         <translation>La línea sale del alcance del brazo tras %1 del recorrido</translation>
     </message>
     <message>
@@ -5517,6 +5857,26 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     <message>
         <source>Tool</source>
         <translation>Herramienta</translation>
+    </message>
+    <message>
+        <source>%1 is in contact with %2, and the move leads closer</source>
+        <translation>%1 está en contacto con %2, y el movimiento lo acerca más</translation>
+    </message>
+    <message>
+        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <translation>%1 está a solo %2 de %3, y el movimiento lo acerca más</translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 of %3 after %4 of the path</source>
+        <translation>%1 se acerca a menos de %2 de %3 tras %4 del recorrido</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>el suelo</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«%1»</translation>
     </message>
 </context>
 <context>
@@ -5569,7 +5929,7 @@ Vacíe la búsqueda para verlo todo.</translation>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>Más</translation>
     </message>
 </context>
@@ -5592,35 +5952,35 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Importar demostración (CSV)…</translation>
     </message>
     <message>
-        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
         <translation>La grabación de la trayectoria terminó sola: cesaron los datos, o duró diez minutos.</translation>
     </message>
     <message>
-        <source>What was recorded until then is kept.</source>
+        <source>The path recorded so far is kept.</source>
         <translation>Lo grabado hasta entonces se conserva.</translation>
     </message>
     <message>
-        <source>End the recording of the path</source>
+        <source>Stop recording path</source>
         <translation>Terminar la grabación de la trayectoria</translation>
     </message>
     <message>
-        <source>The path is being thinned.</source>
+        <source>Simplifying the path…</source>
         <translation>La trayectoria se está simplificando.</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>No llegan datos del robot: no hay nada que grabar.</translation>
     </message>
     <message>
-        <source>Ends the recording and keeps the path as waypoints</source>
+        <source>Stops recording and stores the path as waypoints</source>
         <translation>Termina la grabación y conserva la trayectoria como puntos de paso</translation>
     </message>
     <message>
-        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
         <translation>Graba por dónde se lleva el brazo, con movimiento libre o a mano, hasta pulsar de nuevo, y conserva la trayectoria como puntos. No mueve nada.</translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>Seleccione los puntos de la trayectoria, al menos dos.</translation>
     </message>
     <message>
@@ -5632,7 +5992,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Tablas (*.csv)</translation>
     </message>
     <message>
-        <source>The path was not written.</source>
+        <source>The path was not exported.</source>
         <translation>La trayectoria no se escribió.</translation>
     </message>
     <message numerus="yes">
@@ -5654,19 +6014,19 @@ Vacíe la búsqueda para verlo todo.</translation>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
         <translation>%1 no tiene columna «%2». Necesita timestamp y actual_q_0 a actual_q_5.</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>No llegan datos del robot: no hay nada que grabar.</translation>
     </message>
     <message>
-        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <source>Import refused: a path is being recorded. Stop that recording first.</source>
         <translation>No se leyó nada: se está grabando una trayectoria. Termínela primero.</translation>
     </message>
     <message>
-        <source>The demonstration could not be read.</source>
+        <source>The demonstration could not be imported.</source>
         <translation>La demostración no se pudo leer.</translation>
     </message>
     <message>
@@ -5674,7 +6034,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>trayectoria %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was kept.</source>
+        <source>The arm did not move: no path was stored.</source>
         <translation>El brazo no se movió: no se conservó trayectoria.</translation>
     </message>
     <message>
@@ -5682,22 +6042,22 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Grabar «%1»</translation>
     </message>
     <message>
-        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
         <translation>«%1»: %2 s en %3 puntos. Cada lugar grabado está a menos de %4 y %5 de ellos.</translation>
     </message>
     <message numerus="yes">
-        <source>%n packets did not arrive.</source>
+        <source>%n packets were lost.</source>
         <translation>
             <numerusform>%n paquete no llegó.</numerusform>
             <numerusform>%n paquetes no llegaron.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>Seleccione los puntos de la trayectoria, al menos dos.</translation>
     </message>
     <message>
-        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <source>“%1” is out of reach. Touch it up, or remove it.</source>
         <translation>«%1» no se puede alcanzar. Retóquelo u omítalo.</translation>
     </message>
 </context>
@@ -5720,7 +6080,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>First place</source>
+        <source>First cell</source>
         <translation>Primer sitio</translation>
     </message>
     <message>
@@ -5728,19 +6088,19 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Fin de la primera fila</translation>
     </message>
     <message>
-        <source>Beginning of the last row</source>
+        <source>Start of the last row</source>
         <translation>Comienzo de la última fila</translation>
     </message>
     <message>
-        <source>choose a waypoint</source>
+        <source>select a waypoint</source>
         <translation>elija un punto de paso</translation>
     </message>
     <message>
-        <source>as it was taught</source>
+        <source>as taught</source>
         <translation>como se enseñó</translation>
     </message>
     <message>
-        <source>Places in a row</source>
+        <source>Cells per row</source>
         <translation>Sitios por fila</translation>
     </message>
     <message>
@@ -5752,11 +6112,11 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Capas</translation>
     </message>
     <message>
-        <source>Height of a layer</source>
+        <source>Layer height</source>
         <translation>Altura de una capa</translation>
     </message>
     <message>
-        <source>From one layer to the next, against the direction of the tool.</source>
+        <source>Distance between layers, opposite to the tool direction.</source>
         <translation>De una capa a la siguiente, contra la dirección de la herramienta.</translation>
     </message>
     <message>
@@ -5772,7 +6132,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Meandro</translation>
     </message>
     <message>
-        <source>Make pattern</source>
+        <source>Create pattern</source>
         <translation>Crear patrón</translation>
     </message>
     <message>
@@ -5784,31 +6144,31 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Un patrón necesita un nombre.</translation>
     </message>
     <message>
-        <source>There is a pattern of that name. Choose another one.</source>
+        <source>A pattern with this name exists. Choose another name.</source>
         <translation>Ya hay un patrón con ese nombre. Elija otro.</translation>
     </message>
     <message>
-        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <source>Select a waypoint for each corner. Teach the three corners first.</source>
         <translation>Elija el punto de cada esquina. Enseñe primero las tres esquinas donde no las haya.</translation>
     </message>
     <message>
-        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <source>Two corners are identical. Select another waypoint for one of them.</source>
         <translation>Dos esquinas son el mismo lugar. Elija otro punto para una.</translation>
     </message>
     <message>
-        <source>The height of a layer is no figure it can be.</source>
+        <source>Invalid layer height.</source>
         <translation>La altura de una capa no es una cifra posible.</translation>
     </message>
     <message>
-        <source>Layers need a height.</source>
+        <source>Enter a layer height.</source>
         <translation>Las capas necesitan una altura.</translation>
     </message>
     <message>
-        <source>%1 places are more than the %2 a pattern can have.</source>
+        <source>The pattern has %1 cells; the maximum is %2.</source>
         <translation>%1 sitios son más que los %2 que puede tener un patrón.</translation>
     </message>
     <message>
-        <source>Every place is left out.</source>
+        <source>All cells are excluded.</source>
         <translation>Todos los sitios están omitidos.</translation>
     </message>
     <message numerus="yes">
@@ -5819,7 +6179,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 All can be reached.</source>
+        <source>%1 All are within reach.</source>
         <translation>%1 Todos son alcanzables.</translation>
     </message>
     <message>
@@ -5827,7 +6187,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>%1 %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach; they are marked.</source>
+        <source>%n of them are out of reach and marked.</source>
         <translation>
             <numerusform>%n queda fuera de alcance y está marcado.</numerusform>
             <numerusform>%n quedan fuera de alcance y están marcados.</numerusform>
@@ -5837,11 +6197,11 @@ Vacíe la búsqueda para verlo todo.</translation>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Places of the pattern</source>
+        <source>Cells of the pattern</source>
         <translation>Sitios del patrón</translation>
     </message>
     <message>
-        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
         <translation>Haga clic en un sitio para omitirlo o incluirlo de nuevo. La primera esquina está abajo a la izquierda.</translation>
     </message>
     <message>
@@ -5860,11 +6220,11 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Conservar carga útil</translation>
     </message>
     <message>
-        <source>Find the payload</source>
+        <source>Measure payload</source>
         <translation>Hallar la carga útil</translation>
     </message>
     <message>
-        <source>Find the payload by weighing it in several poses</source>
+        <source>Measure the payload in several poses</source>
         <translation>Hallar la carga útil pesándola en varias poses</translation>
     </message>
     <message>
@@ -5872,7 +6232,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Pose siguiente, mantener</translation>
     </message>
     <message>
-        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation>Gira la muñeca a la pose siguiente mientras se mantiene la tecla, no más rápido que la velocidad manual. Vea que la herramienta tenga sitio para girar.</translation>
     </message>
     <message>
@@ -5880,47 +6240,47 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Cancel finding the payload</source>
+        <source>Cancel payload measurement</source>
         <translation>Cancelar la búsqueda de la carga útil</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>El brazo no está bajo control. Tome primero el control.</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
         <translation>El brazo se movió. Deje que se detenga, no toque nada y tome la pose de nuevo.</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
         <translation>El robot no envía fuerzas. Introduzca masa y centro en cifras.</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>Pesando… que nada toque la herramienta.</translation>
     </message>
     <message>
-        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <source>%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.</source>
         <translation>%1 kg, centro a %2 de la brida. Las poses coinciden en %3 y %4.</translation>
     </message>
     <message>
-        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
         <translation>%1 Eso es pobre: la pose %2 es la que menos encaja. Quítela y tome otra.</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
         <translation>La herramienta gira demasiado poco entre las poses. Tome otra, girada a otro lado.</translation>
     </message>
     <message>
-        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
         <translation>%1 kg: demasiado ligera para que el sensor diga dónde está su centro. Introdúzcalo en cifras.</translation>
     </message>
     <message>
-        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
         <translation>Deje que el brazo se detenga, no toque nada y tome la pose. Después gire la muñeca, a mano o con «Pose siguiente», y tome tres más.</translation>
     </message>
     <message numerus="yes">
-        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Gire la muñeca a otro lado y tome la pose. Faltan: %n</numerusform>
             <numerusform>Gire la muñeca a otro lado y tome la pose. Faltan: %n</numerusform>
@@ -5931,11 +6291,11 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Tomar pose %1</translation>
     </message>
     <message>
-        <source>Remove the worst</source>
+        <source>Remove least accurate pose</source>
         <translation>Quitar la peor</translation>
     </message>
     <message>
-        <source>Remove the last</source>
+        <source>Remove last pose</source>
         <translation>Quitar la última</translation>
     </message>
     <message>
@@ -5943,7 +6303,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Pose %1  %2</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ encaja menos</translation>
     </message>
 </context>
@@ -5974,7 +6334,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Una carga útil necesita un nombre.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another payload. Choose another name.</source>
+        <source>Another payload is named “%1”. Choose another name.</source>
         <translation>«%1» ya es el nombre de otra carga útil. Elija otro nombre.</translation>
     </message>
     <message>
@@ -5998,8 +6358,8 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Cargas útiles</translation>
     </message>
     <message>
-        <source>No payload yet.
-Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <source>No payloads yet.
+Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
         <translation>Aún no hay carga útil.
 Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el brazo.</translation>
     </message>
@@ -6036,7 +6396,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Centro de gravedad Z</translation>
     </message>
     <message>
-        <source>Return applies it to the project; the robot keeps its own.</source>
+        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
         <translation>Intro lo aplica al proyecto; el robot conserva lo suyo.</translation>
     </message>
     <message>
@@ -6048,27 +6408,27 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Usar esta carga útil y fijarla en el robot</translation>
     </message>
     <message>
-        <source>Weigh…</source>
+        <source>Measure…</source>
         <translation>Pesar…</translation>
     </message>
     <message>
-        <source>Find the payload with the arm</source>
+        <source>Measure the payload with the arm</source>
         <translation>Hallar la carga útil con el brazo</translation>
     </message>
     <message>
-        <source>Is it true?</source>
+        <source>Verify</source>
         <translation>¿Es cierta?</translation>
     </message>
     <message>
-        <source>Check whether the payload is true</source>
+        <source>Verify the payload</source>
         <translation>Comprobar si la carga útil es cierta</translation>
     </message>
     <message>
-        <source>Keep the payload the robot has</source>
+        <source>Store the active payload of the robot</source>
         <translation>Conservar la carga útil que tiene el robot</translation>
     </message>
     <message>
-        <source>New payload in figures</source>
+        <source>Enter new payload</source>
         <translation>Nueva carga útil en cifras</translation>
     </message>
     <message>
@@ -6104,7 +6464,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
-        <source>Select a payload to set.</source>
+        <source>Select the payload to set.</source>
         <translation>Seleccione una carga útil para fijar.</translation>
     </message>
     <message>
@@ -6112,7 +6472,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Usar la carga útil «%1»</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>El brazo no está bajo control. Tome primero el control.</translation>
     </message>
     <message>
@@ -6120,67 +6480,67 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Eliminar la carga útil «%1»</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>Pesando… que nada toque la herramienta.</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
         <translation>El brazo se movió. Deje que se detenga, no toque nada y compruebe de nuevo.</translation>
     </message>
     <message>
-        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <source>The robot sends no forces: the payload cannot be verified.</source>
         <translation>El robot no envía fuerzas: su carga útil no se puede comprobar.</translation>
     </message>
     <message>
-        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
         <translation>Con %1 kg el brazo siente en reposo %2 y %3.</translation>
     </message>
     <message>
-        <source>The payload is true. %1</source>
+        <source>The payload is correct. %1</source>
         <translation>La carga útil es cierta. %1</translation>
     </message>
     <message>
-        <source>The payload is true</source>
+        <source>The payload is correct</source>
         <translation>La carga útil es cierta</translation>
     </message>
     <message>
-        <source>About %1 kg more hang there than it was told of.</source>
+        <source>The load is about %1 kg heavier than the configured payload.</source>
         <translation>Cuelgan unos %1 kg más de lo que se le dijo.</translation>
     </message>
     <message>
-        <source>About %1 kg less hang there than it was told of.</source>
+        <source>The load is about %1 kg lighter than the configured payload.</source>
         <translation>Cuelgan unos %1 kg menos de lo que se le dijo.</translation>
     </message>
     <message>
-        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <source>The centre of gravity differs, or something is touching the tool.</source>
         <translation>Su centro está en otro sitio, o algo toca la herramienta.</translation>
     </message>
     <message>
-        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 Pésela o elija otra carga útil. Poner a cero el sensor de fuerza oculta una carga útil falsa hasta que la herramienta gire.</translation>
     </message>
     <message>
-        <source>The payload is not true. %1 %2</source>
+        <source>The payload is wrong. %1 %2</source>
         <translation>La carga útil no es cierta. %1 %2</translation>
     </message>
     <message>
-        <source>The payload is not true</source>
+        <source>The payload is wrong</source>
         <translation>La carga útil no es cierta</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1, como la tiene el robot</translation>
     </message>
     <message>
-        <source>%1; the robot was told %2 kg, centre %3</source>
+        <source>%1; the robot has %2 kg, centre of gravity %3</source>
         <translation>%1; al robot se le dijo %2 kg, centro %3</translation>
     </message>
     <message>
-        <source>The robot has another payload than “%1”</source>
+        <source>The robot&apos;s payload differs from “%1”</source>
         <translation>El robot tiene otra carga útil que «%1»</translation>
     </message>
     <message>
-        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <source>On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing was changed.</source>
         <translation>En el robot: %1 kg, centro %2. En el proyecto: %3 kg, centro %4. No se cambió nada.</translation>
     </message>
     <message>
@@ -6207,7 +6567,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Espectro y XY</translation>
     </message>
     <message>
-        <source>Kind of analysis</source>
+        <source>Type of analysis</source>
         <translation>Tipo de análisis</translation>
     </message>
     <message>
@@ -6215,11 +6575,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Señal</translation>
     </message>
     <message>
-        <source>Over this signal</source>
+        <source>X-axis signal</source>
         <translation>Respecto a esta señal</translation>
     </message>
     <message>
-        <source>Put a signal onto the plots first.</source>
+        <source>Add a signal to the plots first.</source>
         <translation>Ponga primero una señal en los gráficos.</translation>
     </message>
     <message>
@@ -6227,11 +6587,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>No hay muestras en este intervalo.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
         <translation>Faltan muestras en este intervalo: ponga los cursores A y B de modo que no haya hueco entre ellos.</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
         <translation>Ventana de Hann de %1 muestras · %2 Hz por línea · media de %3 · %4 … %5 s</translation>
     </message>
     <message>
@@ -6250,7 +6610,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), one in %1</source>
+        <source>%n sample(s), every %1th shown</source>
         <translation>
             <numerusform>%n muestra, una de cada %1</numerusform>
             <numerusform>%n muestras, una de cada %1</numerusform>
@@ -6261,7 +6621,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
         <translation>Estas dos no son de la misma grabación: coloque los cursores A y B alrededor de un intervalo más corto.</translation>
     </message>
     <message>
@@ -6272,11 +6632,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <source>Not compared with the arm model: the recording does not state the robot model.</source>
         <translation>No comparado con el modelo del brazo: no se sabe qué brazo es.</translation>
     </message>
     <message>
-        <source>Arm and model part: %1</source>
+        <source>Arm and model diverge: %1</source>
         <translation>El brazo y el modelo se separan: %1</translation>
     </message>
     <message>
@@ -6319,7 +6679,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Lectura del cursor</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
         <translation>Haga clic en los gráficos para poner los cursores A y B; arrástrelos, o use las teclas A, B y las flechas. Haga clic en un nombre de la leyenda para ocultar su curva, con Ctrl para leer esa señal.</translation>
     </message>
     <message>
@@ -6327,7 +6687,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Ventana de tiempo</translation>
     </message>
     <message>
-        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
         <translation>Cuánto tiempo muestran los gráficos. La rueda sobre los gráficos hace zoom; sobre los valores de la izquierda, o con Ctrl, los escala, y un doble clic allí deja decidir de nuevo a las curvas.</translation>
     </message>
     <message>
@@ -6343,7 +6703,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Cero</translation>
     </message>
     <message>
-        <source>Export the shown range</source>
+        <source>Export the visible range</source>
         <translation>Exportar el intervalo mostrado</translation>
     </message>
     <message>
@@ -6351,7 +6711,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Exportar…</translation>
     </message>
     <message>
-        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
         <translation>Guardar lo mostrado como imagen (PNG) o como valores (CSV)</translation>
     </message>
     <message>
@@ -6359,11 +6719,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Grabar en un archivo CSV</translation>
     </message>
     <message>
-        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
         <translation>Grabar lo que envía el robot en un archivo CSV; la tecla de al lado dice qué y dónde</translation>
     </message>
     <message>
-        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>La fuerza no se puso a cero: los gráficos no muestran muestras. Conéctese a un robot o vaya a un tiempo con muestras.</translation>
     </message>
     <message>
@@ -6391,7 +6751,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Reanudar</translation>
     </message>
     <message>
-        <source>Hold the plots still; data and recording go on</source>
+        <source>Freeze the plots; data and recording continue</source>
         <translation>Congelar los gráficos; los datos y la grabación siguen</translation>
     </message>
     <message>
@@ -6399,11 +6759,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Volver a las muestras más nuevas</translation>
     </message>
     <message>
-        <source>Show the force as the robot measures it again. %1</source>
+        <source>Show the force as measured by the robot. %1</source>
         <translation>Mostrar de nuevo la fuerza como la mide el robot. %1</translation>
     </message>
     <message>
-        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
         <translation>Contar la fuerza desde lo que es ahora. Solo lo que muestran los gráficos: el robot, las grabaciones y los valores exportados conservan lo medido.</translation>
     </message>
     <message>
@@ -6427,11 +6787,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>simulado</translation>
     </message>
     <message>
-        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>No se exportó nada: los gráficos no muestran muestras. Conéctese a un robot o vaya a un tiempo con muestras.</translation>
     </message>
     <message>
-        <source>Exported the shown range to %1</source>
+        <source>Exported the visible range to %1</source>
         <translation>Intervalo mostrado exportado a %1</translation>
     </message>
     <message>
@@ -6451,7 +6811,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Valores (*.csv)</translation>
     </message>
     <message>
-        <source>What is recorded</source>
+        <source>Recording options</source>
         <translation>Qué se graba</translation>
     </message>
     <message>
@@ -6459,11 +6819,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Filas, señales, carpeta y nombre de archivo de la próxima grabación</translation>
     </message>
     <message>
-        <source>A row for every packet</source>
+        <source>One row per packet</source>
         <translation>Una fila por cada paquete</translation>
     </message>
     <message numerus="yes">
-        <source>A row for every %n packet(s)</source>
+        <source>One row every %n packet(s)</source>
         <translation>
             <numerusform>Una fila por cada paquete</numerusform>
             <numerusform>Una fila por cada %n paquetes</numerusform>
@@ -6489,7 +6849,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Carpeta %1…</translation>
     </message>
     <message>
-        <source>Show the folder</source>
+        <source>Open folder</source>
         <translation>Mostrar la carpeta</translation>
     </message>
     <message>
@@ -6505,11 +6865,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>exportar: no hay muestras en este intervalo</translation>
     </message>
     <message>
-        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
         <translation>nombre el archivo .png, .svg o .pdf para una imagen, .csv para valores</translation>
     </message>
     <message>
-        <source>%1, at %2 s of the plots&apos; time</source>
+        <source>%1, at %2 s on the time axis</source>
         <translation>%1, en %2 s del tiempo de los gráficos</translation>
     </message>
     <message>
@@ -6521,11 +6881,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Nota</translation>
     </message>
     <message>
-        <source>What happened at this moment?</source>
+        <source>What happened at this time?</source>
         <translation>¿Qué ocurrió en este momento?</translation>
     </message>
     <message>
-        <source>The plots are in the clipboard as a picture.</source>
+        <source>The plots were copied to the clipboard as an image.</source>
         <translation>Los gráficos están en el portapapeles como imagen.</translation>
     </message>
     <message>
@@ -6541,7 +6901,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Página nueva</translation>
     </message>
     <message>
-        <source>Take this page away</source>
+        <source>Remove this page</source>
         <translation>Quitar esta página</translation>
     </message>
     <message>
@@ -6553,19 +6913,19 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Abrir una grabación…</translation>
     </message>
     <message>
-        <source>Close the recordings</source>
+        <source>Close recordings</source>
         <translation>Cerrar las grabaciones</translation>
     </message>
     <message>
-        <source>Copy the plots as a picture</source>
+        <source>Copy plots as image</source>
         <translation>Copiar los gráficos como imagen</translation>
     </message>
     <message>
-        <source>Save this arrangement…</source>
+        <source>Save layout…</source>
         <translation>Guardar esta disposición…</translation>
     </message>
     <message>
-        <source>Open an arrangement…</source>
+        <source>Open layout…</source>
         <translation>Abrir una disposición…</translation>
     </message>
     <message>
@@ -6573,12 +6933,8 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Memoria para el historial</translation>
     </message>
     <message>
-        <source>save the arrangement to %1</source>
+        <source>save the layout to %1</source>
         <translation>guardar la disposición en %1</translation>
-    </message>
-    <message>
-        <source>open the arrangement %1</source>
-        <translation>abrir la disposición %1</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -6593,15 +6949,15 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Grabaciones (*.mcap *.csv *.h5 *.hdf5);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Save the arrangement of the plots</source>
+        <source>Save plot layout</source>
         <translation>Guardar la disposición de los gráficos</translation>
     </message>
     <message>
-        <source>Arrangement of plots (*.json)</source>
+        <source>Plot layouts (*.json)</source>
         <translation>Disposición de gráficos (*.json)</translation>
     </message>
     <message>
-        <source>Open an arrangement of plots</source>
+        <source>Open plot layout</source>
         <translation>Abrir una disposición de gráficos</translation>
     </message>
     <message>
@@ -6617,7 +6973,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Señales</translation>
     </message>
     <message>
-        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
         <translation>Todo lo que dice el robot: arrástrelo a un gráfico, a su borde para uno propio, o doble clic</translation>
     </message>
     <message>
@@ -6629,11 +6985,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Valores</translation>
     </message>
     <message>
-        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>Lo que tiene cada señal en los cursores A y B, y lo que hay entre ellos: menor, mayor, media, RMS, desviación, pendiente</translation>
     </message>
     <message>
-        <source>Pages and arrangement of the plots</source>
+        <source>Pages and layout of the plots</source>
         <translation>Páginas y disposición de los gráficos</translation>
     </message>
     <message>
@@ -6641,7 +6997,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>read an arrangement of plots</source>
+        <source>read a plot layout</source>
         <translation>leer una disposición de gráficos</translation>
     </message>
     <message>
@@ -6649,7 +7005,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Espectro y XY</translation>
     </message>
     <message>
-        <source>Export the shown range…</source>
+        <source>Export the visible range…</source>
         <translation>Exportar el intervalo mostrado…</translation>
     </message>
     <message>
@@ -6657,7 +7013,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Eje de tiempo</translation>
     </message>
     <message>
-        <source>Before the newest sample</source>
+        <source>Relative to the newest sample</source>
         <translation>Antes de la muestra más reciente</translation>
     </message>
     <message>
@@ -6665,11 +7021,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Tiempo del controlador</translation>
     </message>
     <message>
-        <source>Time of the day</source>
+        <source>Time of day</source>
         <translation>Hora del día</translation>
     </message>
     <message>
-        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <source>The maximum number of plot pages is reached: remove a page first.</source>
         <translation>Hay tantas páginas de gráficos como puede haber: quite primero una.</translation>
     </message>
     <message>
@@ -6677,11 +7033,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Grabar en un archivo MCAP</translation>
     </message>
     <message>
-        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
         <translation>Graba lo que envía el robot en un archivo MCAP; la tecla de al lado dice qué y dónde</translation>
     </message>
     <message numerus="yes">
-        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
             <numerusform>%1 · %2 por segundo · %3 libres · %n paquete perdido</numerusform>
             <numerusform>%1 · %2 por segundo · %3 libres · %n paquetes perdidos</numerusform>
@@ -6730,7 +7086,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Página %1</translation>
     </message>
     <message>
-        <source>Double click: another name</source>
+        <source>Double-click to rename</source>
         <translation>Doble clic: otro nombre</translation>
     </message>
 </context>
@@ -6793,15 +7149,15 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
         <translation>Haga clic en los gráficos para poner A, después B: lo que hay entre ellos se resume aquí.</translation>
     </message>
     <message>
-        <source>%1 · summing up: %2</source>
+        <source>%1 · calculating: %2</source>
         <translation>%1 · resumiendo: %2</translation>
     </message>
     <message>
-        <source>Not all of the range could be summed up: %1</source>
+        <source>Statistics are incomplete: %1</source>
         <translation>No se pudo resumir todo el intervalo: %1</translation>
     </message>
 </context>
@@ -6828,7 +7184,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>%1 %2 s · %3 %4</translation>
     </message>
     <message>
-        <source>Scale held · double click the axis to let it go</source>
+        <source>Fixed scale · double-click the axis to scale automatically</source>
         <translation>Escala fija · doble clic en el eje para soltarla</translation>
     </message>
     <message>
@@ -6836,7 +7192,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Aún sin muestras: conéctese a un robot</translation>
     </message>
     <message>
-        <source>Zeroed: %1 %2 taken off</source>
+        <source>Zeroed (offset %1 %2)</source>
         <translation>A cero: %1 %2 descontados</translation>
     </message>
     <message>
@@ -6844,7 +7200,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Gráficos en el tiempo</translation>
     </message>
     <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation>A y B ponen los cursores, las flechas los mueven, arriba y abajo eligen la señal que leen; H oculta su curva, Ctrl+Supr la quita; más y menos cambian la ventana de tiempo, con Ctrl la escala de los valores, Ctrl+0 deja decidir de nuevo a las curvas; N escribe una nota; F muestra todo; Fin vuelve a las muestras más nuevas</translation>
     </message>
     <message>
@@ -6906,11 +7262,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Pose del TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
         <translation>orientación según Ajustes. Δ₀: recorrido desde cero. Clic: recorrido desde la pulsación</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
         <translation>orientación según Ajustes. Δ: recorrido desde la pulsación. Clic: cero aquí</translation>
     </message>
     <message>
@@ -6933,7 +7289,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <translation>Una posición necesita un nombre.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another position. Choose another name.</source>
+        <source>Another position is named “%1”. Choose another name.</source>
         <translation>«%1» ya es el nombre de otra posición. Elija otro nombre.</translation>
     </message>
     <message>
@@ -6946,7 +7302,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a place and press Set home here, or Add here.</source>
+Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>Aún no hay posiciones.
 Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translation>
     </message>
@@ -6955,11 +7311,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Altura segura</translation>
     </message>
     <message>
-        <source>%1. Return applies it; nothing moves but the position.</source>
+        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
         <translation>%1. Intro lo aplica; no se mueve nada salvo la posición.</translation>
     </message>
     <message>
-        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
         <translation>Por encima, en el sistema base, no hay nada: allí el TCP puede ir de lado.</translation>
     </message>
     <message>
@@ -6967,7 +7323,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Aquí</translation>
     </message>
     <message>
-        <source>The safe height is where the TCP is now</source>
+        <source>Set the safe height to the current TCP height</source>
         <translation>La altura segura es donde está ahora el TCP</translation>
     </message>
     <message>
@@ -6979,7 +7335,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Añadir aquí</translation>
     </message>
     <message>
-        <source>Keep the position the arm has</source>
+        <source>Store the current position of the arm</source>
         <translation>Conservar la posición que tiene el brazo</translation>
     </message>
     <message>
@@ -6995,12 +7351,8 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Retocar la posición</translation>
     </message>
     <message>
-        <source>Use the usual home again</source>
+        <source>Reset to default home</source>
         <translation>Usar de nuevo el inicio habitual</translation>
-    </message>
-    <message>
-        <source>Use the usual home</source>
-        <translation>Usar el inicio habitual</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -7011,7 +7363,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Eliminar posición</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
     </message>
     <message>
@@ -7019,11 +7371,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
-        <source>Set “%1” to where the arm stands?</source>
+        <source>Set “%1” to the current position of the arm?</source>
         <translation>¿Fijar «%1» donde está el brazo?</translation>
     </message>
     <message>
-        <source>The key Home goes there from now on.</source>
+        <source>The Home key will move the arm there.</source>
         <translation>La tecla Inicio va allí desde ahora.</translation>
     </message>
     <message>
@@ -7083,11 +7435,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Sin altura segura</translation>
     </message>
     <message>
-        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
         <translation>La tecla Inicio va al inicio habitual: erguido, libre de sí mismo.</translation>
     </message>
     <message>
-        <source>%1: the key Home goes there</source>
+        <source>%1: target of the Home key</source>
         <translation>%1: la tecla Inicio va allí</translation>
     </message>
     <message>
@@ -7098,7 +7450,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <source>Start the simulated robot first (robot menu).</source>
         <translation>Inicie primero el robot simulado: está en el menú Robot.</translation>
     </message>
     <message>
@@ -7106,11 +7458,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Encienda primero el brazo y libere los frenos.</translation>
     </message>
     <message>
-        <source>The arm is in a stop. Recover from it first.</source>
+        <source>The arm is stopped by the safety system. Recover first.</source>
         <translation>El brazo está en una parada. Recupérelo primero.</translation>
     </message>
     <message>
-        <source>Done. Start does it once more.</source>
+        <source>Done. Press Start to repeat the task.</source>
         <translation>Hecho. Iniciar lo repite.</translation>
     </message>
     <message>
@@ -7137,7 +7489,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Fuerza Fz en newtons</translation>
     </message>
     <message>
-        <source>figure, then Return</source>
+        <source>enter value, press Return</source>
         <translation>cifra, después Intro</translation>
     </message>
     <message>
@@ -7145,11 +7497,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Fz [N]</translation>
     </message>
     <message>
-        <source>The task before</source>
+        <source>Previous task</source>
         <translation>El ejercicio anterior</translation>
     </message>
     <message>
-        <source>The next task</source>
+        <source>Next task</source>
         <translation>El ejercicio siguiente</translation>
     </message>
     <message>
@@ -7157,15 +7509,15 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Ejercicios · %1 de %2</translation>
     </message>
     <message>
-        <source>Begins the task, or begins it anew</source>
+        <source>Starts or restarts the task</source>
         <translation>Empieza el ejercicio, o lo empieza de nuevo</translation>
     </message>
     <message>
-        <source>Goes on to the next task</source>
+        <source>Continues with the next task</source>
         <translation>Pasa al ejercicio siguiente</translation>
     </message>
     <message>
-        <source>Possible once the check above says so</source>
+        <source>Available after the check above has passed</source>
         <translation>Posible cuando la comprobación de arriba lo diga</translation>
     </message>
 </context>
@@ -7176,15 +7528,15 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Bien</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Check</source>
         <translation>Mirar</translation>
     </message>
     <message>
-        <source>Bad</source>
+        <source>Failed</source>
         <translation>Mal</translation>
     </message>
     <message>
-        <source>Not looked at</source>
+        <source>Not checked</source>
         <translation>No comprobado</translation>
     </message>
     <message>
@@ -7196,11 +7548,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Condiciones</translation>
     </message>
     <message>
-        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
         <translation>Conectado de todos modos, la ventana muestra los datos que haya. Lo rojo de arriba puede impedir tomar el control o terminar un movimiento en marcha.</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Check again</source>
         <translation>Mirar de nuevo</translation>
     </message>
     <message>
@@ -7212,11 +7564,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
         <translation>Conectar</translation>
     </message>
     <message>
-        <source>Keep everybody out of the arm&apos;s reach.
+        <source>Keep everyone out of reach of the arm.
 Keep the emergency stop at hand: STOP in this window is a software stop.
-Begin slowly: the first speed is %1.
-Watch the arm, not the screen, while a key is held.
-Let go of the key and the arm stops.</source>
+Start slowly: the initial speed is %1.
+Watch the arm, not the screen, while you hold a key.
+Release the key to stop the arm.</source>
         <translation>Mantenga a todos fuera del alcance del brazo.
 Tenga a mano la parada de emergencia: STOP en esta ventana es una parada por software.
 Empiece despacio: la primera velocidad es %1.
@@ -7224,11 +7576,11 @@ Mire el brazo, no la pantalla, mientras mantiene una tecla.
 Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
-        <source>Looking at %1…</source>
+        <source>Checking %1…</source>
         <translation>Mirando %1…</translation>
     </message>
     <message>
-        <source>Something is in the way</source>
+        <source>Problems found</source>
         <translation>Algo lo impide</translation>
     </message>
     <message>
@@ -7258,7 +7610,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         </translation>
     </message>
     <message>
-        <source>Change the order</source>
+        <source>Change order</source>
         <translation>Cambiar el orden</translation>
     </message>
 </context>
@@ -7273,7 +7625,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>No se pudo guardar el proyecto</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <source>%1. Update Tiller to open it. The file was not changed.</source>
         <translation>%1. Actualice Tiller para abrirlo. El archivo quedó como estaba.</translation>
     </message>
     <message>
@@ -7297,7 +7649,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Se abrió una copia de «%1». Guárdela en un archivo para conservar los cambios.</translation>
     </message>
     <message>
-        <source>“%1” is a copy and has changes that are in no file.</source>
+        <source>“%1” is a copy with unsaved changes.</source>
         <translation>«%1» es una copia y tiene cambios que no están en ningún archivo.</translation>
     </message>
     <message>
@@ -7305,7 +7657,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Guardar como…</translation>
     </message>
     <message>
-        <source>Drop the changes</source>
+        <source>Discard changes</source>
         <translation>Abandonar los cambios</translation>
     </message>
     <message>
@@ -7317,7 +7669,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>%1 está dañado</translation>
     </message>
     <message>
-        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <source>%1. Readable waypoints: %2, unreadable: %3. The damaged file is kept.</source>
         <translation>%1. Puntos de paso legibles: %2, no legibles: %3. El archivo dañado se conserva.</translation>
     </message>
     <message numerus="yes">
@@ -7326,6 +7678,188 @@ Suelte la tecla y el brazo se detiene.</translation>
             <numerusform>Abrir %n punto de paso</numerusform>
             <numerusform>Abrir %n puntos de paso</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 is saved again</source>
+        <translation>%1 se guarda de nuevo</translation>
+    </message>
+    <message>
+        <source>The other window closed %1. Changes in this window are saved again.</source>
+        <translation>La otra ventana cerró %1. Los cambios de esta ventana se guardan de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window</source>
+        <translation>%1 está abierto en otra ventana</translation>
+    </message>
+    <message>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <translation>Abierto por %1. Los cambios de esta ventana no se guardan en el archivo hasta que se haga cargo del proyecto.</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Hacerse cargo</translation>
+    </message>
+    <message>
+        <source>Save as a copy</source>
+        <translation>Guardar como copia</translation>
+    </message>
+    <message>
+        <source>View only</source>
+        <translation>Solo ver</translation>
+    </message>
+    <message>
+        <source>Another window or program has changed %1</source>
+        <translation>Otra ventana o programa ha cambiado %1</translation>
+    </message>
+    <message>
+        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
+        <translation>Esta ventana tiene cambios sin guardar. Recargar los descarta. Conservar ambos guarda el proyecto de esta ventana en un segundo archivo.</translation>
+    </message>
+    <message>
+        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>Recargar muestra el contenido nuevo. Conservar ambos guarda el proyecto de esta ventana en un segundo archivo. Los cambios no se guardan hasta que decida.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recargar</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Conservar ambos</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>Decidir más tarde</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>No se pudo tomar el proyecto</translation>
+    </message>
+    <message>
+        <source>Reloaded %1</source>
+        <translation>%1 recargado</translation>
+    </message>
+    <message>
+        <source>This window&apos;s project is now %1</source>
+        <translation>El proyecto de esta ventana es ahora %1</translation>
+    </message>
+    <message>
+        <source>A project without a file</source>
+        <translation>Un proyecto sin archivo</translation>
+    </message>
+    <message>
+        <source>Unsaved work is available</source>
+        <translation>Hay trabajo sin guardar disponible</translation>
+    </message>
+    <message>
+        <source>“%1” was changed on %2 and not saved to a file.</source>
+        <translation>«%1» se cambió el %2 y no se guardó en un archivo.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Ask again next time</source>
+        <translation>Preguntar la próxima vez</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved. %2</source>
+        <translation>%1 tiene cambios sin guardar. %2</translation>
+    </message>
+    <message>
+        <source>The project has unsaved changes.</source>
+        <translation>El proyecto tiene cambios sin guardar.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFit</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 y %n más</numerusform>
+            <numerusform>%1 y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>TCP of %1</source>
+        <translation>TCP de %1</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, but a %2 is connected. The same joint positions lead to different poses.</source>
+        <translation>El proyecto se enseñó con un %1, pero está conectado un %2. Las mismas posiciones articulares llevan a poses distintas.</translation>
+    </message>
+    <message>
+        <source>The project uses the TCP “%1”. The active TCP of the robot differs by %2.</source>
+        <translation>El proyecto usa el TCP «%1». El TCP activo del robot difiere en %2.</translation>
+    </message>
+    <message>
+        <source>The project fits the connected robot.</source>
+        <translation>El proyecto es compatible con el robot conectado.</translation>
+    </message>
+    <message>
+        <source>Connect the robot for this project.</source>
+        <translation>Conecte el robot de este proyecto.</translation>
+    </message>
+    <message>
+        <source>Project of another robot model</source>
+        <translation>Proyecto de otro modelo de robot</translation>
+    </message>
+    <message>
+        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>Conservar poses: Tiller recalcula las posiciones articulares y la herramienta alcanza las mismas poses. Conservar articulaciones: el brazo mantiene su configuración y la herramienta alcanza otras poses. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
+    </message>
+    <message>
+        <source>Keep poses</source>
+        <translation>Conservar poses</translation>
+    </message>
+    <message>
+        <source>Keep joints</source>
+        <translation>Conservar articulaciones</translation>
+    </message>
+    <message>
+        <source>TCP differs from the project</source>
+        <translation>El TCP difiere del proyecto</translation>
+    </message>
+    <message>
+        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>Con el TCP del robot, la brida va a las posiciones enseñadas. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Poner «%1» en el robot</translation>
+    </message>
+    <message>
+        <source>Keep the robot’s TCP</source>
+        <translation>Conservar el TCP del robot</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the poses</source>
+        <translation>Convertir de %1 a %2, conservar poses</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the joints</source>
+        <translation>Convertir de %1 a %2, conservar articulaciones</translation>
+    </message>
+    <message>
+        <source>Out of reach: %1.</source>
+        <translation>Fuera de alcance: %1.</translation>
+    </message>
+    <message>
+        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <translation>Eliminados por estar fuera de alcance: %1. Deshacer los recupera.</translation>
+    </message>
+    <message>
+        <source>Some positions are out of reach</source>
+        <translation>Algunas posiciones están fuera de alcance</translation>
+    </message>
+    <message>
+        <source>Moves to positions of this project are blocked</source>
+        <translation>Los movimientos a posiciones de este proyecto están bloqueados</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
     </message>
 </context>
 <context>
@@ -7358,6 +7892,34 @@ Suelte la tecla y el brazo se detiene.</translation>
         <source>no file chosen</source>
         <translation>ningún archivo elegido</translation>
     </message>
+    <message>
+        <source>%1 — open in another window, changes here are not saved</source>
+        <translation>%1 — abierto en otra ventana, los cambios de aquí no se guardan</translation>
+    </message>
+    <message>
+        <source>%1 — changed by another program, changes here are not saved</source>
+        <translation>%1 — cambiado por otro programa, los cambios de aquí no se guardan</translation>
+    </message>
+    <message>
+        <source>Unsaved project</source>
+        <translation>Proyecto sin guardar</translation>
+    </message>
+    <message>
+        <source>save %1</source>
+        <translation>guardar %1</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>está abierto en otra ventana (%1)</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>otro programa</translation>
+    </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>otro programa lo ha cambiado</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -7366,7 +7928,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Recuperación</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>Fuerza en el TCP</translation>
     </message>
     <message>
@@ -7374,7 +7936,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Corriente de articulación</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>Velocidad del TCP</translation>
     </message>
     <message>
@@ -7386,7 +7948,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>En X %1, Y %2, Z %3.</translation>
     </message>
     <message>
-        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <source>Suspected joint: %1 (largest deviation from its target current).</source>
         <translation>Articulación sospechosa: %1, cuya corriente se apartó más de su objetivo.</translation>
     </message>
     <message>
@@ -7394,11 +7956,11 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation> (%1 s)</translation>
     </message>
     <message>
-        <source>Tick what you have looked at.</source>
+        <source>Tick the items that you have checked.</source>
         <translation>Marque lo que ha mirado.</translation>
     </message>
     <message>
-        <source>Asked; waiting for the robot…</source>
+        <source>Requested; waiting for the robot…</source>
         <translation>Pedido; esperando al robot…</translation>
     </message>
 </context>
@@ -7429,15 +7991,15 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Bit</translation>
     </message>
     <message>
-        <source>Kind of input register</source>
+        <source>Input register type</source>
         <translation>Tipo de registro de entrada</translation>
     </message>
     <message>
-        <source>Number of the input register</source>
+        <source>Input register number</source>
         <translation>Número del registro de entrada</translation>
     </message>
     <message>
-        <source>Value for the input register</source>
+        <source>Input register value</source>
         <translation>Valor para el registro de entrada</translation>
     </message>
     <message>
@@ -7456,7 +8018,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Volver a lo actual</translation>
     </message>
     <message>
-        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <source>Show the current state of the robot. The recording stays open in the plots</source>
         <translation>Mostrar lo que el robot hace ahora; una grabación queda abierta en los gráficos</translation>
     </message>
 </context>
@@ -7479,7 +8041,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Aviso en el robot</translation>
     </message>
     <message>
-        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <source>The popup could not be closed from here: close it on the teach pendant.</source>
         <translation>No se pudo cerrar desde aquí: ciérrelo en la consola portátil.</translation>
     </message>
     <message>
@@ -7494,7 +8056,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         </translation>
     </message>
     <message>
-        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <source>A waiting program continues when the popup is closed: keep clear of the arm.</source>
         <translation>Un programa que lo espera sigue cuando se cierra: apártese del brazo.</translation>
     </message>
     <message>
@@ -7533,7 +8095,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Con control</translation>
     </message>
     <message>
-        <source>Taking control was ended by a stop</source>
+        <source>Taking control was cancelled by a stop</source>
         <translation>Una parada terminó la toma de control</translation>
     </message>
     <message>
@@ -7557,7 +8119,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Aviso en el robot: %1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
         <translation>El programa del robot espera una respuesta en la consola portátil: %1</translation>
     </message>
     <message>
@@ -7573,16 +8135,43 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Conectando con %1…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <source>No data from the robot. Reconnecting automatically; motion does not resume.</source>
         <translation>Sin datos del robot. Se reconecta solo; el movimiento no se reanuda.</translation>
     </message>
     <message>
-        <source>Data from the robot are late.</source>
+        <source>Robot data are late.</source>
         <translation>Los datos del robot llegan tarde.</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>Tomando el control…</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <translation>Solo supervisión: esta ventana no cambia nada en el robot. STOP sigue funcionando.</translation>
+    </message>
+    <message>
+        <source>Monitor only is off</source>
+        <translation>Solo supervisión está desactivado</translation>
+    </message>
+    <message>
+        <source>%1: refused. %2</source>
+        <translation>%1: rechazado. %2</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Tomar el control</translation>
+    </message>
+    <message>
+        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>Se ha devuelto el control: la conexión de control no respondió durante 0,5 s o se cerró. STOP, Espacio y Esc siguen deteniendo el robot. Tome el control de nuevo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The robot sends too many messages: %n were not shown</source>
+        <translation>
+            <numerusform>El robot envía demasiados mensajes: %n no se mostró</numerusform>
+            <numerusform>El robot envía demasiados mensajes: %n no se mostraron</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7592,7 +8181,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Conectando con la pinza…</translation>
     </message>
     <message>
-        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
         <translation>La pinza no da valores. Encienda el brazo; si sigue así, compruebe el cable de la pinza en la muñeca.</translation>
     </message>
     <message>
@@ -7604,7 +8193,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>La pinza está activa</translation>
     </message>
     <message>
-        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
         <translation>La pinza no se activó. Vea que nada bloquee sus dedos y pulse de nuevo Activar.</translation>
     </message>
     <message>
@@ -7624,27 +8213,27 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>%1 falló. %2</translation>
     </message>
     <message>
-        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>Nadie responde por la pinza en %1:%2. Instale el URCap de Robotiq en el robot y elija la pinza en su Instalación.</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>La pinza no responde. Compruebe su cable en la muñeca y su página en la Instalación del robot; si sigue así, reinicie el robot.</translation>
     </message>
     <message>
-        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>El robot terminó la conexión con la pinza; quizá se está reiniciando. Vuelve sola; la pinza sigue sujetando.</translation>
     </message>
     <message>
-        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
         <translation>La pinza no lo aceptó. Actívela; si está activa, mire su página en la Instalación del robot.</translation>
     </message>
     <message>
-        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <source>The gripper is activating; the command runs afterwards.</source>
         <translation>La pinza se está activando: lo pedido se hace después.</translation>
     </message>
     <message>
-        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press Activate.</source>
         <translation>Se envió la pinza a un sitio antes de estar activa. Pulse Activar.</translation>
     </message>
     <message>
@@ -7652,35 +8241,35 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>La pinza está demasiado caliente. Déjela enfriar y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
         <translation>La pinza no oyó nada durante un segundo. Compruebe su cable en la muñeca y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
         <translation>La pinza tiene poca tensión. Ponga la tensión de la herramienta a 24 V y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
         <translation>La liberación automática de la pinza está en curso. Espere a que termine y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press Activate.</source>
         <translation>La liberación automática de la pinza terminó. Pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
         <translation>La pinza tiene un fallo interno. Pulse Activar; si vuelve, pregunte a Robotiq.</translation>
     </message>
     <message>
-        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>La activación falló. Vea que nada bloquee los dedos y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>La pinza consume demasiada corriente. Vea que nada bloquee los dedos y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>La pinza comunica el fallo %1. Pulse Activar; si vuelve, vea su manual.</translation>
     </message>
 </context>
@@ -7698,7 +8287,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>Mirar desde el primer lado, en perspectiva</translation>
     </message>
     <message>
@@ -7730,7 +8319,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Ajustar</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture</source>
+        <source>Fit the arm, target and waypoints in the view</source>
         <translation>Brazo, objetivo y puntos de paso en la imagen</translation>
     </message>
 </context>
@@ -7741,7 +8330,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Vista del brazo</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
         <translation>Arrastre o use las flechas para mirar desde otro lado, con Mayús o el botón derecho para mover la imagen, la rueda o más y menos para acercarse, doble clic o Inicio para la primera vista. Nada de esto mueve el robot.</translation>
     </message>
     <message>
@@ -7757,15 +8346,15 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>fantasma «%1» · fuera de alcance</translation>
     </message>
     <message>
-        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <source>ghost “%1” · reachable · largest rotation %2 %3 · %4 s at %5</source>
         <translation>fantasma «%1» · alcanzable · mayor giro %2 %3 · %4 s a %5</translation>
     </message>
     <message>
-        <source>1 name hidden: come nearer</source>
+        <source>1 name hidden: zoom in</source>
         <translation>1 nombre oculto: acérquese</translation>
     </message>
     <message numerus="yes">
-        <source>%n names hidden: come nearer</source>
+        <source>%n names hidden: zoom in</source>
         <translation>
             <numerusform>%n nombre oculto: acérquese</numerusform>
             <numerusform>%n nombres ocultos: acérquese</numerusform>
@@ -7776,15 +8365,15 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>fantasma «%1» · alcanzable</translation>
     </message>
     <message>
-        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <source>ghost “%1” · %2 · largest rotation %3 %4 · %5 s at %6</source>
         <translation>fantasma «%1» · %2 · mayor giro %3 %4 · %5 s a %6</translation>
     </message>
     <message>
-        <source>“%1” as it will be</source>
+        <source>“%1” after the change</source>
         <translation>«%1» como quedará</translation>
     </message>
     <message>
-        <source>“%1” as it was</source>
+        <source>“%1” before the change</source>
         <translation>«%1» como estaba</translation>
     </message>
     <message>
@@ -7799,7 +8388,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>calcular una señal</translation>
     </message>
     <message>
-        <source>%1 does not come in the same packets as the others.</source>
+        <source>%1 is not part of the same RTDE packets as the other signals.</source>
         <translation>%1 no llega en los mismos paquetes que las demás.</translation>
     </message>
     <message>
@@ -7807,7 +8396,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Derivadas</translation>
     </message>
     <message>
-        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <source>The robot cannot send so many signals at once: remove other signals first.</source>
         <translation>Son más señales de las que un robot envía a la vez: quite otras primero.</translation>
     </message>
     <message>
@@ -7815,7 +8404,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>abrir %1</translation>
     </message>
     <message>
-        <source>There is no row in this recording.</source>
+        <source>The recording is empty.</source>
         <translation>Esta grabación no tiene ninguna fila.</translation>
     </message>
     <message>
@@ -7823,11 +8412,11 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
         <translation>Hay poca memoria de historial para mostrar %1: elija más en el menú Layout.</translation>
     </message>
     <message>
-        <source>%1 could not be computed to its end: %2</source>
+        <source>%1 could not be computed completely: %2</source>
         <translation>No se pudo calcular %1 hasta el final: %2</translation>
     </message>
 </context>
@@ -7850,11 +8439,11 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Señal calculada a partir de otras</translation>
     </message>
     <message>
-        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
         <translation>Un nombre, una unidad entre corchetes si quiere, y una expresión sobre señales: arrástrelas aquí para sus nombres. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ y las funciones usuales. Intro la crea.</translation>
     </message>
     <message>
-        <source>%1: this robot does not send it.</source>
+        <source>%1: not sent by this robot.</source>
         <translation>%1: este robot no lo envía.</translation>
     </message>
 </context>
@@ -7865,7 +8454,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Simulación</translation>
     </message>
     <message>
-        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <source>This robot is simulated. No real robot moves.</source>
         <translation>Este robot es simulado. Solo se mueven píxeles.</translation>
     </message>
     <message>
@@ -7891,20 +8480,8 @@ Suelte la tecla y el brazo se detiene.</translation>
 <context>
     <name>tiller::StatusLine</name>
     <message>
-        <source>Recording, session and last message</source>
+        <source>Recording, project and last message</source>
         <translation>Grabación, sesión y último mensaje</translation>
-    </message>
-    <message>
-        <source>%1 — %2</source>
-        <translation>%1 — %2</translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation>guardado</translation>
-    </message>
-    <message>
-        <source>not saved</source>
-        <translation>no guardado</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -7915,7 +8492,7 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>%1 muestras · %2 · %3 libres</translation>
     </message>
     <message>
-        <source>Recording ended</source>
+        <source>Recording stopped</source>
         <translation>Grabación terminada</translation>
     </message>
     <message>
@@ -7938,10 +8515,24 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>Parada por software. No es una parada de emergencia. La corriente sigue.</translation>
     </message>
     <message>
-        <source>Space / Esc
-not an e-stop</source>
-        <translation>Espacio / Esc
-no es emergencia</translation>
+        <source>Space and Esc stop as well.</source>
+        <translation>Espacio y Esc también detienen.</translation>
+    </message>
+    <message>
+        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <translation>Haga clic para detener. Espacio y Esc solo detienen mientras esta ventana tiene el control.</translation>
+    </message>
+    <message>
+        <source>Space / Esc</source>
+        <translation>Espacio / Esc</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>clic</translation>
+    </message>
+    <message>
+        <source>not an e-stop</source>
+        <translation>no es paro emerg.</translation>
     </message>
 </context>
 <context>
@@ -7966,7 +8557,7 @@ no es emergencia</translation>
         <translation>Un TCP necesita un nombre.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <source>Another TCP is named “%1”. Choose another name.</source>
         <translation>«%1» ya es el nombre de otro TCP. Elija otro nombre.</translation>
     </message>
     <message>
@@ -7978,8 +8569,8 @@ no es emergencia</translation>
         <translation>TCP</translation>
     </message>
     <message>
-        <source>No TCP yet.
-Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <source>No TCPs yet.
+Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>Aún no hay TCP.
 Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el brazo.</translation>
     </message>
@@ -7988,7 +8579,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>TCP</translation>
     </message>
     <message>
-        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
         <translation>Desde la brida. Intro lo aplica al proyecto; el robot conserva lo suyo.</translation>
     </message>
     <message>
@@ -8012,7 +8603,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Del robot</translation>
     </message>
     <message>
-        <source>Keep the TCP the robot has</source>
+        <source>Store the active TCP of the robot</source>
         <translation>Conservar el TCP que tiene el robot</translation>
     </message>
     <message>
@@ -8020,7 +8611,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Enseñar de nuevo el TCP seleccionado…</translation>
     </message>
     <message>
-        <source>New TCP in figures</source>
+        <source>Enter new TCP</source>
         <translation>Nuevo TCP en cifras</translation>
     </message>
     <message>
@@ -8056,7 +8647,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
-        <source>“%1” is the TCP the robot has.</source>
+        <source>“%1” is the active TCP of the robot.</source>
         <translation>«%1» es el TCP que tiene el robot.</translation>
     </message>
     <message>
@@ -8068,7 +8659,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Enseñar un TCP nuevo</translation>
     </message>
     <message>
-        <source>Select a TCP to set.</source>
+        <source>Select the TCP to set.</source>
         <translation>Seleccione un TCP para fijar.</translation>
     </message>
     <message>
@@ -8076,7 +8667,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Usar el TCP «%1»</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>El brazo no está bajo control. Tome primero el control.</translation>
     </message>
     <message>
@@ -8088,19 +8679,19 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>%1, desde la brida</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1, como lo tiene el robot</translation>
     </message>
     <message>
-        <source>%1, %2 from the one the robot has</source>
+        <source>%1, %2 from the robot&apos;s TCP</source>
         <translation>%1, a %2 del que tiene el robot</translation>
     </message>
     <message>
-        <source>The robot has another TCP than “%1”</source>
+        <source>The robot&apos;s TCP differs from “%1”</source>
         <translation>El robot tiene otro TCP que «%1»</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
         <translation>En el robot: %1. En el proyecto: %2. Están a %3. No se cambió nada.</translation>
     </message>
     <message>
@@ -8115,7 +8706,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Tomar pose</translation>
     </message>
     <message>
-        <source>Take the worst again</source>
+        <source>Retake least accurate pose</source>
         <translation>Tomar de nuevo la peor</translation>
     </message>
     <message>
@@ -8139,7 +8730,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Rotación de la herramienta</translation>
     </message>
     <message>
-        <source>Rotation as it is</source>
+        <source>Keep current rotation</source>
         <translation>Rotación como está</translation>
     </message>
     <message>
@@ -8155,34 +8746,34 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
         <translation>Punta en %1. Las poses coinciden en %2 (rms); la pose %3 es la que menos encaja, por %4.</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
         <translation>La herramienta gira demasiado poco entre las poses. Tome otra, inclinada 30° o más a otro lado.</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the poses again.</source>
+        <source>The robot sent an invalid position. Take the poses again.</source>
         <translation>El robot no envió un lugar válido. Tome las poses de nuevo.</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Lleve la punta a un punto fijo y afilado y tome la pose. En total cuatro veces: la punta en el mismo punto, la herramienta inclinada cada vez a otro lado.</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
             <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>The tool keeps the rotation it has now.</source>
+        <source>The tool keeps its current rotation.</source>
         <translation>La herramienta conserva la rotación que tiene ahora.</translation>
     </message>
     <message>
-        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
         <translation>Gire la herramienta hasta que apunte recta hacia abajo y su X vaya por la X de la base; tómela.</translation>
     </message>
     <message>
@@ -8190,43 +8781,43 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Rotación tomada. Tómela de nuevo para sustituirla.</translation>
     </message>
     <message>
-        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>Tome la herramienta como está ahora. Desde aquí no debe girar: mueva solo X, Y y Z.</translation>
     </message>
     <message>
-        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
         <translation>Mueva la herramienta por su propio +Z, alejándose de la brida, al menos %1, y tómela.</translation>
     </message>
     <message>
-        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
         <translation>Ahora al lado de su +X, al menos %1, y tómela.</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>Rotación tomada: %1 por +Z, %2 al lado; la brida giró %3 entretanto, sobre todo en la pose %4.</translation>
     </message>
     <message>
-        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
         <translation>La brida giró %1 por el camino, sobre todo en la pose %2. Tome las tres de nuevo sin girar la herramienta.</translation>
     </message>
     <message>
-        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>El recorrido por +Z es solo %1. Tome las tres de nuevo, separadas al menos %2.</translation>
     </message>
     <message>
-        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>El recorrido hacia +X es solo %1. Tome las tres de nuevo, separadas al menos %2.</translation>
     </message>
     <message>
-        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
         <translation>Las tres poses están en línea: la tercera está a solo %1. Tome las tres de nuevo.</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the three again.</source>
+        <source>The robot sent an invalid position. Take the three poses again.</source>
         <translation>El robot no envió un lugar válido. Tome las tres de nuevo.</translation>
     </message>
     <message>
-        <source>Take the last again</source>
+        <source>Retake last pose</source>
         <translation>Tomar de nuevo la última</translation>
     </message>
     <message>
@@ -8238,11 +8829,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Pose %1</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ encaja menos</translation>
     </message>
     <message>
-        <source>Poses can be taken while the robot sends data.</source>
+        <source>Poses can be taken only while the robot sends data.</source>
         <translation>Las poses se pueden tomar mientras el robot envíe datos.</translation>
     </message>
 </context>
@@ -8276,29 +8867,40 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Herramientas</translation>
     </message>
     <message>
-        <source>TCP, payload or positions</source>
-        <translation>TCP, carga útil o posiciones</translation>
+        <source>Cell</source>
+        <translation>Celda</translation>
+    </message>
+    <message>
+        <source>TCP, payload, positions or cell</source>
+        <translation>TCP, carga útil, posiciones o celda</translation>
     </message>
 </context>
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left, then %3 is at its limit</source>
+        <source>%1: %2 left to the limit of %3</source>
         <translation>%1: quedan %2, después %3 está en su límite</translation>
     </message>
     <message>
-        <source>%1: %2 left to the plane the base stands on</source>
-        <translation>%1: quedan %2 hasta el plano en que está la base</translation>
+        <source>%1: %2 left to the end of reach or a singularity</source>
+        <translation>%1: quedan %2, después el fin del alcance o una singularidad</translation>
     </message>
     <message>
-        <source>%1: %2 left, then the end of the reach or a singularity</source>
-        <translation>%1: quedan %2, después el fin del alcance o una singularidad</translation>
+        <source>%1: %2 left, then %3 is %4 from %5</source>
+        <translation>%1: quedan %2, luego %3 está a %4 de %5</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VectorEditor</name>
+    <message>
+        <source>%1. Press Return to apply. The robot does not move.</source>
+        <translation>%1. Pulse Intro para aplicar. El robot no se mueve.</translation>
     </message>
 </context>
 <context>
     <name>tiller::ViewCard</name>
     <message>
-        <source>Fold</source>
+        <source>Collapse</source>
         <translation>Plegar</translation>
     </message>
     <message>
@@ -8306,11 +8908,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>The view is too small to unfold this</source>
+        <source>The view is too small to expand this</source>
         <translation>La vista es demasiado pequeña para desplegar esto</translation>
     </message>
     <message>
-        <source>Unfold</source>
+        <source>Expand</source>
         <translation>Desplegar</translation>
     </message>
 </context>
@@ -8321,7 +8923,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
         <translation>En el sistema del punto. Intro lo aplica; no se mueve nada salvo el punto.</translation>
     </message>
     <message>
@@ -8337,7 +8939,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Sistemas de coordenadas</translation>
     </message>
     <message>
-        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
         <translation>El sistema en que está dado y con el que se mueve. El lugar se queda donde está. —: mandan las articulaciones</translation>
     </message>
     <message numerus="yes">
@@ -8352,15 +8954,15 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>a %1 de la pose actual</translation>
     </message>
     <message>
-        <source>joints rule</source>
+        <source>joints have priority</source>
         <translation>mandan las articulaciones</translation>
     </message>
     <message>
-        <source>pose rules</source>
+        <source>pose has priority</source>
         <translation>manda la pose</translation>
     </message>
     <message>
-        <source>place of “%1”</source>
+        <source>cell of “%1”</source>
         <translation>sitio de «%1»</translation>
     </message>
     <message>
@@ -8380,15 +8982,15 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Recorrer</translation>
     </message>
     <message>
-        <source>Shows the keys of Go through in place of the figures.</source>
+        <source>Shows the Go through controls instead of the values.</source>
         <translation>Muestra las teclas de Recorrer en lugar de las cifras.</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Values</source>
         <translation>Cifras</translation>
     </message>
     <message>
-        <source>Shows the figures in place of the keys of Go through.</source>
+        <source>Shows the values instead of the Go through controls.</source>
         <translation>Muestra las cifras en lugar de las teclas de Recorrer.</translation>
     </message>
 </context>
@@ -8421,19 +9023,19 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Cambiar el patrón «%1»</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern first, and select them.</source>
+        <source>Teach the three corners of the pattern and select them first.</source>
         <translation>Enseñe primero las tres esquinas del patrón y selecciónelas.</translation>
     </message>
     <message>
-        <source>Make the pattern “%1”</source>
+        <source>Create the pattern “%1”</source>
         <translation>Crear el patrón «%1»</translation>
     </message>
     <message>
-        <source>Dissolve the pattern “%1”</source>
+        <source>Convert the pattern “%1” to waypoints</source>
         <translation>Disolver el patrón «%1»</translation>
     </message>
     <message>
-        <source>Select a place of a pattern.</source>
+        <source>Select a cell of a pattern.</source>
         <translation>Seleccione un sitio de un patrón.</translation>
     </message>
     <message>
@@ -8445,11 +9047,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Seleccione un punto para ver su historial.</translation>
     </message>
     <message>
-        <source>The frame it was given in then is not in the project any more.</source>
+        <source>The frame of the earlier version was deleted from the project.</source>
         <translation>El sistema en que estaba dado entonces ya no está en el proyecto.</translation>
     </message>
     <message>
-        <source>Take an earlier “%1” back</source>
+        <source>Restore an earlier version of “%1”</source>
         <translation>Recuperar un «%1» anterior</translation>
     </message>
     <message>
@@ -8469,11 +9071,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Separado por comas (*.csv);;JSON (*.json)</translation>
     </message>
     <message>
-        <source>Nothing was imported</source>
+        <source>Import failed</source>
         <translation>No se importó nada</translation>
     </message>
     <message>
-        <source>%1 is too large for a list of waypoints.</source>
+        <source>%1 is too large for a waypoint file.</source>
         <translation>%1 es demasiado grande para una lista de puntos.</translation>
     </message>
     <message>
@@ -8500,7 +9102,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>No hay puntos que exportar.</translation>
     </message>
     <message>
-        <source>Nothing was exported</source>
+        <source>Export failed</source>
         <translation>No se exportó nada</translation>
     </message>
     <message numerus="yes">
@@ -8511,7 +9113,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         </translation>
     </message>
     <message>
-        <source>Select waypoints where something is to be done.</source>
+        <source>Select the waypoints to add actions to.</source>
         <translation>Seleccione puntos donde haya que hacer algo.</translation>
     </message>
     <message numerus="yes">
@@ -8536,7 +9138,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         </translation>
     </message>
     <message>
-        <source>Nothing was pasted</source>
+        <source>Paste failed</source>
         <translation>No se pegó nada</translation>
     </message>
     <message>
@@ -8562,7 +9164,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Historial de «%1»</translation>
     </message>
     <message>
-        <source>Changes, the newest first</source>
+        <source>Changes, newest first</source>
         <translation>Cambios, el más nuevo primero</translation>
     </message>
     <message>
@@ -8574,7 +9176,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>%1  %2  (%3)</translation>
     </message>
     <message>
-        <source>Go back to before this</source>
+        <source>Restore the version before this change</source>
         <translation>Volver a antes de esto</translation>
     </message>
     <message>
@@ -8582,15 +9184,15 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Nombre: «%1», ahora «%2»</translation>
     </message>
     <message>
-        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <source>Position: moved by %1 (%2, base frame)</source>
         <translation>Lugar: se movió %1 (%2, sistema base)</translation>
     </message>
     <message>
-        <source>Joints: %1 turned most, by %2</source>
+        <source>Joints: largest change %2 (%1)</source>
         <translation>Articulaciones: %1 giró más, %2</translation>
     </message>
     <message>
-        <source>the joints rule</source>
+        <source>joints have priority</source>
         <translation>mandan las articulaciones</translation>
     </message>
     <message>
@@ -8598,7 +9200,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Base</translation>
     </message>
     <message>
-        <source>a frame that is no more</source>
+        <source>a deleted frame</source>
         <translation>un sistema que ya no existe</translation>
     </message>
     <message>
@@ -8626,7 +9228,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Fusión: %1, ahora %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another one</source>
+        <source>TCP: taught with another TCP</source>
         <translation>TCP: enseñado con otro</translation>
     </message>
     <message>
@@ -8642,19 +9244,19 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Nota: «%1», ahora «%2»</translation>
     </message>
     <message>
-        <source>Actions: others than now</source>
+        <source>Actions: changed</source>
         <translation>Acciones: otras que ahora</translation>
     </message>
     <message>
-        <source>It was not changed since it was taught.</source>
+        <source>Not changed since it was taught.</source>
         <translation>No cambió desde que se enseñó.</translation>
     </message>
     <message>
-        <source>Before this it was as it is now.</source>
+        <source>The version before this change equals the current version.</source>
         <translation>Antes de esto era como ahora.</translation>
     </message>
     <message>
-        <source>Before this it was:</source>
+        <source>Before this change:</source>
         <translation>Antes de esto era:</translation>
     </message>
 </context>
@@ -8677,7 +9279,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>✕ alcance</translation>
     </message>
     <message>
-        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
         <translation>Una articulación saldría de su rango. Retoque el punto desde otra postura del brazo.</translation>
     </message>
     <message>
@@ -8685,11 +9287,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Su sistema no está en este proyecto. Elija otro sistema.</translation>
     </message>
     <message>
-        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
         <translation>La línea recta desde aquí sale del alcance del brazo. Use MoveJ o empiece en otro lugar.</translation>
     </message>
     <message>
-        <source>Out of reach. Touch it up nearer to the base.</source>
+        <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>Fuera de alcance. Retóquelo más cerca de la base.</translation>
     </message>
     <message>
@@ -8705,19 +9307,19 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>MoveJ: todas las articulaciones empiezan y paran juntas</translation>
     </message>
     <message>
-        <source>MoveL: the TCP goes along a straight line</source>
+        <source>MoveL: the TCP moves along a straight line</source>
         <translation>MoveL: el TCP va en línea recta</translation>
     </message>
     <message>
-        <source>The joints rule: the arm comes back in the same posture</source>
+        <source>Joints have priority: the arm returns to the same configuration</source>
         <translation>Mandan las articulaciones: el brazo vuelve en la misma postura</translation>
     </message>
     <message>
-        <source>The pose rules: it moves with its frame</source>
+        <source>The pose has priority: the waypoint moves with its frame</source>
         <translation>Manda la pose: se mueve con su sistema</translation>
     </message>
     <message>
-        <source>Can be reached</source>
+        <source>Within reach</source>
         <translation>Alcanzable</translation>
     </message>
     <message>
@@ -8749,7 +9351,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Un punto de paso necesita un nombre.</translation>
     </message>
     <message>
-        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <source>Waypoint %2 is named “%1”. Choose another name.</source>
         <translation>«%1» es el nombre del punto %2. Elija otro nombre.</translation>
     </message>
     <message>
@@ -8757,15 +9359,15 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Renombrar «%1» a «%2»</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveJ</source>
+        <source>Change “%1” to MoveJ</source>
         <translation>Hacer «%1» MoveJ</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveL</source>
+        <source>Change “%1” to MoveL</source>
         <translation>Hacer «%1» MoveL</translation>
     </message>
     <message>
-        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <source>The arm cannot reach this pose. “%1” was not changed.</source>
         <translation>El brazo no puede llegar allí. «%1» quedó como estaba.</translation>
     </message>
     <message>
@@ -8781,7 +9383,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>En este proyecto no hay sistema «%1».</translation>
     </message>
     <message>
-        <source>Give “%1” in %2</source>
+        <source>Change the frame of “%1” to %2</source>
         <translation>Dar «%1» en %2</translation>
     </message>
     <message>
@@ -8809,11 +9411,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Color: %1</translation>
     </message>
     <message>
-        <source>Name %1, the coming one</source>
+        <source>Name %1, next waypoint</source>
         <translation>Nombre %1, el siguiente</translation>
     </message>
     <message>
-        <source>Done there: %1</source>
+        <source>Actions: %1</source>
         <translation>Se hace allí: %1</translation>
     </message>
     <message>
@@ -8826,6 +9428,18 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
             <numerusform>%n acción</numerusform>
             <numerusform>%n acciones</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>✕ arm</source>
+        <translation>✕ brazo</translation>
+    </message>
+    <message>
+        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>El proyecto se enseñó con otro modelo de robot. Use primero «Adaptar el proyecto a este robot…».</translation>
+    </message>
+    <message>
+        <source>✕ path</source>
+        <translation>✕ ruta</translation>
     </message>
 </context>
 <context>
@@ -8859,7 +9473,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Celeste</translation>
     </message>
     <message>
-        <source>Only what is ticked is changed.</source>
+        <source>Only the selected properties are changed.</source>
         <translation>Solo cambia lo marcado.</translation>
     </message>
     <message>
@@ -8954,7 +9568,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Desplazamiento</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>Girar</translation>
     </message>
     <message>
@@ -8970,7 +9584,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Base</translation>
     </message>
     <message>
-        <source>Tool, each its own</source>
+        <source>Tool of each waypoint</source>
         <translation>Herramienta, cada uno la suya</translation>
     </message>
     <message>
@@ -8990,7 +9604,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Desplazamiento %1</translation>
     </message>
     <message>
-        <source>About or along</source>
+        <source>Axis of rotation or mirroring</source>
         <translation>En torno a o a lo largo de</translation>
     </message>
     <message>
@@ -8998,7 +9612,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Ángulo</translation>
     </message>
     <message>
-        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
         <translation>El brazo no puede llegar: %1. No se movería nada.</translation>
     </message>
     <message>
@@ -9006,18 +9620,18 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Falta un sistema. Elija otro.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <source>%n of them would be out of reach. They are kept and marked.</source>
         <translation>
             <numerusform>%n quedaría fuera de alcance; se conserva y se marca.</numerusform>
             <numerusform>%n quedarían fuera de alcance; se conservan y se marcan.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>Reflejado en el plano por el origen perpendicular al eje. La herramienta se acerca desde el lado reflejado.</translation>
     </message>
     <message>
-        <source>All stay in reach.</source>
+        <source>All remain within reach.</source>
         <translation>Todos siguen al alcance.</translation>
     </message>
 </context>
@@ -9051,17 +9665,17 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Retocar</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>Más</translation>
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a place and press Teach here (T).</source>
+Jog the arm to a position and press Teach here (T).</source>
         <translation>Aún no hay puntos de paso.
 Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
     </message>
     <message>
@@ -9073,15 +9687,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Seleccione un punto de paso al que ir.</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>El brazo no está bajo control. Tome primero el control.</translation>
     </message>
     <message>
-        <source>Add the place where the arm stands, after the selection (T)</source>
+        <source>Add the current position after the selection (T)</source>
         <translation>Añadir el lugar donde está el brazo, tras la selección (T)</translation>
     </message>
     <message>
-        <source>Replace the selected place by where the arm stands (U)</source>
+        <source>Replace the selected waypoint with the current position (U)</source>
         <translation>Sustituir el lugar seleccionado por donde está el brazo (U)</translation>
     </message>
     <message>
@@ -9137,7 +9751,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>El sistema de «%1» no está en este proyecto. Elija antes otro sistema.</translation>
     </message>
     <message>
-        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>El lugar actual está a %1 (%2, sistema base). Mayor cambio articular: %3 %4.</translation>
     </message>
     <message>
@@ -9169,7 +9783,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Grupo, color, nota, velocidades…</translation>
     </message>
     <message>
-        <source>Offset, turn or mirror…</source>
+        <source>Offset, rotate or mirror…</source>
         <translation>Desplazar, girar o reflejar…</translation>
     </message>
     <message>
@@ -9181,7 +9795,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Patrón…</translation>
     </message>
     <message>
-        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <source>Convert pattern to waypoints</source>
         <translation>Hacer de los sitios del patrón puntos ordinarios</translation>
     </message>
     <message>
@@ -9189,7 +9803,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Eliminar el patrón y sus puntos</translation>
     </message>
     <message>
-        <source>Actions there…</source>
+        <source>Actions…</source>
         <translation>Acciones allí…</translation>
     </message>
     <message>
@@ -9216,11 +9830,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Órdenes</translation>
     </message>
     <message>
-        <source>Search a command</source>
+        <source>Search commands</source>
         <translation>Buscar una orden</translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
+        <source>Type a command or keyword</source>
         <translation>Escriba lo que quiere hacer</translation>
     </message>
     <message>
@@ -9228,7 +9842,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Órdenes encontradas</translation>
     </message>
     <message>
-        <source>not possible now</source>
+        <source>not available now</source>
         <translation>ahora no es posible</translation>
     </message>
 </context>
@@ -9239,11 +9853,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Introduzca la dirección del robot, como la muestra la consola portátil en Acerca de.</translation>
     </message>
     <message>
-        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
         <translation>Una dirección tiene cuatro números de 0 a 255, como 192.168.0.10.</translation>
     </message>
     <message>
-        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <source>A host name contains only letters, digits, dots and hyphens.</source>
         <translation>Un nombre de host solo tiene letras, cifras, puntos y guiones.</translation>
     </message>
     <message>
@@ -9263,7 +9877,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Conectar</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Antes de mover un brazo real: mantenga a todos fuera de su alcance, tenga a mano la parada de emergencia, compruebe carga útil y TCP, empiece despacio. El STOP de esta ventana no es una parada de emergencia.</translation>
     </message>
     <message>
@@ -9275,7 +9889,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Abrir un proyecto…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <source>Waypoints from a file, without a robot: everything works except motion.</source>
         <translation>Puntos de paso de un archivo, sin robot: todo funciona salvo moverse.</translation>
     </message>
     <message>
@@ -9283,11 +9897,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Probar el simulador</translation>
     </message>
     <message>
-        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <source>A simulated UR5e in this program. All functions are available without risk.</source>
         <translation>Un UR5e simulado dentro de este programa. Todo funciona, nada puede dañarse.</translation>
     </message>
     <message>
-        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <source>Starts the simulated robot and opens a project with taught waypoints.</source>
         <translation>Inicia el robot simulado y abre un proyecto ya enseñado.</translation>
     </message>
     <message>
@@ -9319,14 +9933,14 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Robots conectados antes</translation>
     </message>
     <message>
-        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
         <translation>Quita el robot seleccionado de esta lista (Supr). En el robot no cambia nada.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>make the folder %1: choose one that may be written to</source>
+        <source>create the folder %1: choose a folder that you have permission to write to</source>
         <translation>crear la carpeta %1: elija una en la que se pueda escribir</translation>
     </message>
     <message>
@@ -9358,7 +9972,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>mover X+ en Base 50 mm</translation>
     </message>
     <message>
-        <source>let go</source>
+        <source>release</source>
         <translation>soltar</translation>
     </message>
     <message>
@@ -9370,7 +9984,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>ir al primer punto de paso (mantenido)</translation>
     </message>
     <message>
-        <source>let go of Go to</source>
+        <source>release Go to</source>
         <translation>soltar Ir a</translation>
     </message>
     <message>
@@ -9398,11 +10012,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>%1: no ocurrió en %2 s (%3)</translation>
     </message>
     <message>
-        <source>the robot reports no reason</source>
+        <source>the robot reported no reason</source>
         <translation>el robot no da motivo</translation>
     </message>
     <message>
-        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
         <translation>pulsado de nuevo     %1 veces: el movimiento se detuvo antes de soltar la tecla</translation>
     </message>
     <message>
@@ -9459,7 +10073,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Probarlo…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>Qué dice ahora cada dispositivo y hacia dónde irá.</translation>
     </message>
     <message>
@@ -9483,7 +10097,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation> %</translation>
     </message>
     <message>
-        <source>So far a stick may be out without moving anything.</source>
+        <source>Deflection below which the device does not move the arm.</source>
         <translation>Hasta aquí puede estar desviada una palanca sin mover nada.</translation>
     </message>
     <message>
@@ -9495,15 +10109,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>exponente </translation>
     </message>
     <message>
-        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
         <translation>1: uniforme. Más: suave cerca del centro, rápido al final del recorrido.</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>Solo el eje más desviado</translation>
     </message>
     <message>
-        <source>%1: only the axis that is out furthest</source>
+        <source>%1: dominant axis only</source>
         <translation>%1: solo el eje más desviado</translation>
     </message>
     <message>
@@ -9519,18 +10133,18 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Ninguno</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>No hay gamepad ni SpaceMouse. Conecte uno: aparece solo.</translation>
     </message>
     <message>
-        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
         <translation>Solo mientras se mantiene su hombre muerto. No se recuerda: tras un inicio ningún dispositivo mueve el brazo.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
         <translation>Aquí no hay ningún panel. Elija una perspectiva abajo a la derecha o muestre un panel con el menú Vista.</translation>
     </message>
 </context>
@@ -9539,10 +10153,6 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     <message>
         <source>Help</source>
         <translation>Ayuda</translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras se mantiene una tecla del teclado de la ventana y se detiene al soltarla. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero deja la tecla, se pulsa un segundo botón o interviene otra mano;&lt;/li&gt;&lt;li&gt;junto a una tecla mantenida del teclado se pulsa un modificador o una tecla que la contradice;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, algo se abre sobre ella o se elige otro sistema, velocidad, paso o pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa se cuelga o el robot deja «En marcha», su modo de seguridad o el control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo se desconecta o enmudece;&lt;/li&gt;&lt;li&gt;nadie puede probar que la tecla sigue pulsada: en X11 se pregunta al servidor gráfico cien veces por segundo si el botón o la tecla está pulsado, y un «no», o 100 ms sin respuesta, termina el movimiento. Donde no se puede preguntar a nadie, lo dicen la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se ha mantenido mucho tiempo: un movimiento manual %1 s (Ajustes), el movimiento libre cinco minutos, un movimiento a un lugar 5 s más de lo que tarda. Los últimos 3 s se cuentan atrás.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un movimiento detenido necesita una nueva pulsación. &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen desde cualquier parte, también programas de otros. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace una pulsación diez veces más fina, &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápida, nunca sobre el límite. En un teclado sin letras latinas, una letra de abajo significa su lugar en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
     </message>
     <message>
         <source>Practice tasks</source>
@@ -9568,6 +10178,10 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;El manual no está en este ordenador&lt;/h2&gt;&lt;p&gt;Viene con el paquete Debian de Tiller. Un Tiller compilado por usted lo tiene si está instalado el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. Hasta entonces sus páginas se leen como texto en la carpeta packaging/manual de las fuentes. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras se mantiene una tecla del teclado de la ventana y se detiene al soltarla. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero deja la tecla, se pulsa un segundo botón o interviene otra mano;&lt;/li&gt;&lt;li&gt;junto a una tecla mantenida del teclado se pulsa un modificador o una tecla que la contradice;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, algo se abre sobre ella o se elige otro sistema, velocidad, paso o pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa se cuelga o el robot deja «En marcha», su modo de seguridad o el control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo se desconecta o enmudece;&lt;/li&gt;&lt;li&gt;nadie puede probar que la tecla sigue pulsada: en X11 se pregunta al servidor gráfico cien veces por segundo si el botón o la tecla está pulsado, y un «no», o 100 ms sin respuesta, termina el movimiento. Donde no se puede preguntar a nadie, lo dicen la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se ha mantenido mucho tiempo: un movimiento manual %1 s (Ajustes), el movimiento libre cinco minutos, un movimiento a un lugar 5 s más de lo que tarda. Los últimos 3 s se cuentan atrás.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un movimiento detenido necesita una nueva pulsación. Con el control tomado, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen desde cualquier ventana, diálogo y campo de texto. Sin el control pertenecen al elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace una pulsación diez veces más fina, &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápida, nunca sobre el límite. En un teclado sin letras latinas, una letra de abajo significa su lugar en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9576,11 +10190,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Colores, tamaños y unidades</translation>
     </message>
     <message>
-        <source>Speed cap and longest hold</source>
+        <source>Speed cap and maximum hold time</source>
         <translation>Límite de velocidad y pulsación más larga</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>Teclas de las órdenes</translation>
     </message>
     <message>
@@ -9624,19 +10238,19 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>%1 no se importó. No se cambió nada.</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1 holds:</source>
+        <source>The selected settings are replaced by those in %1:</source>
         <translation>Lo marcado se sustituye por lo que contiene %1:</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
         <translation>Lo marcado se sustituye por lo que contiene %1, escrito por Tiller %2:</translation>
     </message>
     <message>
-        <source>%1: the same already</source>
+        <source>%1: identical</source>
         <translation>%1: ya es igual</translation>
     </message>
     <message>
-        <source>%1: none in the file</source>
+        <source>%1: not in the file</source>
         <translation>%1: no está en el archivo</translation>
     </message>
     <message>
@@ -9644,11 +10258,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>%1: %2 aquí, %3 en el archivo</translation>
     </message>
     <message>
-        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <source>The replaced settings are saved to a separate file, which can be imported again.</source>
         <translation>Lo sustituido se guarda en un archivo propio, que se puede importar de nuevo.</translation>
     </message>
     <message>
-        <source>There is nothing in the file that is not here already.</source>
+        <source>All settings in the file match the current settings.</source>
         <translation>El archivo no contiene nada que no esté ya aquí.</translation>
     </message>
 </context>
@@ -9659,7 +10273,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Primeros pasos</translation>
     </message>
     <message>
-        <source>A checklist in the view: from power on to a recording.</source>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
         <translation>Una lista en la vista: desde encender hasta una grabación.</translation>
     </message>
     <message>
@@ -9671,11 +10285,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Cinco ejercicios en el robot simulado, cada uno con comprobación.</translation>
     </message>
     <message>
-        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
         <translation>Los ejercicios son solo para el robot simulado de este programa. Este es «%1».</translation>
     </message>
     <message>
-        <source>Practice: put “%1”</source>
+        <source>Practice: place “%1”</source>
         <translation>Ejercicio: poner «%1»</translation>
     </message>
 </context>
@@ -9686,7 +10300,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>Teclado armado: las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − giran una articulación. Espacio y Esc detienen.</translation>
     </message>
     <message>
@@ -9726,7 +10340,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>%1 desconectado. El brazo se detuvo.</translation>
     </message>
     <message>
-        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 enmudeció mientras movía el brazo, que se detuvo. Suéltelo; si sigue mudo, conéctelo de nuevo.</translation>
     </message>
     <message>
@@ -9750,7 +10364,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Abrir proyecto de ejemplo…</translation>
     </message>
     <message>
-        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
         <translation>Una copia de uno de tres proyectos, para probar en el robot simulado.</translation>
     </message>
     <message>
@@ -9758,7 +10372,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Guardar proyecto como…</translation>
     </message>
     <message>
-        <source>Saves to this file now, and every change from now on.</source>
+        <source>Saves to this file now and saves all further changes automatically.</source>
         <translation>Guarda ahora en este archivo, y cada cambio en adelante.</translation>
     </message>
     <message>
@@ -9778,7 +10392,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Mostrar registro</translation>
     </message>
     <message>
-        <source>Brings this tab to the front.</source>
+        <source>Shows this tab.</source>
         <translation>Trae esta pestaña al frente.</translation>
     </message>
     <message>
@@ -9786,7 +10400,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Mostrar pinza</translation>
     </message>
     <message>
-        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <source>Shows the Gripper page of the I/O tab.</source>
         <translation>Trae al frente la página de la pinza en E/S.</translation>
     </message>
     <message>
@@ -9794,7 +10408,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Restablecer disposición</translation>
     </message>
     <message>
-        <source>All panels back to where the current perspective has them.</source>
+        <source>Restores the panel layout of the current perspective.</source>
         <translation>Todos los paneles adonde los tiene la perspectiva actual.</translation>
     </message>
     <message>
@@ -9806,7 +10420,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Colores oscuros</translation>
     </message>
     <message>
-        <source>Changes the colours at once and remembers it.</source>
+        <source>Changes the colour theme now and for the next start.</source>
         <translation>Cambia los colores enseguida y lo recuerda.</translation>
     </message>
     <message>
@@ -9814,7 +10428,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Poner a cero la fuerza en los gráficos, o mostrarla como se mide</translation>
     </message>
     <message>
-        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
         <translation>Cuenta la fuerza TCP desde lo que es ahora; otra vez: como la mide el robot.</translation>
     </message>
     <message>
@@ -9830,7 +10444,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Ajustes…</translation>
     </message>
     <message>
-        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
         <translation>Colores, tamaños, unidades, el límite de velocidad, dispositivos y la tecla de cada orden.</translation>
     </message>
     <message>
@@ -9838,7 +10452,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Exportar ajustes…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <source>Saves all settings to one file, for another computer or as a backup.</source>
         <translation>Un archivo con todo lo que se recuerda, para otro ordenador o como copia.</translation>
     </message>
     <message>
@@ -9846,7 +10460,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Importar ajustes…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <source>Imports settings from a file after showing what will be replaced.</source>
         <translation>Toma lo que contiene un archivo así; antes dice qué sustituye.</translation>
     </message>
     <message>
@@ -9870,11 +10484,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Separar %1</translation>
     </message>
     <message>
-        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
         <translation>Lo hace una ventana propia, para una segunda pantalla, o lo devuelve.</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the others.</source>
+        <source>Moves this panel to that side of the main window.</source>
         <translation>Mueve este panel a ese lado de los demás.</translation>
     </message>
     <message>
@@ -9898,11 +10512,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Cargar programa</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as the tablet shows it</source>
+        <source>Name of the program on the robot, as shown on the teach pendant</source>
         <translation>Nombre del programa en el robot, como lo muestra la tableta</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as in pick.urp</source>
+        <source>Name of the program on the robot, e.g. pick.urp</source>
         <translation>Nombre del programa en el robot, como pick.urp</translation>
     </message>
     <message>
@@ -9910,7 +10524,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Límite de velocidad %1</translation>
     </message>
     <message>
-        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <source>A recording is running. Stop it first.</source>
         <translation>Hay una grabación en marcha. Termínela primero: no debe faltar nada de ella.</translation>
     </message>
     <message>
@@ -9922,7 +10536,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Herramientas</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
             <numerusform>El robot simulado no conoce %n caja o plano de la celda: no tiene sitio para más.</numerusform>
             <numerusform>El robot simulado no conoce %n cajas o planos de la celda: no tiene sitio para más.</numerusform>
@@ -9933,7 +10547,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Informar de un problema…</translation>
     </message>
     <message>
-        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
         <translation>Un archivo con versiones, registro y ajustes para quien le ayude; antes muestra lo que contiene.</translation>
     </message>
     <message>
@@ -9941,26 +10555,78 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Informe guardado: %1</translation>
     </message>
     <message>
-        <source>Tiller ended unexpectedly the last time</source>
+        <source>Tiller closed unexpectedly</source>
         <translation>Tiller terminó de forma inesperada la última vez</translation>
     </message>
     <message>
-        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <source>Tiller saved a crash log. You can attach it to a problem report.</source>
         <translation>Se guardó lo que hacía entonces. Guárdelo como informe para quien le ayude.</translation>
     </message>
     <message>
-        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
         <translation>El manual en la página de lo que tiene el foco, todas las órdenes con sus teclas y las reglas del movimiento manual.</translation>
+    </message>
+    <message>
+        <source>The settings could not be saved. %1</source>
+        <translation>No se pudieron guardar los ajustes. %1</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Deshecho: %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Rehecho: %1</translation>
+    </message>
+    <message>
+        <source>Adapt project to this robot…</source>
+        <translation>Adaptar el proyecto a este robot…</translation>
+    </message>
+    <message>
+        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <translation>Convierte un proyecto de otro modelo de robot: conserva las poses o las articulaciones.</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Tomar el control</translation>
+    </message>
+    <message>
+        <source>A program is paused on the robot.</source>
+        <translation>Hay un programa en pausa en el robot.</translation>
+    </message>
+    <message>
+        <source>A program is running on the robot.</source>
+        <translation>Hay un programa en marcha en el robot.</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <translation>El programa «%1» está en pausa en el robot.</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <translation>El programa «%1» está en marcha en el robot.</translation>
+    </message>
+    <message>
+        <source>Taking control stops it. It cannot be resumed, only started again.</source>
+        <translation>Al tomar el control se detiene. No se puede reanudar, solo iniciar de nuevo.</translation>
+    </message>
+    <message>
+        <source>Stop it and take control</source>
+        <translation>Detenerlo y tomar el control</translation>
+    </message>
+    <message>
+        <source>Keep it running</source>
+        <translation>Dejarlo en marcha</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
     <message>
-        <source>Put back</source>
+        <source>Dock</source>
         <translation>Devolver</translation>
     </message>
     <message>
-        <source>Back into the main window</source>
+        <source>Move the panel back to the main window</source>
         <translation>De vuelta a la ventana principal</translation>
     </message>
     <message>
@@ -9968,7 +10634,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>Closes this panel. The menu View brings it back.</source>
+        <source>Closes this panel. Use the View menu to show it again.</source>
         <translation>Cierra este panel. El menú Vista lo trae de nuevo.</translation>
     </message>
     <message>
@@ -9976,7 +10642,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Mover, separar o cerrar %1</translation>
     </message>
     <message>
-        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <source>Click to move, float or close this panel. Drag to move it.</source>
         <translation>Clic: mover, separar o cerrar este panel. Arrastrar: llevarlo a otro sitio.</translation>
     </message>
 </context>
@@ -9987,11 +10653,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Guardar perspectiva</translation>
     </message>
     <message>
-        <source>The panels as they stand now, into the current perspective.</source>
+        <source>Saves the current panel layout to the current perspective.</source>
         <translation>Los paneles como están ahora, en la perspectiva actual.</translation>
     </message>
     <message>
-        <source>This perspective is built in. Save it under a name of your own.</source>
+        <source>This perspective is built in. Save it under another name.</source>
         <translation>Esta perspectiva es fija. Guárdela con un nombre propio.</translation>
     </message>
     <message>
@@ -9999,7 +10665,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Guardar perspectiva como…</translation>
     </message>
     <message>
-        <source>The panels as they stand now, under a name of your own.</source>
+        <source>Saves the current panel layout under a new name.</source>
         <translation>Los paneles como están ahora, con un nombre propio.</translation>
     </message>
     <message>
@@ -10011,7 +10677,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Renombrar perspectiva…</translation>
     </message>
     <message>
-        <source>Gives the current perspective another name.</source>
+        <source>Renames the current perspective.</source>
         <translation>Da otro nombre a la perspectiva actual.</translation>
     </message>
     <message>
@@ -10019,7 +10685,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Renombrar perspectiva</translation>
     </message>
     <message>
-        <source>This perspective is built in and keeps its name.</source>
+        <source>This perspective is built in and cannot be renamed.</source>
         <translation>Esta perspectiva es fija y conserva su nombre.</translation>
     </message>
     <message>
@@ -10027,11 +10693,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Eliminar perspectiva…</translation>
     </message>
     <message>
-        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <source>Deletes the current perspective. The panel layout does not change.</source>
         <translation>Olvida la perspectiva actual. Los paneles quedan como están.</translation>
     </message>
     <message>
-        <source>This perspective is built in and stays.</source>
+        <source>This perspective is built in and cannot be deleted.</source>
         <translation>Esta perspectiva es fija y permanece.</translation>
     </message>
     <message>
@@ -10039,7 +10705,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Perspectiva %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <source>Perspective %1. Select a panel layout, or save the current one.</source>
         <translation>Perspectiva %1. Elija cómo están los paneles, o guarde cómo están ahora.</translation>
     </message>
     <message>
@@ -10071,7 +10737,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Eliminar</translation>
     </message>
     <message>
-        <source>Keep it</source>
+        <source>Keep</source>
         <translation>Conservar</translation>
     </message>
 </context>
@@ -10082,7 +10748,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Enseñar</translation>
     </message>
     <message>
-        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <source>Shows the view, the waypoints next to it and the plots below.</source>
         <translation>Muestra la vista, los puntos de paso al lado y los gráficos debajo.</translation>
     </message>
     <message>
@@ -10090,7 +10756,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Supervisar</translation>
     </message>
     <message>
-        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <source>Shows inputs and outputs, a smaller view next to them and taller plots below.</source>
         <translation>Muestra entradas y salidas, una vista menor al lado y gráficos más altos debajo.</translation>
     </message>
     <message>
@@ -10098,7 +10764,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Gráficos</translation>
     </message>
     <message>
-        <source>Shows the plots alone, as large as the window allows.</source>
+        <source>Shows only the plots, as large as possible.</source>
         <translation>Muestra solo los gráficos, tan grandes como permite la ventana.</translation>
     </message>
     <message>
@@ -10106,7 +10772,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Muestra los paneles como los guardó.</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
         <translation>La perspectiva «%1» no se puede mostrar: su disposición en los ajustes está dañada. Ordene los paneles y guárdela de nuevo.</translation>
     </message>
     <message>
@@ -10118,19 +10784,19 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>El nombre es demasiado largo.</translation>
     </message>
     <message>
-        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
         <translation>Hay tantas perspectivas como se pueden conservar. Elimine una primero.</translation>
     </message>
     <message>
-        <source>There is a perspective of this name. Choose another name.</source>
+        <source>A perspective with this name exists. Choose another name.</source>
         <translation>Ya hay una perspectiva con este nombre. Elija otro nombre.</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
         <translation>Los paneles están como en la perspectiva «%1»: la disposición de la versión anterior no encaja en esta. Ordénelos de nuevo; se recuerda.</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
         <translation>Los paneles están como en la perspectiva «%1»: la disposición en los ajustes está dañada o es de otra versión. Ordénelos de nuevo; se recuerda.</translation>
     </message>
 </context>
@@ -10149,15 +10815,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Elegir la carpeta de grabaciones</translation>
     </message>
     <message>
-        <source>Pattern of the file name</source>
+        <source>File name pattern</source>
         <translation>Patrón del nombre de archivo</translation>
     </message>
     <message>
-        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <source>{date}, {time}, {robot} and {number} are replaced when a recording starts.</source>
         <translation>{date}, {time}, {robot} y {number} se rellenan al empezar una grabación.</translation>
     </message>
     <message>
-        <source>One row every so many packets</source>
+        <source>Packets per row</source>
         <translation>Una fila cada tantos paquetes</translation>
     </message>
     <message>
@@ -10197,18 +10863,18 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>UR5e del laboratorio</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
         <translation>Por ejemplo %1. {date}, {time}, {robot} y {number} se rellenan; un archivo existente nunca se sustituye.</translation>
     </message>
     <message numerus="yes">
-        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
         <translation>
             <numerusform>%n paquete por fila: %1 filas por segundo de un robot que envía 500 paquetes por segundo.</numerusform>
             <numerusform>%n paquetes por fila: %1 filas por segundo de un robot que envía 500 paquetes por segundo.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Format of a recording</source>
+        <source>Recording format</source>
         <translation>Formato de una grabación</translation>
     </message>
     <message>
@@ -10220,7 +10886,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>MCAP: todos los campos, el registro y el proyecto, para herramientas de ROS</translation>
     </message>
     <message>
-        <source>Megabytes of the disk that stay free</source>
+        <source>Free disk space to keep, in megabytes</source>
         <translation>Megabytes del disco que quedan libres</translation>
     </message>
     <message>
@@ -10228,7 +10894,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation> MB</translation>
     </message>
     <message>
-        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <source>A recording stops and is completed before the free disk space falls below this value.</source>
         <translation>Una grabación termina en orden y queda completa antes de que haya menos libre en el disco.</translation>
     </message>
     <message>
@@ -10243,7 +10909,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
 <context>
     <name>tiller::app::ReportDialog</name>
     <message>
-        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <source>Include names and addresses of robots, inputs, outputs and files</source>
         <translation>Con nombres y direcciones de robots, entradas, salidas y archivos</translation>
     </message>
     <message>
@@ -10263,7 +10929,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Archivos del informe</translation>
     </message>
     <message>
-        <source>What this file says</source>
+        <source>Content of this file</source>
         <translation>Lo que dice este archivo</translation>
     </message>
     <message>
@@ -10275,7 +10941,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
         <translation>Un archivo con lo que necesita saber quien le ayude. Abajo está todo lo que contendrá. Se guarda donde usted elija; Tiller no lo envía a ningún sitio.</translation>
     </message>
     <message>
@@ -10298,7 +10964,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Abrir proyecto de ejemplo</translation>
     </message>
     <message>
-        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
         <translation>Cada uno está enseñado para un UR5e y se puede recorrer con el robot simulado. Usted trabaja en una copia: guardar pide un archivo propio.</translation>
     </message>
     <message>
@@ -10317,7 +10983,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Ajustes</translation>
     </message>
     <message>
-        <source>Look and motion</source>
+        <source>Appearance and motion</source>
         <translation>Aspecto y movimiento</translation>
     </message>
     <message>
@@ -10329,7 +10995,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Grabación</translation>
     </message>
     <message>
-        <source>Keys</source>
+        <source>Shortcuts</source>
         <translation>Teclas</translation>
     </message>
     <message>
@@ -10341,7 +11007,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Exportar ajustes…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <source>Save all settings to one file, for another computer or as a backup</source>
         <translation>Un archivo con todo lo que se recuerda, para otro ordenador o como copia</translation>
     </message>
     <message>
@@ -10349,7 +11015,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Importar ajustes…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces</source>
+        <source>Import settings from a file after showing what will be replaced</source>
         <translation>Toma lo que contiene un archivo así; antes dice qué sustituye</translation>
     </message>
     <message>
@@ -10365,7 +11031,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Oscuro</translation>
     </message>
     <message>
-        <source>Size of keys and rows</source>
+        <source>Size of controls</source>
         <translation>Tamaño de teclas y filas</translation>
     </message>
     <message>
@@ -10385,7 +11051,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Size of everything</source>
+        <source>Interface size</source>
         <translation>Tamaño de todo</translation>
     </message>
     <message>
@@ -10417,7 +11083,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Límite de velocidad de este programa</translation>
     </message>
     <message>
-        <source>Longest hold</source>
+        <source>Maximum hold time</source>
         <translation>Pulsación más larga</translation>
     </message>
     <message>
@@ -10425,15 +11091,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation>Tras este tiempo termina un movimiento manual y hay que pulsar de nuevo su tecla. El movimiento libre tiene cinco minutos, un movimiento a un lugar lo que tarda y 5 s.</translation>
     </message>
     <message>
-        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
         <translation>Táctil: tan alto como necesita un dedo. En una ventana de menos de %1 px las teclas de articulaciones, pestañas y barras de título siguen más pequeñas.</translation>
     </message>
     <message>
-        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
         <translation>Cómo se muestran y escriben longitudes, velocidades del TCP y orientaciones. Gráficos y archivos conservan metros, milímetros y grados.</translation>
     </message>
     <message>
@@ -10441,27 +11107,27 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Límite de velocidad</translation>
     </message>
     <message>
-        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <source>Scales text, controls, plots and the view.</source>
         <translation>Texto, teclas, filas, gráficos y la vista, todo igual.</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
         <translation>Vale desde el próximo inicio de Tiller. La pantalla solo tiene sitio para %1 %, que tendrá entonces.</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller.</source>
+        <source>Takes effect at the next start of Tiller.</source>
         <translation>Vale desde el próximo inicio de Tiller.</translation>
     </message>
     <message>
-        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
         <translation>▲ Por encima de %1. Nada más limita el movimiento desde un PC: ni el modo manual ni el dispositivo de habilitación de la consola. La cabecera lo dice, y termina con el programa.</translation>
     </message>
     <message>
-        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
         <translation>Ningún movimiento de este programa lo supera, en el TCP y en el codo. Vale enseguida y detiene lo que se mueve.</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>Teclas de las órdenes</translation>
     </message>
     <message>
@@ -10469,7 +11135,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Orden</translation>
     </message>
     <message>
-        <source>Key</source>
+        <source>Shortcut</source>
         <translation>Tecla</translation>
     </message>
     <message>
@@ -10477,19 +11143,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Restaurar teclas predeterminadas</translation>
     </message>
     <message>
-        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
-        <translation>Pulse la nueva tecla en el campo; Retroceso la quita. Espacio y Esc siempre detienen el brazo.</translation>
-    </message>
-    <message>
-        <source>Key for %1</source>
+        <source>Shortcut for %1</source>
         <translation>Tecla para %1</translation>
     </message>
     <message>
-        <source>%1 stops the arm and nothing else.</source>
+        <source>%1 is reserved for stopping the arm.</source>
         <translation>%1 detiene el brazo y nada más.</translation>
     </message>
     <message>
-        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
         <translation>%1 pertenece a &quot;%2&quot;. Quítela allí primero.</translation>
     </message>
     <message>
@@ -10497,24 +11159,44 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>Idioma</translation>
     </message>
     <message>
-        <source>As the system: %1</source>
+        <source>System language: %1</source>
         <translation>Como el sistema: %1</translation>
     </message>
     <message>
-        <source>Open the window anew</source>
+        <source>Reopen window</source>
         <translation>Abrir la ventana de nuevo</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
         <translation>Detiene el brazo, devuelve el control y conecta de nuevo; lo que muestran los gráficos empieza de nuevo. El proyecto se guarda.</translation>
     </message>
     <message>
-        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
         <translation>De la ventana y las comprobaciones. Archivos y scripts son iguales en todos.</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
         <translation>Vale desde el próximo inicio de Tiller, o al abrir la ventana de nuevo.</translation>
+    </message>
+    <message>
+        <source>Monitor only</source>
+        <translation>Solo supervisión</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>For PCs that only monitor: this window does not take control, set outputs or start programs. STOP still works.</source>
+        <translation>Para equipos que solo supervisan: esta ventana no toma el control, no cambia salidas ni inicia programas. STOP sigue funcionando.</translation>
+    </message>
+    <message>
+        <source>Monitor only (set on the command line)</source>
+        <translation>Solo supervisión (definido en la línea de órdenes)</translation>
+    </message>
+    <message>
+        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
+        <translation>Pulse el nuevo atajo en el campo; Retroceso lo elimina. Con el control tomado, Espacio y Esc siempre detienen el brazo.</translation>
     </message>
 </context>
 <context>
@@ -10540,7 +11222,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
         <translation>%1 no se importó. No se cambió nada. %2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. What was here before is in %2</source>
+        <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>Ajustes importados de %1. Lo que había antes está en %2</translation>
     </message>
 </context>

@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
         <translation>Ce robot n’a pas de pince ici. Choisissez-la sous E/S, Pince.</translation>
     </message>
     <message>
@@ -12,19 +12,19 @@
         <translation>Parcourir</translation>
     </message>
     <message>
-        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
         <translation>%1 ne s’est pas activé en %2 s. Vérifiez ce qui est attendu, puis appuyez de nouveau.</translation>
     </message>
     <message>
-        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
         <translation>%1 ne s’est pas désactivé en %2 s. Vérifiez ce qui est attendu, puis appuyez de nouveau.</translation>
     </message>
     <message>
-        <source>%1 was not done. %2</source>
+        <source>%1 was not completed. %2</source>
         <translation>%1 n’a pas été fait. %2</translation>
     </message>
     <message>
-        <source>The gripper did not come to rest within %1 s.</source>
+        <source>The gripper did not stop moving within %1 s.</source>
         <translation>La pince ne s’est pas arrêtée en %1 s.</translation>
     </message>
 </context>
@@ -110,19 +110,19 @@
         <translation>%1 désactivée %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 on, at most %2 s</source>
+        <source>Wait until %1 is on, %2 s at most</source>
         <translation>Attendre que %1 s’active, au plus %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 off, at most %2 s</source>
+        <source>Wait until %1 is off, %2 s at most</source>
         <translation>Attendre que %1 se désactive, au plus %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 on</source>
+        <source>Wait until %1 is on</source>
         <translation>Attendre que %1 s’active</translation>
     </message>
     <message>
-        <source>Wait for %1 off</source>
+        <source>Wait until %1 is off</source>
         <translation>Attendre que %1 se désactive</translation>
     </message>
     <message>
@@ -150,14 +150,14 @@
         <translation>Attendre une entrée</translation>
     </message>
     <message>
-        <source>Wait a while</source>
+        <source>Wait</source>
         <translation>Attendre un temps</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
-        <source>go back: nothing left to undo</source>
+        <source>go back: no recorded motion left</source>
         <translation>revenir : il ne reste rien à annuler</translation>
     </message>
 </context>
@@ -176,7 +176,7 @@
         <translation>Se connecter au robot à cette adresse ou à ce nom d’hôte.</translation>
     </message>
     <message>
-        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
         <translation>Dérouler la démonstration sur le robot simulé, laisser ses fichiers dans ce dossier, quitter.</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>voir tiller --help</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not expected</source>
+        <source>unexpected argument &quot;%1&quot;</source>
         <translation>&quot;%1&quot; n’était pas attendu</translation>
     </message>
     <message>
@@ -200,11 +200,11 @@
         <translation>--theme prend light ou dark, pas &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--robot and --simulator exclude each other</source>
+        <source>--robot and --simulator cannot be combined</source>
         <translation>--robot et --simulator s’excluent</translation>
     </message>
     <message>
-        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
         <translation>--demo ne marche qu’avec le robot simulé, pas avec --robot</translation>
     </message>
     <message>
@@ -212,12 +212,20 @@
         <translation>--demo demande un dossier</translation>
     </message>
     <message>
-        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot demande une adresse, comme --robot 192.168.0.10</translation>
     </message>
     <message>
-        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <source>only one project can be opened; remove &quot;%1&quot;</source>
         <translation>un seul projet peut être ouvert, pas aussi &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
+        <translation>Surveillance seule : ne rien changer sur le robot, sauf par STOP. Ne peut pas être désactivé dans les réglages.</translation>
+    </message>
+    <message>
+        <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
+        <translation>--demo déplace le robot simulé et ne peut pas être combiné avec --monitor-only</translation>
     </message>
 </context>
 <context>
@@ -243,7 +251,7 @@
         <translation>%1 : pas comparé</translation>
     </message>
     <message>
-        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
         <translation>%1 : pas comparé, l’enregistrement n’a pas %2 ; enregistrez tous les signaux, en MCAP</translation>
     </message>
     <message>
@@ -251,11 +259,11 @@
         <translation>%1 : aucune valeur</translation>
     </message>
     <message>
-        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <source>%1: within %2 at all times, maximum %3 at %4 s</source>
         <translation>%1 : jamais au-delà de %2, au plus %3 à %4 s</translation>
     </message>
     <message>
-        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
         <translation>%1 : au-delà de %2 dès %3 s (%4), au plus %5 à %6 s</translation>
     </message>
     <message>
@@ -268,43 +276,43 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
         <translation>Le bras et le modèle se séparent à %1 s : %2 est décalé de %3</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
         <translation>Le bras et le modèle se séparent à %1 s : le TCP est décalé de %2</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
         <translation>Le bras et le modèle se séparent à %1 s : %2 demande %3 de plus ou de moins que prévu</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
         <translation>Le bras et le modèle se séparent à %1 s : une force de %2 pousse le TCP</translation>
     </message>
     <message>
-        <source>The arm did what the model of a %1 does</source>
+        <source>The arm moved as the model of a %1 does</source>
         <translation>Le bras a fait ce que fait le modèle d’un %1</translation>
     </message>
     <message>
-        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>Rien n’a pu être comparé : le bras était toujours hors tension ou guidé à la main.</translation>
     </message>
     <message>
-        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
         <translation>Ils n’ont jamais été ensemble : vérifiez la charge utile indiquée au robot, le modèle et ce qui touche le bras.</translation>
     </message>
     <message>
-        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
         <translation>À partir de là, quelque chose poussait ou retenait le bras, sa charge était autre, ou une articulation ne suivait pas.</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
         <translation>Cet enregistrement ne peut pas être comparé à un modèle : il manque ce qui a été commandé aux articulations, ou leur position. Enregistrez tous les signaux, en MCAP.</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>Cet enregistrement ne peut pas être comparé à un modèle : ses lignes sont trop espacées. Enregistrez chaque paquet.</translation>
     </message>
     <message>
@@ -355,11 +363,11 @@
         <translation>La position s’écarte de la trajectoire</translation>
     </message>
     <message>
-        <source>The arm is not where the controller sent it.</source>
+        <source>The arm is not at the commanded position.</source>
         <translation>Le bras n’est pas où le contrôleur l’a envoyé.</translation>
     </message>
     <message>
-        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
         <translation>Cherchez un obstacle ; vérifiez charge utile, centre de gravité et montage ; réduisez l’accélération.</translation>
     </message>
     <message>
@@ -367,11 +375,11 @@
         <translation>Singularité</translation>
     </message>
     <message>
-        <source>The straight move leads through a singular position of the arm.</source>
+        <source>The linear move passes through a singularity of the arm.</source>
         <translation>Le mouvement droit passe par une position singulière du bras.</translation>
     </message>
     <message>
-        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints out of it; use MoveJ through this region.</source>
         <translation>Sortez-en articulation par articulation ; utilisez MoveJ dans cette zone.</translation>
     </message>
     <message>
@@ -379,7 +387,7 @@
         <translation>Ne peut pas tenir sa position</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed while it stood.</source>
+        <source>The arm sagged or was pushed at standstill.</source>
         <translation>Le bras s’est affaissé ou a été poussé à l’arrêt.</translation>
     </message>
     <message>
@@ -391,19 +399,19 @@
         <translation>Charge utile ou montage erroné</translation>
     </message>
     <message>
-        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
         <translation>Les forces ne correspondent pas à la charge utile, ou quelque chose poussait le bras au début de Freedrive.</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <source>Correct payload and mounting, release the arm, and try again.</source>
         <translation>Corrigez charge utile et montage, lâchez le bras et réessayez.</translation>
     </message>
     <message>
-        <source>Collision noticed by a joint</source>
+        <source>Collision detected by a joint</source>
         <translation>Collision sentie par une articulation</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion explains.</source>
+        <source>A joint needed more torque than the motion requires.</source>
         <translation>Une articulation a demandé plus de couple que le mouvement n’explique.</translation>
     </message>
     <message>
@@ -411,11 +419,11 @@
         <translation>Enlevez l’obstacle ; s’il n’y en avait pas, vérifiez la charge utile.</translation>
     </message>
     <message>
-        <source>Collision noticed by the tool force</source>
+        <source>Collision detected by the tool force</source>
         <translation>Collision sentie par la force à l’outil</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded what is allowed.</source>
+        <source>The force at the tool exceeded its limit.</source>
         <translation>La force à l’outil a dépassé ce qui est permis.</translation>
     </message>
     <message>
@@ -427,7 +435,7 @@
         <translation>Une articulation a quitté sa position commandée.</translation>
     </message>
     <message>
-        <source>Look for an obstacle and check payload and mounting.</source>
+        <source>Check for obstacles, and check payload and mounting.</source>
         <translation>Cherchez un obstacle et vérifiez charge utile et montage.</translation>
     </message>
     <message>
@@ -439,7 +447,7 @@
         <translation>Une articulation a eu plus de cinquante arrêts de protection en huit heures.</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>Trouvez la cause des arrêts avant de continuer ; puis redémarrez le contrôleur.</translation>
     </message>
     <message>
@@ -447,11 +455,11 @@
         <translation>Saut soudain de la position cible</translation>
     </message>
     <message>
-        <source>A program asked for a jump in position.</source>
+        <source>A program commanded a step in position.</source>
         <translation>Un programme a demandé un saut de position.</translation>
     </message>
     <message>
-        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
         <translation>Faites commencer le programme où se trouve le bras et gardez ses pas servo petits.</translation>
     </message>
     <message>
@@ -459,23 +467,23 @@
         <translation>Saut soudain de la vitesse cible</translation>
     </message>
     <message>
-        <source>A program asked for a jump in speed.</source>
+        <source>A program commanded a step in speed.</source>
         <translation>Un programme a demandé un saut de vitesse.</translation>
     </message>
     <message>
-        <source>Lower the acceleration, or smooth the path.</source>
+        <source>Reduce the acceleration, or smooth the path.</source>
         <translation>Réduisez l’accélération ou lissez la trajectoire.</translation>
     </message>
     <message>
-        <source>Protective stop by a program</source>
+        <source>Protective stop requested by a program</source>
         <translation>Arrêt de protection par un programme</translation>
     </message>
     <message>
-        <source>The running program itself asked for the stop.</source>
+        <source>The running program requested the stop.</source>
         <translation>Le programme en cours a lui-même demandé l’arrêt.</translation>
     </message>
     <message>
-        <source>See the program&apos;s own messages before it.</source>
+        <source>See the messages of the program before this one.</source>
         <translation>Voyez les messages du programme qui précèdent.</translation>
     </message>
     <message>
@@ -483,7 +491,7 @@
         <translation>Le robot est en commande locale</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
         <translation>Un script a été envoyé, mais le robot n’écoute que son pupitre.</translation>
     </message>
     <message>
@@ -499,7 +507,7 @@
         <translation>Le contrôleur a signalé ce numéro.</translation>
     </message>
     <message>
-        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>Cherchez C%1 dans le répertoire des codes d’erreur du fabricant.</translation>
     </message>
 </context>
@@ -510,19 +518,19 @@
         <translation>calculer un signal</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <source>There is no signal “%1”. See the signal list for the names.</source>
         <translation>Il n’y a pas de signal « %1 ». La liste des signaux montre les noms.</translation>
     </message>
     <message>
-        <source>There is no signal in it.</source>
+        <source>The expression contains no signal.</source>
         <translation>Il ne contient aucun signal.</translation>
     </message>
     <message>
-        <source>There are too many signals in it.</source>
+        <source>The expression contains too many signals.</source>
         <translation>Il contient trop de signaux.</translation>
     </message>
     <message>
-        <source>It must give one number.</source>
+        <source>The expression must evaluate to one number.</source>
         <translation>Il doit donner un nombre.</translation>
     </message>
     <message>
@@ -530,15 +538,15 @@
         <translation>Le texte est trop long.</translation>
     </message>
     <message>
-        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>Écrivez un nom, un signe égal et une expression : |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <source>There is one equals sign too many. For a comparison, use ==</source>
         <translation>Un signe égal de trop ; une comparaison en a deux : ==</translation>
     </message>
     <message>
-        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <source>The time window must be between 0.001 and 60 seconds.</source>
         <translation>La durée est entre 0.001 et 60 secondes.</translation>
     </message>
 </context>
@@ -568,27 +576,27 @@
         <translation>Des valeurs et les registres de commande manquent. Mettez le robot à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
-        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
         <translation>Regardez le bras, ôtez la cause, puis rétablissez : Rétablir… dans l’en-tête, ou sur le pupitre.</translation>
     </message>
     <message>
-        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <source>Power on and release the brakes with the button in the header.</source>
         <translation>Mettez sous tension et desserrez les freins : le bouton de l’en-tête montre le chemin.</translation>
     </message>
     <message>
-        <source>the RTDE port takes connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not answer</source>
         <translation>le port RTDE accepte les connexions mais ne répond pas</translation>
     </message>
     <message>
-        <source>what answers on port %1 does not speak RTDE</source>
+        <source>the service on port %1 does not use RTDE</source>
         <translation>ce qui répond sur le port %1 ne parle pas RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>Trop de clients RTDE, ou un contrôleur bloqué : fermez d’autres programmes, puis redémarrez le contrôleur.</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program took the port.</source>
+        <source>Check the address: this is another device, or another program uses the port.</source>
         <translation>Vérifiez l’adresse : c’est un autre appareil, ou un autre programme a pris le port.</translation>
     </message>
     <message>
@@ -596,11 +604,11 @@
         <translation>version de protocole %1</translation>
     </message>
     <message>
-        <source>another program holds %1</source>
+        <source>another program uses %1</source>
         <translation>un autre programme occupe %1</translation>
     </message>
     <message>
-        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
         <translation>Terminez l’autre programme qui commande ce robot (une autre fenêtre, ROS, ur_rtde).</translation>
     </message>
     <message>
@@ -612,23 +620,23 @@
         <translation>Mettez le logiciel du robot à jour en 3.9 ou 5.3.</translation>
     </message>
     <message>
-        <source>24 to 47 are free</source>
+        <source>registers 24 to 47 are free</source>
         <translation>24 à 47 sont libres</translation>
     </message>
     <message>
-        <source>a fieldbus adapter or another program holds %1</source>
+        <source>a fieldbus adapter or another program uses %1</source>
         <translation>un adaptateur de bus de terrain ou un autre programme occupe %1</translation>
     </message>
     <message>
-        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <source>No action needed for jogging. To use these registers, disable EtherNet/IP, PROFINET or MODBUS in the robot&apos;s installation.</source>
         <translation>Rien à faire pour le déplacement manuel. Pour utiliser ces registres, désactivez EtherNet/IP, PROFINET ou MODBUS dans l’installation du robot.</translation>
     </message>
     <message>
-        <source>0 to 23 are free</source>
+        <source>registers 0 to 23 are free</source>
         <translation>0 à 23 sont libres</translation>
     </message>
     <message>
-        <source>the robot takes the subscription but sends no data</source>
+        <source>the robot accepts the subscription but sends no data</source>
         <translation>le robot accepte l’abonnement mais n’envoie pas de données</translation>
     </message>
     <message>
@@ -636,11 +644,11 @@
         <translation>Fermez d’autres programmes RTDE, puis redémarrez le contrôleur du robot.</translation>
     </message>
     <message>
-        <source>%1 of %2 packages a second</source>
+        <source>%1 of %2 packets per second</source>
         <translation>%1 paquets sur %2 par seconde</translation>
     </message>
     <message>
-        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
         <translation>Il manque des paquets : utilisez un câble, pas une liaison radio ; fermez d’autres programmes qui chargent le robot ou ce PC.</translation>
     </message>
     <message>
@@ -648,15 +656,15 @@
         <translation>priorité %1</translation>
     </message>
     <message>
-        <source>the system grants this user no real-time priority</source>
+        <source>the system does not grant this user real-time priority</source>
         <translation>le système n’accorde pas à cet utilisateur de priorité temps réel</translation>
     </message>
     <message>
-        <source>permitted, and asked for by loops with priority</source>
+        <source>permitted, and requested by real-time loops</source>
         <translation>permis, et demandé par les boucles prioritaires</translation>
     </message>
     <message>
-        <source>processors may sleep deeply, loops begin later</source>
+        <source>CPUs may enter deep sleep states, which delays loops</source>
         <translation>les processeurs peuvent dormir profondément, les boucles commencent plus tard</translation>
     </message>
     <message>
@@ -668,11 +676,11 @@
         <translation>Si un outil est monté, réglez TCP et charge utile dans l’installation du robot : une charge utile fausse cause des arrêts de protection et laisse le bras s’affaisser en Freedrive.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
         <translation>&quot;%1&quot; n’est pas une adresse, et aucun hôte de ce nom n’est connu</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
         <translation>Saisissez les quatre nombres que le pupitre montre sous À propos, ou demandez le nom à l’administrateur du réseau.</translation>
     </message>
     <message>
@@ -680,11 +688,11 @@
         <translation>%1 ne répond pas</translation>
     </message>
     <message>
-        <source>There is no way to %1</source>
+        <source>There is no route to %1</source>
         <translation>Il n’y a pas de chemin vers %1</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>Vérifiez que le robot est allumé, le câble branché et qu’aucun pare-feu ne s’interpose.</translation>
     </message>
     <message>
@@ -692,11 +700,11 @@
         <translation>Donnez à ce PC une adresse dans le réseau du robot (les mêmes trois premiers nombres) et vérifiez le câble.</translation>
     </message>
     <message>
-        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <source>%1 answers, but offers none of a robot&apos;s services</source>
         <translation>%1 répond, mais aucun service de robot n’y est</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
         <translation>Vérifiez que c’est bien l’adresse du robot. Un robot qui vient d’être allumé demande encore une minute.</translation>
     </message>
     <message>
@@ -720,31 +728,31 @@
         <translation>le port %1 ne répond pas</translation>
     </message>
     <message>
-        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <source>Enable this interface on the robot: Settings, Security, Services.</source>
         <translation>Activez cette interface sur le robot : Réglages, Sécurité, Services.</translation>
     </message>
     <message>
-        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
         <translation>Un pare-feu avale ce port : autorisez le port TCP %1 vers le robot.</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
         <translation>Passez le robot en commande à distance sur le pupitre, en haut à droite. Sinon Tiller ne fait qu’observer.</translation>
     </message>
     <message>
-        <source>the dashboard takes connections but does not answer</source>
+        <source>the dashboard accepts connections but does not answer</source>
         <translation>le dashboard accepte les connexions mais ne répond pas</translation>
     </message>
     <message>
-        <source>what answers on port %1 is not a dashboard</source>
+        <source>the service on port %1 is not a dashboard server</source>
         <translation>ce qui répond sur le port %1 n’est pas un dashboard</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
         <translation>Redémarrez le contrôleur du robot ; si cela reste ainsi, voyez son journal.</translation>
     </message>
     <message>
-        <source>Check the address, and that no other program uses this port.</source>
+        <source>Check the address, and check that no other program uses this port.</source>
         <translation>Vérifiez l’adresse et qu’aucun autre programme n’utilise ce port.</translation>
     </message>
     <message>
@@ -760,15 +768,15 @@
         <translation>Local</translation>
     </message>
     <message>
-        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
         <translation>ni le dashboard (port %1) ni la Robot API (port %2) n’est là</translation>
     </message>
     <message>
-        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
         <translation>Activez le Dashboard Server sur le robot : Réglages, Sécurité, Services. PolyScope X demande 10.11 ou plus récent pour la Robot API.</translation>
     </message>
     <message>
-        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
         <translation>Robot API %1, port %2 ; les messages se ferment sur la tablette</translation>
     </message>
     <message>
@@ -776,15 +784,15 @@
         <translation>l’interface primaire ne décrit pas le bras</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <source>Check that this is the address of the robot, and restart its controller.</source>
         <translation>Vérifiez que c’est bien l’adresse du robot et redémarrez son contrôleur.</translation>
     </message>
     <message>
-        <source>robot type %1 is newer than this program</source>
+        <source>robot type %1 is not known to this version of Tiller</source>
         <translation>le type de robot %1 est plus récent que ce programme</translation>
     </message>
     <message>
-        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
         <translation>Observer marche. Limites et aperçus utilisent les dimensions que le robot signale ; déplacez d’abord lentement.</translation>
     </message>
     <message>
@@ -816,7 +824,7 @@
         <translation>Dashboard ou Robot API</translation>
     </message>
     <message>
-        <source>RTDE is understood</source>
+        <source>RTDE protocol</source>
         <translation>RTDE est compris</translation>
     </message>
     <message>
@@ -844,7 +852,7 @@
         <translation>Registres de commande libres</translation>
     </message>
     <message>
-        <source>No fieldbus holds registers</source>
+        <source>No fieldbus uses registers</source>
         <translation>Aucun bus de terrain n’occupe de registres</translation>
     </message>
     <message>
@@ -852,11 +860,11 @@
         <translation>Débit de données</translation>
     </message>
     <message>
-        <source>Real-time privilege of this PC</source>
+        <source>Real-time priority on this PC</source>
         <translation>Privilège temps réel de ce PC</translation>
     </message>
     <message>
-        <source>Fast wake-ups of this PC</source>
+        <source>Timer wake-ups of this PC</source>
         <translation>Réveils rapides de ce PC</translation>
     </message>
     <message>
@@ -887,11 +895,11 @@
         <translation>Ligne Z</translation>
     </message>
     <message>
-        <source>Let the arm come to rest before freedrive.</source>
+        <source>Wait until the arm is at standstill before Freedrive.</source>
         <translation>Laissez le bras s’immobiliser avant Freedrive.</translation>
     </message>
     <message>
-        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
         <translation>Le bras sent %1 avec une charge utile de %2 kg : il bougerait de lui-même. Lâchez l’outil, ou corrigez charge utile et TCP.</translation>
     </message>
 </context>
@@ -902,29 +910,29 @@
         <translation>gâchette gauche</translation>
     </message>
     <message>
-        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
         <translation>Stick gauche X et Y, stick droit Z et rotation. Gâchette droite : les sticks tournent.</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
-        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
         <translation>Pas de second témoin sur cet écran (%1) : seuls les événements de la fenêtre disent si une touche est encore tenue.</translation>
     </message>
     <message>
-        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>On demande au serveur d’affichage toutes les 10 ms si le bouton ou la touche est encore enfoncé.</translation>
     </message>
     <message>
-        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
         <translation>On ne peut interroger le serveur d’affichage une seconde fois : seuls les événements de la fenêtre disent si une touche est encore tenue.</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
         <translation>Cet écran a de petits pixels. « Taille de tout » dans les réglages agrandit texte, touches et tracés.</translation>
     </message>
 </context>
@@ -943,7 +951,7 @@
         <translation>Armer ou désarmer le clavier</translation>
     </message>
     <message>
-        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
         <translation>Armé, les flèches déplacent le bras ; un cadre entoure la fenêtre. Se termine de lui-même après une demi-minute.</translation>
     </message>
     <message>
@@ -951,7 +959,7 @@
         <translation>Manette et SpaceMouse…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>Ce que dit chaque périphérique maintenant et où il ira.</translation>
     </message>
     <message>
@@ -959,27 +967,27 @@
         <translation>Zéro ici</translation>
     </message>
     <message>
-        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
         <translation>Compte le chemin du TCP à partir d’ici ; encore une fois : de nouveau depuis l’appui.</translation>
     </message>
     <message>
-        <source>Stops the arm; the next press has this speed.</source>
+        <source>Stops the arm. The next press uses this speed.</source>
         <translation>Arrête le bras ; le prochain appui a cette vitesse.</translation>
     </message>
     <message>
-        <source>Moves by this much, only while the key is held.</source>
+        <source>Moves by this distance, only while the key is held.</source>
         <translation>Déplace d’autant, seulement tant que la touche est tenue.</translation>
     </message>
     <message>
-        <source>Moves by this much at each press.</source>
+        <source>Moves by this distance at each press.</source>
         <translation>Déplace d’autant à chaque appui.</translation>
     </message>
     <message>
-        <source>Jog until contact, %1 N</source>
+        <source>Jog until contact (%1 N)</source>
         <translation>Déplacer jusqu’au contact, %1 N</translation>
     </message>
     <message>
-        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
         <translation>Une touche tenue déplace lentement et s’arrête quand l’outil rencontre cette force.</translation>
     </message>
     <message>
@@ -987,7 +995,7 @@
         <translation>Autre vitesse manuelle…</translation>
     </message>
     <message>
-        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
         <translation>Demande la vitesse du TCP ; rotations et articulations en proportion.</translation>
     </message>
     <message>
@@ -995,7 +1003,7 @@
         <translation>Autre pas manuel…</translation>
     </message>
     <message>
-        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <source>Asks for the step length. The step angle does not change.</source>
         <translation>Demande la longueur d’un pas ; l’angle des rotations reste.</translation>
     </message>
     <message>
@@ -1003,7 +1011,7 @@
         <translation>Autre rotation manuelle…</translation>
     </message>
     <message>
-        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
         <translation>Demande l’angle d’un pas qui tourne l’outil ou une articulation ; la longueur reste.</translation>
     </message>
     <message>
@@ -1011,7 +1019,7 @@
         <translation>Déplacer jusqu’au contact, autre force…</translation>
     </message>
     <message>
-        <source>Asks for the force in N at which the motion ends.</source>
+        <source>Asks for the contact force in N that ends the motion.</source>
         <translation>Demande la force en N à laquelle le mouvement s’arrête.</translation>
     </message>
     <message>
@@ -1019,7 +1027,7 @@
         <translation>Freedrive : %1</translation>
     </message>
     <message>
-        <source>What the hand can move while Freedrive is held.</source>
+        <source>Selects the axes that can be moved by hand during Freedrive.</source>
         <translation>Ce que la main peut bouger tant que Freedrive est tenu.</translation>
     </message>
 </context>
@@ -1096,7 +1104,7 @@
         <translation>allez vers l’extérieur</translation>
     </message>
     <message>
-        <source>jog %1 or turn the base</source>
+        <source>jog %1 or rotate the base</source>
         <translation>allez en %1 ou tournez la base</translation>
     </message>
     <message>
@@ -1108,11 +1116,11 @@
         <translation>Poignet 2 près de 0° ou 180° : %1 de la vitesse</translation>
     </message>
     <message>
-        <source>turn wrist 2</source>
+        <source>rotate wrist 2</source>
         <translation>tournez le poignet 2</translation>
     </message>
     <message>
-        <source>jog %1 or turn wrist 2</source>
+        <source>jog %1 or rotate wrist 2</source>
         <translation>allez en %1 ou tournez le poignet 2</translation>
     </message>
     <message>
@@ -1120,23 +1128,23 @@
         <translation>%1 à %2° de sa limite</translation>
     </message>
     <message>
-        <source>turn %1 %2</source>
+        <source>rotate %1 %2</source>
         <translation>tournez %1 %2</translation>
     </message>
     <message>
-        <source>jog %1 or turn %2 %3</source>
+        <source>jog %1 or rotate %2 %3</source>
         <translation>allez en %1 ou tournez %2 %3</translation>
     </message>
     <message>
-        <source>TCP at its speed cap: %1</source>
+        <source>TCP at the speed cap of %1</source>
         <translation>TCP à son plafond de vitesse : %1</translation>
     </message>
     <message>
-        <source>the cap is in the settings</source>
+        <source>change the cap in Settings</source>
         <translation>le plafond est dans les réglages</translation>
     </message>
     <message>
-        <source>Elbow at its speed cap: %1</source>
+        <source>Elbow at the speed cap of %1</source>
         <translation>Coude à son plafond de vitesse : %1</translation>
     </message>
     <message>
@@ -1144,16 +1152,32 @@
         <translation>allez moins de côté</translation>
     </message>
     <message>
-        <source>Turning at its cap: %1</source>
+        <source>Rotation at its cap of %1</source>
         <translation>Rotation à son plafond : %1</translation>
     </message>
     <message>
-        <source>%1 at its top speed: %2</source>
+        <source>%1 at its maximum speed of %2</source>
         <translation>%1 à sa vitesse maximale : %2</translation>
     </message>
     <message>
-        <source>choose a slower class</source>
+        <source>choose a lower speed</source>
         <translation>choisissez une classe plus lente</translation>
+    </message>
+    <message>
+        <source>move away from it</source>
+        <translation>s’en éloigner</translation>
+    </message>
+    <message>
+        <source>jog %1</source>
+        <translation>déplacer %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3: %4 of the speed</source>
+        <translation>%1 est à %2 de %3 : %4 de la vitesse</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3</source>
+        <translation>%1 est à %2 de %3</translation>
     </message>
 </context>
 <context>
@@ -1170,7 +1194,7 @@
         <translation>FREEDRIVE</translation>
     </message>
     <message>
-        <source>The arm follows the hand that moves it.</source>
+        <source>The arm can be moved by hand.</source>
         <translation>Le bras suit la main qui le bouge.</translation>
     </message>
     <message>
@@ -1238,15 +1262,15 @@
         <translation>observation</translation>
     </message>
     <message>
-        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>Les paquets arrivent tard ou pas du tout : le déplacement peut s’arrêter de lui-même et les tracés ont des trous. Utilisez un câble, pas une liaison radio, et fermez d’autres programmes.</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
         <translation>Les commandes prennent plus de 20 ms : le bras suit la touche avec un retard sensible. Déplacez lentement.</translation>
     </message>
     <message>
-        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
         <translation>Bon : le bras suit aussitôt la touche, et une liaison coupée l’arrête en un quart de seconde.</translation>
     </message>
     <message>
@@ -1258,7 +1282,7 @@
         <translation>Depuis la connexion : %1 paquets, %2 en retard, %3 perdus</translation>
     </message>
     <message>
-        <source>Late is a packet that comes more than half a period after its time.</source>
+        <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
         <translation>En retard : un paquet qui vient plus d’une demi-période après son heure.</translation>
     </message>
     <message>
@@ -1326,7 +1350,7 @@
         <translation>Prendre le contrôle</translation>
     </message>
     <message>
-        <source>Choose the simulator or the address of a robot</source>
+        <source>Select the simulator or enter the address of a robot</source>
         <translation>Choisissez le simulateur ou l’adresse d’un robot</translation>
     </message>
     <message>
@@ -1338,12 +1362,16 @@
         <translation>Le bras peut s’affaisser de quelques millimètres. Restez à l’écart.</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
         <translation>Montre ce qui a arrêté le bras, les cinq dernières secondes et le chemin du retour. Rien ne bouge.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>Démarre le programme de commande sur le robot, ce qui arrête tout autre programme.</translation>
+        <source>Data late</source>
+        <translation>Données en retard</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>Démarre le programme de commande sur le robot. Demande confirmation avant d’arrêter un autre programme.</translation>
     </message>
 </context>
 <context>
@@ -1357,7 +1385,7 @@
         <translation>Le contrôleur du robot ne marche pas. Redémarrez le boîtier de commande.</translation>
     </message>
     <message>
-        <source>Arm off line</source>
+        <source>Arm disconnected</source>
         <translation>Bras hors ligne</translation>
     </message>
     <message>
@@ -1385,7 +1413,7 @@
         <translation>Hors tension</translation>
     </message>
     <message>
-        <source>The arm is off. Power it on.</source>
+        <source>The arm is powered off. Power it on.</source>
         <translation>Le bras est éteint. Mettez-le sous tension.</translation>
     </message>
     <message>
@@ -1393,7 +1421,7 @@
         <translation>Sous tension</translation>
     </message>
     <message>
-        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <source>The arm is powered and initializing. Wait a moment.</source>
         <translation>Le bras est sous tension et se prépare. Attendez un instant.</translation>
     </message>
     <message>
@@ -1409,7 +1437,7 @@
         <translation>Backdrive</translation>
     </message>
     <message>
-        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
         <translation>Le bras est bougé à la main malgré ses freins. Lâchez le bouton Freedrive.</translation>
     </message>
     <message>
@@ -1417,7 +1445,7 @@
         <translation>En marche</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm stands still.</source>
+        <source>Brakes are released. The arm is at standstill.</source>
         <translation>Les freins sont desserrés. Le bras est immobile.</translation>
     </message>
     <message>
@@ -1441,7 +1469,7 @@
         <translation>Réduit</translation>
     </message>
     <message>
-        <source>The robot keeps to its reduced limits.</source>
+        <source>The reduced safety limits are active.</source>
         <translation>Le robot respecte ses limites réduites.</translation>
     </message>
     <message>
@@ -1465,7 +1493,7 @@
         <translation>Arrêt de sauvegarde</translation>
     </message>
     <message>
-        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
         <translation>Une protection est ouverte. Fermez-la ; si un réarmement est configuré, actionnez-le.</translation>
     </message>
     <message>
@@ -1505,7 +1533,7 @@
         <translation>Valider les articulations</translation>
     </message>
     <message>
-        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <source>A joint was replaced. Validate the joints on the teach pendant.</source>
         <translation>Une articulation a été échangée. Validez les articulations sur le pupitre.</translation>
     </message>
     <message>
@@ -1513,7 +1541,7 @@
         <translation>Indéfini</translation>
     </message>
     <message>
-        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <source>The controller does not report its safety mode. Check the teach pendant.</source>
         <translation>Le contrôleur ne dit pas son mode de sécurité. Regardez le pupitre.</translation>
     </message>
     <message>
@@ -1561,7 +1589,7 @@
         <translation>PROFIsafe en attente</translation>
     </message>
     <message>
-        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
         <translation>Le robot attend son contrôleur PROFIsafe. Vérifiez le bus de terrain et ses paramètres.</translation>
     </message>
     <message>
@@ -1585,7 +1613,7 @@
         <translation>Arrêt d’urgence PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
         <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Relâchez-le là-bas, puis mettez sous tension et desserrez les freins.</translation>
     </message>
     <message>
@@ -1601,7 +1629,7 @@
         <translation>Arrêt par plan d’E/S</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
         <translation>L’outil a traversé un plan de sécurité activé par une entrée. Sortez-le avec le pupitre, ou désactivez l’entrée.</translation>
     </message>
     <message>
@@ -1621,7 +1649,7 @@
         <translation>Aucun programme ne tourne sur le robot.</translation>
     </message>
     <message>
-        <source>Program plays</source>
+        <source>Program running</source>
         <translation>Programme en cours</translation>
     </message>
     <message>
@@ -1633,7 +1661,7 @@
         <translation>Programme se met en pause</translation>
     </message>
     <message>
-        <source>The program is coming to a halt.</source>
+        <source>The program is pausing.</source>
         <translation>Le programme s’immobilise.</translation>
     </message>
     <message>
@@ -1641,7 +1669,7 @@
         <translation>Programme en pause</translation>
     </message>
     <message>
-        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
         <translation>Lecture poursuit le mouvement interrompu ; arrêtez le programme pour l’abandonner.</translation>
     </message>
     <message>
@@ -1649,7 +1677,7 @@
         <translation>Programme reprend</translation>
     </message>
     <message>
-        <source>The program is going on: the arm may move.</source>
+        <source>The program is resuming: the arm may move.</source>
         <translation>Le programme continue : le bras peut bouger.</translation>
     </message>
     <message>
@@ -1668,7 +1696,7 @@
 <context>
     <name>OutputGripper</name>
     <message>
-        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
         <translation>Le robot n’a pas confirmé les sorties. Elles appartiennent peut-être à un autre programme ou à l’installation.</translation>
     </message>
     <message>
@@ -1688,11 +1716,11 @@
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>told to open</source>
+        <source>open requested</source>
         <translation>ordre d’ouvrir</translation>
     </message>
     <message>
-        <source>told to close</source>
+        <source>close requested</source>
         <translation>ordre de fermer</translation>
     </message>
     <message>
@@ -1715,11 +1743,11 @@
         <translation>Enregistrer</translation>
     </message>
     <message>
-        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
         <translation>Écrit chaque paquet du robot dans un fichier CSV, jusqu’à l’arrêt.</translation>
     </message>
     <message>
-        <source>A recording runs already.</source>
+        <source>A recording is already running.</source>
         <translation>Un enregistrement tourne déjà.</translation>
     </message>
     <message>
@@ -1731,11 +1759,11 @@
         <translation>Arrêter l’enregistrement</translation>
     </message>
     <message>
-        <source>Ends the recording; its file is complete.</source>
+        <source>Stops the recording and completes its file.</source>
         <translation>Termine l’enregistrement ; son fichier est complet.</translation>
     </message>
     <message>
-        <source>Nothing is recorded.</source>
+        <source>No recording is running.</source>
         <translation>Rien n’est enregistré.</translation>
     </message>
     <message>
@@ -1743,7 +1771,7 @@
         <translation>Mettre en pause ou reprendre les tracés</translation>
     </message>
     <message>
-        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
         <translation>Fige les tracés ; données et enregistrement continuent. Encore une fois : retour aux valeurs les plus récentes.</translation>
     </message>
     <message>
@@ -1751,7 +1779,7 @@
         <translation>Exporter les tracés…</translation>
     </message>
     <message>
-        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <source>Saves the visible range as an image, a drawing, a page or values.</source>
         <translation>Enregistre la plage montrée en image, dessin, page ou valeurs.</translation>
     </message>
     <message>
@@ -1759,7 +1787,7 @@
         <translation>Les tracés montrent %1</translation>
     </message>
     <message>
-        <source>How much time the plots show.</source>
+        <source>Sets the time range of the plots.</source>
         <translation>Combien de temps montrent les tracés.</translation>
     </message>
     <message>
@@ -1771,27 +1799,27 @@
         <translation>Trouve une borne ou un registre par numéro ou nom.</translation>
     </message>
     <message>
-        <source>Rename the chosen input or output</source>
+        <source>Rename selected input or output</source>
         <translation>Renommer l’entrée ou la sortie choisie</translation>
     </message>
     <message>
-        <source>The row of the tab I/O that has the focus.</source>
+        <source>Applies to the focused row of the I/O tab.</source>
         <translation>La ligne de l’onglet E/S qui a le focus.</translation>
     </message>
     <message>
-        <source>Switch the chosen output</source>
+        <source>Switch selected output</source>
         <translation>Commuter la sortie choisie</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <source>Switches the focused output of the I/O tab on or off.</source>
         <translation>La sortie de l’onglet E/S qui a le focus : activée, ou de nouveau désactivée.</translation>
     </message>
     <message>
-        <source>Pulse the chosen output</source>
+        <source>Pulse selected output</source>
         <translation>Impulsion sur la sortie choisie</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
         <translation>La sortie de l’onglet E/S qui a le focus : activée une demi-seconde, puis désactivée.</translation>
     </message>
     <message>
@@ -1799,7 +1827,7 @@
         <translation>Chercher dans le journal</translation>
     </message>
     <message>
-        <source>Shows only the lines with these words.</source>
+        <source>Shows only entries that contain these words.</source>
         <translation>Ne montre que les lignes avec ces mots.</translation>
     </message>
     <message>
@@ -1807,7 +1835,7 @@
         <translation>Journal : tout montrer</translation>
     </message>
     <message>
-        <source>Log: show warnings and worse</source>
+        <source>Log: show warnings and errors</source>
         <translation>Journal : montrer avertissements et pire</translation>
     </message>
     <message>
@@ -1815,7 +1843,7 @@
         <translation>Journal : montrer les erreurs</translation>
     </message>
     <message>
-        <source>Chooses which lines of the log are shown.</source>
+        <source>Selects which log entries are shown.</source>
         <translation>Choisit quelles lignes du journal sont montrées.</translation>
     </message>
     <message>
@@ -1823,7 +1851,7 @@
         <translation>Copier le journal</translation>
     </message>
     <message>
-        <source>Copies the selected lines, or all that are shown.</source>
+        <source>Copies the selected entries, or all visible entries.</source>
         <translation>Copie les lignes choisies, ou toutes celles montrées.</translation>
     </message>
     <message>
@@ -1831,7 +1859,7 @@
         <translation>Exporter le journal…</translation>
     </message>
     <message>
-        <source>Writes the lines that are shown to a file.</source>
+        <source>Writes the visible entries to a file.</source>
         <translation>Écrit dans un fichier les lignes montrées.</translation>
     </message>
     <message>
@@ -1839,7 +1867,7 @@
         <translation>Chercher des signaux pour les tracés</translation>
     </message>
     <message>
-        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
         <translation>Ouvre la liste de tout ce que dit le robot : sur un tracé en tirant, par double clic ou Entrée.</translation>
     </message>
     <message>
@@ -1847,26 +1875,26 @@
         <translation>Nouvelle page de tracés</translation>
     </message>
     <message>
-        <source>An empty page behind the others; all pages show the same time.</source>
+        <source>Adds an empty page after the others. All pages share the time axis.</source>
         <translation>Une page vide derrière les autres ; toutes montrent le même temps.</translation>
     </message>
     <message>
-        <source>Show all of the plots&apos; history</source>
+        <source>Show the entire history</source>
         <translation>Montrer tout l’historique des tracés</translation>
     </message>
     <message>
-        <source>All that is in memory, each plot at its best scale.</source>
+        <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>Tout ce qui est en mémoire, chaque tracé à sa meilleure échelle.</translation>
     </message>
 </context>
 <context>
     <name>PlotMenu</name>
     <message>
-        <source>Take the lane %1 away</source>
+        <source>Remove lane %1</source>
         <translation>Ôter la piste %1</translation>
     </message>
     <message>
-        <source>Note here…</source>
+        <source>Add note here…</source>
         <translation>Noter ici…</translation>
     </message>
     <message>
@@ -1878,7 +1906,7 @@
         <translation>Cacher %1</translation>
     </message>
     <message>
-        <source>Let the cursors read %1</source>
+        <source>Read %1 at the cursors</source>
         <translation>Que les curseurs lisent %1</translation>
     </message>
     <message>
@@ -1886,15 +1914,15 @@
         <translation>Mettre %1 sur un tracé à part</translation>
     </message>
     <message>
-        <source>Take %1 away</source>
+        <source>Remove %1</source>
         <translation>Ôter %1</translation>
     </message>
     <message>
-        <source>Alarm when %1</source>
+        <source>Warn when %1</source>
         <translation>Alarme quand %1</translation>
     </message>
     <message>
-        <source>No alarm when %1</source>
+        <source>Do not warn when %1</source>
         <translation>Pas d’alarme quand %1</translation>
     </message>
     <message>
@@ -1902,7 +1930,7 @@
         <translation>Taux de variation de %1</translation>
     </message>
     <message>
-        <source>Moving mean of %1 over half a second</source>
+        <source>Moving mean of %1 over 0.5 s</source>
         <translation>Moyenne glissante de %1 sur une demi-seconde</translation>
     </message>
     <message>
@@ -1918,15 +1946,15 @@
         <translation>Nouveau tracé dessous</translation>
     </message>
     <message>
-        <source>New plot beside</source>
+        <source>New plot to the right</source>
         <translation>Nouveau tracé à côté</translation>
     </message>
     <message>
-        <source>Take this plot away</source>
+        <source>Remove this plot</source>
         <translation>Ôter ce tracé</translation>
     </message>
     <message>
-        <source>Let the curves decide about the scale</source>
+        <source>Scale to the curves</source>
         <translation>Laisser les courbes décider de l’échelle</translation>
     </message>
     <message>
@@ -1941,11 +1969,11 @@
         <translation>En attente de l’arrêt.</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <source>The arm is in a protective stop. Press Recover… in the header.</source>
         <translation>Le bras est en arrêt de protection. Appuyez sur Rétablir dans l’en-tête.</translation>
     </message>
     <message>
-        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
         <translation>Déverrouillé. Le bras ne marche pas encore : suivez la page de rétablissement.</translation>
     </message>
     <message>
@@ -1953,43 +1981,43 @@
         <translation>Déverrouillé. Reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>The arm runs and is under your control again.</source>
+        <source>The arm is running and under your control again.</source>
         <translation>Le bras marche et est de nouveau sous votre contrôle.</translation>
     </message>
     <message>
-        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <source>No new frame yet. Use 3 points in the Frames tab.</source>
         <translation>Pas encore de nouveau repère. « 3 points » est dans l’onglet Repères.</translation>
     </message>
     <message>
-        <source>“%1” lies as it was asked for.</source>
+        <source>“%1” meets the requirements.</source>
         <translation>« %1 » est placé comme demandé.</translation>
     </message>
     <message>
-        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
         <translation>« %1 » : son Z s’écarte de %2° de celui de la base. Le troisième point est du côté de +Y.</translation>
     </message>
     <message>
-        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
         <translation>« %1 » : son X s’écarte de %2° du Y de la base.</translation>
     </message>
     <message>
-        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
         <translation>« %1 » n’a pas été pris avec le bras : le TCP n’a pas été à son origine.</translation>
     </message>
     <message>
-        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <source>The waypoint was deleted. Start adds a new one.</source>
         <translation>Le point de passage n’est plus là. Démarrer en pose un nouveau.</translation>
     </message>
     <message>
-        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
         <translation>« %1 » est où il était. Le bras en est à %2 selon X.</translation>
     </message>
     <message>
-        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <source>“%1” has moved by %2 and is %3 from the expected position.</source>
         <translation>« %1 » a bougé de %2 et est à %3 de sa place.</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the tool was turned.</source>
+        <source>“%1” is at the expected position, but the tool orientation changed.</source>
         <translation>« %1 » est en place, mais l’outil a été tourné.</translation>
     </message>
     <message>
@@ -1997,23 +2025,23 @@
         <translation>« %1 » est de nouveau sur la pièce.</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
         <translation>« %1 » est en place, mais le bras n’y est pas. Retouchez avec le bras sur la pièce.</translation>
     </message>
     <message>
-        <source>Slowed down to %1. Go on.</source>
+        <source>Slowed down to %1. Continue.</source>
         <translation>Ralenti à %1. Continuez.</translation>
     </message>
     <message>
-        <source>No limit yet. The line below the pad will name it.</source>
+        <source>No limit reached yet. The line below the pad will name it.</source>
         <translation>Pas encore de limite. La ligne sous le pavé la nommera.</translation>
     </message>
     <message>
-        <source>That is the limit. Now back: %1 of %2.</source>
+        <source>Limit reached. Now jog back: %1 of %2.</source>
         <translation>Voilà la limite. Maintenant retour : %1 sur %2.</translation>
     </message>
     <message>
-        <source>Found it, and out of it again.</source>
+        <source>You reached the limit and moved out of it again.</source>
         <translation>Trouvée, et de nouveau sorti.</translation>
     </message>
     <message>
@@ -2025,7 +2053,7 @@
         <translation>Cet enregistrement est trop court. Recommencez.</translation>
     </message>
     <message>
-        <source>No recording yet. Record is above the plots.</source>
+        <source>No recording yet. Press Record above the plots.</source>
         <translation>Pas encore d’enregistrement. Enregistrer est au-dessus des tracés.</translation>
     </message>
     <message>
@@ -2033,11 +2061,11 @@
         <translation>Enregistré. Saisissez la force que montre le tracé.</translation>
     </message>
     <message>
-        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <source>%1 does not match the recording. Look at the Fz curve.</source>
         <translation>%1 n’est pas ce qui a été enregistré. Regardez la courbe Fz.</translation>
     </message>
     <message>
-        <source>Right: it was %1.</source>
+        <source>Correct: it was %1.</source>
         <translation>Juste : c’était %1.</translation>
     </message>
     <message>
@@ -2061,23 +2089,23 @@
         <translation>Enregistrer et mesurer</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
         <translation>Démarrer fait heurter le bras simulé, qui passe en arrêt de protection. Voyez ce qui l’a arrêté, attendez les cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Apprenez un repère par trois points dans l’onglet Repères. Son X doit suivre Y+ de la base, son Z monter : prenez l’origine, puis un point plus loin selon Y+, puis un autre plus loin selon X−.</translation>
     </message>
     <message>
-        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>Démarrer pose un point de passage « pièce » où se trouve le bras. La pièce a depuis bougé de %1 selon X+ de la base. Allez-y, choisissez le point et retouchez-le (U).</translation>
     </message>
     <message>
-        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>Éloignez-vous de la base, vers l’extérieur, jusqu’à ce qu’une limite ralentisse le bras de moitié. La ligne sous le pavé la nomme et dit la sortie. Revenez ensuite de %1.</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>Démarrer fait appuyer une main sur l’outil par le haut. Enregistrez au moins trois secondes et arrêtez. Lisez dans les tracés combien vaut la force Fz, et saisissez-la.</translation>
     </message>
     <message>
@@ -2093,6 +2121,21 @@
     </message>
 </context>
 <context>
+    <name>ProjectLock</name>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation>processus %1</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>un autre programme</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2103,11 +2146,11 @@
         <translation>Connexion…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself.</source>
+        <source>No data from the robot. Reconnecting automatically.</source>
         <translation>Pas de données du robot. Reconnexion automatique.</translation>
     </message>
     <message>
-        <source>Robot data is late. Waiting for it to come back.</source>
+        <source>Robot data are late. Waiting for new data.</source>
         <translation>Les données du robot sont en retard. En attente de leur retour.</translation>
     </message>
     <message>
@@ -2122,7 +2165,7 @@
 <context>
     <name>RecordingChoice</name>
     <message>
-        <source>A file needs a name that does not begin with a point.</source>
+        <source>A file name must not be empty or begin with a period.</source>
         <translation>Un fichier demande un nom qui ne commence pas par un point.</translation>
     </message>
     <message>
@@ -2141,11 +2184,11 @@
         <translation>La sécurité est de nouveau normale</translation>
     </message>
     <message>
-        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
         <translation>Le bras peut être bougé. Ce qui était armé avant l’arrêt ne le bouge pas : chaque mouvement demande un nouvel appui.</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
         <translation>Le bras est prêt. Prenez le contrôle pour le bouger, ou continuez sur le pupitre.</translation>
     </message>
     <message>
@@ -2161,15 +2204,15 @@
         <translation>En attente de la connexion</translation>
     </message>
     <message>
-        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
         <translation>J’ai regardé le bras : personne ne le touche, rien n’est coincé.</translation>
     </message>
     <message>
-        <source>What stopped it is known and removed.</source>
+        <source>The cause of the stop is known and removed.</source>
         <translation>Ce qui l’a arrêté est connu et ôté.</translation>
     </message>
     <message>
-        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <source>Payload and TCP match the mounted tool.</source>
         <translation>Charge utile et TCP sont ceux de l’outil monté.</translation>
     </message>
     <message>
@@ -2177,15 +2220,15 @@
         <translation>Possible dans %1 s</translation>
     </message>
     <message>
-        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
         <translation>J’ai regardé le bras et le journal du robot : la cause est connue.</translation>
     </message>
     <message>
-        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <source>The cause is removed, and no one is within reach of the arm.</source>
         <translation>La cause est ôtée et personne n’est à portée du bras.</translation>
     </message>
     <message>
-        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <source>No action needed here: this state ends when its cause is removed.</source>
         <translation>Rien à presser ici : cela finit quand sa cause a disparu.</translation>
     </message>
     <message>
@@ -2247,7 +2290,7 @@
         <translation>Aucun programme ne tourne sur le robot.</translation>
     </message>
     <message>
-        <source>A program runs already.</source>
+        <source>A program is already running.</source>
         <translation>Un programme tourne déjà.</translation>
     </message>
     <message>
@@ -2255,7 +2298,7 @@
         <translation>Connecter…</translation>
     </message>
     <message>
-        <source>Choose the simulator, a robot or a project.</source>
+        <source>Select the simulator, a robot or a project.</source>
         <translation>Choisir le simulateur, un robot ou un projet.</translation>
     </message>
     <message>
@@ -2271,11 +2314,11 @@
         <translation>Vérifier la connexion…</translation>
     </message>
     <message>
-        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <source>Checks everything between this PC and the robot and suggests fixes.</source>
         <translation>Regarde tout ce qu’il y a entre ce PC et le robot, chaque chose avec son remède.</translation>
     </message>
     <message>
-        <source>Choose a robot first.</source>
+        <source>Select a robot first.</source>
         <translation>Choisissez d’abord un robot.</translation>
     </message>
     <message>
@@ -2283,7 +2326,7 @@
         <translation>Déconnecter</translation>
     </message>
     <message>
-        <source>Ends the connection; a motion of ours stops first.</source>
+        <source>Stops our motion, then closes the connection.</source>
         <translation>Termine la connexion ; un mouvement d’ici s’arrête d’abord.</translation>
     </message>
     <message>
@@ -2295,7 +2338,7 @@
         <translation>Met le bras sous tension. Les freins restent serrés.</translation>
     </message>
     <message>
-        <source>The arm has power, or is getting it.</source>
+        <source>The arm is powered on or powering on.</source>
         <translation>Le bras est sous tension, ou le devient.</translation>
     </message>
     <message>
@@ -2303,11 +2346,11 @@
         <translation>Le bras peut s’affaisser de quelques millimètres. Restez à l’écart.</translation>
     </message>
     <message>
-        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <source>Stops programs, engages the brakes and powers the arm off.</source>
         <translation>Serre les freins et coupe le courant du bras ; les programmes s’arrêtent.</translation>
     </message>
     <message>
-        <source>The arm is off.</source>
+        <source>The arm is powered off.</source>
         <translation>Le bras est éteint.</translation>
     </message>
     <message>
@@ -2315,15 +2358,15 @@
         <translation>Rétablir…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, and the way back.</source>
+        <source>Shows what stopped the arm and the recovery steps.</source>
         <translation>Montre ce qui a arrêté le bras, et le chemin du retour.</translation>
     </message>
     <message>
-        <source>No stop of the safety system.</source>
+        <source>The safety system reports no stop.</source>
         <translation>Pas d’arrêt du système de sécurité.</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
         <translation>Après une violation ou un défaut, une fois la cause trouvée. Le bras reste éteint.</translation>
     </message>
     <message>
@@ -2339,11 +2382,7 @@
         <translation>Prendre le contrôle</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>Démarre le programme de commande sur le robot, ce qui arrête tout autre programme.</translation>
-    </message>
-    <message>
-        <source>In control already.</source>
+        <source>Already in control.</source>
         <translation>Déjà contrôlé.</translation>
     </message>
     <message>
@@ -2363,7 +2402,7 @@
         <translation>Arrêter</translation>
     </message>
     <message>
-        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <source>Software stop of all motion. Not an emergency stop.</source>
         <translation>Arrêt logiciel de tout ce qui bouge. Pas un arrêt d’urgence.</translation>
     </message>
     <message>
@@ -2371,20 +2410,24 @@
         <translation>Charger un programme…</translation>
     </message>
     <message>
-        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <source>Loads a program stored on the robot by name.</source>
         <translation>Charge par son nom un programme propre au robot.</translation>
     </message>
     <message>
-        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
         <translation>Démarre le programme chargé, ou poursuit celui en pause : le bras peut bouger aussitôt.</translation>
     </message>
     <message>
-        <source>Pauses the program that runs.</source>
+        <source>Pauses the running program.</source>
         <translation>Met en pause le programme en cours.</translation>
     </message>
     <message>
-        <source>Stops the robot&apos;s own program.</source>
+        <source>Stops the program on the robot.</source>
         <translation>Arrête le programme propre au robot.</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>Démarre le programme de commande sur le robot. Demande confirmation avant d’arrêter un autre programme.</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2475,22 @@
     <message>
         <source>%1: off for %2 s</source>
         <translation>%1 : désactivée %2 s</translation>
+    </message>
+    <message>
+        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <translation>Les impulsions sont chronométrées par le robot et exigent le contrôle. Prenez d’abord le contrôle, ou activez puis désactivez la sortie.</translation>
+    </message>
+    <message>
+        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <translation>Le robot n’a pas terminé l’impulsion de %1 parce que son programme a été arrêté ou mis en pause. Tiller désactive la sortie.</translation>
+    </message>
+    <message>
+        <source>Input register %1</source>
+        <translation>Registre d’entrée %1</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>Curseur de vitesse</translation>
     </message>
 </context>
 <context>
@@ -2485,22 +2544,26 @@
         <translation>Le programme du robot a été arrêté</translation>
     </message>
     <message>
-        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
         <translation>Le programme du robot n’a pas été arrêté : arrêtez-le sur le pupitre. %1</translation>
     </message>
     <message>
-        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
         <translation>Le robot est passé en commande locale : le mouvement a été arrêté et le contrôle rendu. Repassez-le en commande à distance sur le pupitre, puis reprenez le contrôle.</translation>
+    </message>
+    <message>
+        <source>Unlock protective stop</source>
+        <translation>Déverrouiller l’arrêt de protection</translation>
     </message>
 </context>
 <context>
     <name>RobotTooling</name>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
-        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
         <translation>TCP et charge utile se règlent bras immobile. Laissez-le s’immobiliser.</translation>
     </message>
     <message>
@@ -2519,7 +2582,7 @@
         <translation>Prendre et poser</translation>
     </message>
     <message>
-        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
         <translation>Une pièce est prise d’un distributeur et posée à l’une de six places d’un plateau. Les places sont données dans le repère du plateau et bougent avec lui.</translation>
     </message>
     <message>
@@ -2527,26 +2590,26 @@
         <translation>Collage le long d’une trajectoire</translation>
     </message>
     <message>
-        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
         <translation>Un cordon autour d’un couvercle aux coins arrondis, lent et en lignes droites. Le raccordement garde la buse en mouvement dans les coins.</translation>
     </message>
     <message>
-        <source>Measuring round</source>
+        <source>Measuring</source>
         <translation>Ronde de mesure</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
         <translation>Un palpeur touche une pièce par le haut et par quatre côtés, chaque fois depuis un point d’approche et l’outil incliné.</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>Regarder du premier côté, en perspective</translation>
     </message>
     <message>
-        <source>From between front and side, a little above, with everything in the picture.</source>
+        <source>From between front and side, slightly above, with everything visible.</source>
         <translation>Entre l’avant et le côté, un peu d’en haut, avec tout dans l’image.</translation>
     </message>
     <message>
@@ -2574,18 +2637,18 @@
         <translation>X de la base à droite, Y en haut.</translation>
     </message>
     <message>
-        <source>Fit everything into the view</source>
+        <source>Fit everything in the view</source>
         <translation>Faire tout tenir dans la vue</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>Bras, cible et points de passage dans l’image, du côté actuel.</translation>
     </message>
 </context>
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>Nothing is recorded: connect to a robot first.</source>
+        <source>Cannot record: connect to a robot first.</source>
         <translation>Rien n’est enregistré : connectez-vous d’abord à un robot.</translation>
     </message>
     <message>
@@ -2607,11 +2670,11 @@
         <translation>écrire %1</translation>
     </message>
     <message>
-        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <source>Invalid value for the setting &quot;%1&quot;.</source>
         <translation>La valeur de &quot;%1&quot; ne peut être celle d’un réglage.</translation>
     </message>
     <message>
-        <source>The file is too large for settings.</source>
+        <source>The file is too large for a settings file.</source>
         <translation>Le fichier est trop grand pour des réglages.</translation>
     </message>
     <message>
@@ -2619,7 +2682,7 @@
         <translation>Le fichier est endommagé à l’octet %1 : %2.</translation>
     </message>
     <message>
-        <source>The file holds no settings of Tiller.</source>
+        <source>The file contains no Tiller settings.</source>
         <translation>Le fichier ne contient pas de réglages de Tiller.</translation>
     </message>
     <message>
@@ -2627,20 +2690,16 @@
         <translation>Le fichier a été écrit par un Tiller plus récent. Mettez Tiller à jour pour l’importer.</translation>
     </message>
     <message>
-        <source>The file does not say which version it has.</source>
+        <source>The file does not state its version.</source>
         <translation>Le fichier ne dit pas quelle version il a.</translation>
     </message>
     <message>
-        <source>The file has no list of values, or one that is too long.</source>
+        <source>The list of values is missing or too long.</source>
         <translation>Le fichier n’a pas de liste de valeurs, ou une trop longue.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no name of a setting.</source>
+        <source>&quot;%1&quot; is not a valid setting name.</source>
         <translation>&quot;%1&quot; n’est pas le nom d’un réglage.</translation>
-    </message>
-    <message>
-        <source>read %1</source>
-        <translation>lire %1</translation>
     </message>
 </context>
 <context>
@@ -2674,7 +2733,7 @@
         <translation>Charge utile et outil</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>Plus</translation>
     </message>
     <message>
@@ -2682,71 +2741,71 @@
         <translation>Registres</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>Force au TCP</translation>
     </message>
     <message>
-        <source>Torque at the TCP</source>
+        <source>TCP torque</source>
         <translation>Couple au TCP</translation>
     </message>
     <message>
-        <source>Position of the TCP</source>
+        <source>TCP position</source>
         <translation>Position du TCP</translation>
     </message>
     <message>
-        <source>Rotation vector of the TCP</source>
+        <source>TCP rotation vector</source>
         <translation>Vecteur de rotation du TCP</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>Vitesse du TCP</translation>
     </message>
     <message>
-        <source>Rotation speed of the TCP</source>
+        <source>TCP angular speed</source>
         <translation>Vitesse de rotation du TCP</translation>
     </message>
     <message>
-        <source>Acceleration of the TCP</source>
+        <source>TCP acceleration</source>
         <translation>Accélération du TCP</translation>
     </message>
     <message>
-        <source>Target position of the TCP</source>
+        <source>Target TCP position</source>
         <translation>Position cible du TCP</translation>
     </message>
     <message>
-        <source>Target rotation vector of the TCP</source>
+        <source>Target TCP rotation vector</source>
         <translation>Vecteur de rotation cible du TCP</translation>
     </message>
     <message>
-        <source>Target speed of the TCP</source>
+        <source>Target TCP speed</source>
         <translation>Vitesse cible du TCP</translation>
     </message>
     <message>
-        <source>Target rotation speed of the TCP</source>
+        <source>Target TCP angular speed</source>
         <translation>Vitesse de rotation cible du TCP</translation>
     </message>
     <message>
-        <source>Raw force of the sensor</source>
+        <source>Raw sensor force</source>
         <translation>Force brute du capteur</translation>
     </message>
     <message>
-        <source>Raw torque of the sensor</source>
+        <source>Raw sensor torque</source>
         <translation>Couple brut du capteur</translation>
     </message>
     <message>
-        <source>Force at the TCP, norm</source>
+        <source>TCP force, norm</source>
         <translation>Force au TCP, norme</translation>
     </message>
     <message>
-        <source>Accelerometer in the flange</source>
+        <source>Tool accelerometer</source>
         <translation>Accéléromètre dans la bride</translation>
     </message>
     <message>
-        <source>Position of the elbow</source>
+        <source>Elbow position</source>
         <translation>Position du coude</translation>
     </message>
     <message>
-        <source>Speed of the elbow</source>
+        <source>Elbow speed</source>
         <translation>Vitesse du coude</translation>
     </message>
     <message>
@@ -2798,15 +2857,15 @@
         <translation>Courants de commande articulaires</translation>
     </message>
     <message>
-        <source>Allowed deviation of the currents</source>
+        <source>Allowed current deviation</source>
         <translation>Écart permis des courants</translation>
     </message>
     <message>
-        <source>Position deviation over its limit</source>
+        <source>Position deviation, ratio to limit</source>
         <translation>Écart de position sur sa limite</translation>
     </message>
     <message>
-        <source>Collision measure over its limit</source>
+        <source>Collision measure, ratio to limit</source>
         <translation>Mesure de collision sur sa limite</translation>
     </message>
     <message>
@@ -2886,7 +2945,7 @@
         <translation>Courant du bras</translation>
     </message>
     <message>
-        <source>Current of the I/O</source>
+        <source>I/O current</source>
         <translation>Courant des E/S</translation>
     </message>
     <message>
@@ -2910,7 +2969,7 @@
         <translation>Curseur de vitesse</translation>
     </message>
     <message>
-        <source>Time of a control step</source>
+        <source>Control step time</source>
         <translation>Durée d’un pas de commande</translation>
     </message>
     <message>
@@ -3045,7 +3104,7 @@
         <translation>touche gauche</translation>
     </message>
     <message>
-        <source>The cap moves and turns as the tool shall.</source>
+        <source>The tool follows the motion of the cap.</source>
         <translation>Le capuchon bouge et tourne comme l’outil doit le faire.</translation>
     </message>
 </context>
@@ -3056,22 +3115,22 @@
         <translation>calculer un spectre</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <source>There are fewer than %1 samples: select a longer range.</source>
         <translation>Il y a moins de %1 échantillons : choisissez une plage plus longue.</translation>
     </message>
     <message>
-        <source>Values are missing in this range: choose one without a gap.</source>
+        <source>Values are missing in this range: select a range without gaps.</source>
         <translation>Des valeurs manquent dans cette plage : choisissez-en une sans lacune.</translation>
     </message>
     <message>
-        <source>There is too little memory.</source>
+        <source>Not enough memory.</source>
         <translation>La mémoire ne suffit pas.</translation>
     </message>
 </context>
 <context>
     <name>StartProject</name>
     <message>
-        <source>The project worked in last is not there any more: %1</source>
+        <source>The last project no longer exists: %1</source>
         <translation>Le dernier projet travaillé n’est plus là : %1</translation>
     </message>
 </context>
@@ -3157,31 +3216,31 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
         <translation>Vérifiez l’adresse : quatre nombres comme 192.168.0.10, ou un nom que le réseau connaît.</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
         <translation>Vérifiez que le robot est allumé, le câble branché et ce PC dans le même réseau.</translation>
     </message>
     <message>
-        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
         <translation>Activez l’interface sur le robot : Réglages, Sécurité, Services. Un robot qui vient de démarrer demande peut-être encore une minute.</translation>
     </message>
     <message>
-        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
         <translation>Le robot a terminé la connexion : il redémarre peut-être, ou est passé de Local à Distant ou inversement.</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <source>The robot does not answer. Check the cable and the address.</source>
         <translation>Le robot ne répond pas. Vérifiez le câble et que l’adresse est bien celle du robot.</translation>
     </message>
     <message>
-        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
         <translation>Les données n’arrivent plus. Vérifiez le câble ; la connexion revient d’elle-même, le mouvement non.</translation>
     </message>
     <message>
-        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <source>The answer violates the RTDE protocol. Check address and port.</source>
         <translation>Ce qui répond là ne parle pas RTDE comme il faut. Vérifiez adresse et port.</translation>
     </message>
     <message>
@@ -3189,11 +3248,11 @@
         <translation>Le logiciel du robot est trop ancien pour cela.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software does not have this value.</source>
+        <source>The robot&apos;s software does not provide this value.</source>
         <translation>Le logiciel du robot n’a pas cette valeur.</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
         <translation>Un autre programme ou un bus de terrain du robot occupe ces registres : fermez l’autre programme, ou désactivez le bus de terrain dans l’installation.</translation>
     </message>
     <message>
@@ -3209,36 +3268,32 @@
         <translation>Amenez d’abord le robot à « En marche » et sa sécurité à « Normal ».</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>Passez le robot en commande à distance sur le pupitre, en haut à droite.</translation>
     </message>
     <message>
-        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed within the cap.</source>
         <translation>Choisissez une cible dans la plage du bras et une vitesse sous le plafond.</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
         <translation>Le bras ne peut atteindre cette pose : rapprochez le point ou tournez l’outil.</translation>
     </message>
     <message>
-        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <source>The robot could not run the program. See the log for the message of the controller.</source>
         <translation>Le robot n’a pu exécuter le programme envoyé. Ses propres mots sont dans le journal.</translation>
     </message>
     <message>
-        <source>Check that the file exists and may be read.</source>
+        <source>Check that the file exists and that you have permission to read it.</source>
         <translation>Vérifiez que le fichier existe et peut être lu.</translation>
     </message>
     <message>
-        <source>Choose a folder you may write to.</source>
+        <source>Choose a folder that you have permission to write to.</source>
         <translation>Choisissez un dossier où vous pouvez écrire.</translation>
     </message>
     <message>
-        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <source>The file was not changed. Open a backup, or repair the reported position.</source>
         <translation>Le fichier est resté tel quel. Ouvrez une sauvegarde, ou réparez l’endroit nommé.</translation>
-    </message>
-    <message>
-        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
-        <translation>Le disque est plein : ce qui a été enregistré est gardé. Libérez de la place et enregistrez à nouveau.</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3257,11 +3312,11 @@
         <translation>Connexion refusée</translation>
     </message>
     <message>
-        <source>Connection ended by the robot</source>
+        <source>Connection closed by the robot</source>
         <translation>Connexion terminée par le robot</translation>
     </message>
     <message>
-        <source>No answer in time</source>
+        <source>Timed out</source>
         <translation>Pas de réponse à temps</translation>
     </message>
     <message>
@@ -3269,11 +3324,11 @@
         <translation>Annulé</translation>
     </message>
     <message>
-        <source>Link lost</source>
+        <source>Connection lost</source>
         <translation>Liaison perdue</translation>
     </message>
     <message>
-        <source>Not understood</source>
+        <source>Protocol error</source>
         <translation>Non compris</translation>
     </message>
     <message>
@@ -3309,7 +3364,7 @@
         <translation>Hors des limites</translation>
     </message>
     <message>
-        <source>Not a valid value</source>
+        <source>Invalid value</source>
         <translation>Valeur non valable</translation>
     </message>
     <message>
@@ -3329,11 +3384,11 @@
         <translation>Erreur de programme sur le robot</translation>
     </message>
     <message>
-        <source>File cannot be read</source>
+        <source>Cannot read the file</source>
         <translation>Le fichier ne peut être lu</translation>
     </message>
     <message>
-        <source>File cannot be written</source>
+        <source>Cannot write the file</source>
         <translation>Le fichier ne peut être écrit</translation>
     </message>
     <message>
@@ -3365,7 +3420,7 @@
         <translation>focus perdu</translation>
     </message>
     <message>
-        <source>window no longer active</source>
+        <source>window lost activation</source>
         <translation>fenêtre plus active</translation>
     </message>
     <message>
@@ -3409,7 +3464,7 @@
         <translation>mode du robot ou de sécurité changé</translation>
     </message>
     <message>
-        <source>not refreshed in time</source>
+        <source>input not refreshed in time</source>
         <translation>pas renouvelé à temps</translation>
     </message>
     <message>
@@ -3417,7 +3472,7 @@
         <translation>le PC se met en veille</translation>
     </message>
     <message>
-        <source>link lost</source>
+        <source>connection lost</source>
         <translation>liaison perdue</translation>
     </message>
     <message>
@@ -3449,23 +3504,23 @@
         <translation>cible trop loin pour un pas</translation>
     </message>
     <message>
-        <source>no sign that it was still held</source>
+        <source>no confirmation that the key is still held</source>
         <translation>aucun signe d’une touche encore tenue</translation>
     </message>
     <message>
-        <source>held for the longest time; press again</source>
+        <source>maximum hold time reached; press again</source>
         <translation>tenu le plus longtemps possible ; appuyez de nouveau</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
         <translation>PolyScope X avant 10.11 n’accepte pas de telles commandes par le réseau : utilisez la tablette.</translation>
     </message>
     <message>
-        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
         <translation>PolyScope X n’a pas de commande pour fermer les messages par le réseau : utilisez la tablette.</translation>
     </message>
     <message>
-        <source>Only watching. Take control to move the arm.</source>
+        <source>Monitoring. Take control to move the arm.</source>
         <translation>Observation seule. Prenez le contrôle pour bouger le bras.</translation>
     </message>
     <message>
@@ -3481,16 +3536,28 @@
         <translation>Le programme de commande a été arrêté sur le robot. Reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>The control program does not answer. Take control again.</source>
+        <source>The control program does not respond. Take control again.</source>
         <translation>Le programme de commande ne répond pas. Reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>The link was lost. Take control again.</source>
+        <source>The connection was lost. Take control again.</source>
         <translation>La liaison a été perdue. Reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>A script of your own is running. Control comes back when it ends.</source>
+        <source>Your script is running. Control returns when it ends.</source>
         <translation>Un script à vous tourne. Le contrôle revient quand il finit.</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk, then save or record again.</source>
+        <translation>Libérez de l’espace disque, puis enregistrez de nouveau.</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. Réglé dans les réglages ou par --monitor-only.</translation>
+    </message>
+    <message>
+        <source>The control connection does not respond.</source>
+        <translation>La connexion de commande ne répond pas.</translation>
     </message>
 </context>
 <context>
@@ -3512,11 +3579,11 @@
         <translation>Ligne %1, %2 : %3</translation>
     </message>
     <message>
-        <source>“%1” is neither J nor L</source>
+        <source>“%1” must be J or L</source>
         <translation>« %1 » n’est ni J ni L</translation>
     </message>
     <message>
-        <source>“%1” is neither joints nor pose</source>
+        <source>“%1” must be joints or pose</source>
         <translation>« %1 » n’est ni joints ni pose</translation>
     </message>
     <message>
@@ -3524,18 +3591,18 @@
         <translation>il n’y a pas de repère « %1 » dans ce projet</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
         <translation>Ceci n’est pas un tableau de points de passage. Copiez-en un de la liste pour voir ses colonnes, ou collez les six nombres d’une pose.</translation>
     </message>
     <message>
-        <source>“%1” is no colour of a waypoint</source>
+        <source>“%1” is not a waypoint colour</source>
         <translation>« %1 » n’est pas une couleur de point de passage</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: a quotation mark is not closed</source>
+        <source>Line %1: missing closing quotation mark</source>
         <translation>Ligne %1 : un guillemet n’est pas fermé</translation>
     </message>
 </context>
@@ -3553,15 +3620,15 @@
         </translation>
     </message>
     <message>
-        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
         <translation>Faites dans cet ordre quand « Parcourir » y a amené le bras, et seulement tant que la touche est maintenue.</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
         <translation>Ces points ont des actions différentes. « Modifier » leur donne à tous celles ci-dessous.</translation>
     </message>
     <message>
-        <source>Actions in their order</source>
+        <source>Actions in order</source>
         <translation>Actions dans leur ordre</translation>
     </message>
     <message>
@@ -3573,7 +3640,7 @@
         <translation>Ajouter</translation>
     </message>
     <message>
-        <source>Add an action after the chosen one</source>
+        <source>Add an action after the selected one</source>
         <translation>Ajouter une action après celle choisie</translation>
     </message>
     <message>
@@ -3581,7 +3648,7 @@
         <translation>Retirer</translation>
     </message>
     <message>
-        <source>Remove the chosen action</source>
+        <source>Remove the selected action</source>
         <translation>Retirer l’action choisie</translation>
     </message>
     <message>
@@ -3589,7 +3656,7 @@
         <translation>Monter</translation>
     </message>
     <message>
-        <source>Do the chosen action earlier</source>
+        <source>Move the selected action up</source>
         <translation>Faire plus tôt l’action choisie</translation>
     </message>
     <message>
@@ -3597,15 +3664,15 @@
         <translation>Descendre</translation>
     </message>
     <message>
-        <source>Do the chosen action later</source>
+        <source>Move the selected action down</source>
         <translation>Faire plus tard l’action choisie</translation>
     </message>
     <message>
-        <source>What is done</source>
+        <source>Action</source>
         <translation>Ce qui est fait</translation>
     </message>
     <message>
-        <source>Which terminal</source>
+        <source>Terminal</source>
         <translation>Quelle borne</translation>
     </message>
     <message>
@@ -3625,11 +3692,11 @@
         <translation>activée</translation>
     </message>
     <message>
-        <source>At most, seconds</source>
+        <source>Timeout in seconds</source>
         <translation>Au plus, secondes</translation>
     </message>
     <message>
-        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
         <translation>Alors cela finit et le dit. 0 : tant que la touche est maintenue, une heure au plus</translation>
     </message>
 </context>
@@ -3682,7 +3749,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Échelle de %1</translation>
     </message>
     <message>
-        <source>bar; empty: not scaled</source>
+        <source>e.g. bar; empty: not scaled</source>
         <translation>bar ; vide : sans échelle</translation>
     </message>
     <message>
@@ -3709,12 +3776,289 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Armer le clavier</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
         <translation>Les flèches déplacent X et Y, PgPréc et PgSuiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − tournent une articulation. Espace et Esc arrêtent. Cliquez, ou attendez une demi-minute : le clavier est désarmé.</translation>
     </message>
     <message>
-        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
         <translation>Ensuite les flèches déplacent le bras tant qu’elles sont tenues ; un cadre entoure la fenêtre.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CellPage</name>
+    <message>
+        <source>Size %1</source>
+        <translation>Taille %1</translation>
+    </message>
+    <message>
+        <source>Drawn and checked</source>
+        <translation>Dessiné et vérifié</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>A box or plane needs a name.</source>
+        <translation>Une boîte ou un plan a besoin d’un nom.</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose another name.</source>
+        <translation>La cellule contient déjà « %1 ». Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Cellule</translation>
+    </message>
+    <message>
+        <source>No boxes or planes yet.
+Move the TCP to a corner of an obstacle and press Corner here.</source>
+        <translation>Pas encore de boîtes ni de plans.
+Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Vérifié</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centre</translation>
+    </message>
+    <message>
+        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <translation>Centre de la boîte. Entrée pour appliquer. Seule la boîte change ; le robot ne bouge pas.</translation>
+    </message>
+    <message>
+        <source>LX</source>
+        <translation>LX</translation>
+    </message>
+    <message>
+        <source>LY</source>
+        <translation>LY</translation>
+    </message>
+    <message>
+        <source>LZ</source>
+        <translation>LZ</translation>
+    </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>Aucun robot n’est connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>boîte</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>Ajouter « %1 »</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>First corner taken.</source>
+        <translation>Premier coin pris.</translation>
+    </message>
+    <message>
+        <source>Move the TCP to the opposite corner and press Other corner.</source>
+        <translation>Amenez le TCP au coin opposé et appuyez sur Autre coin.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
+        <translation>Les deux coins sont dans un même plan. Amenez le TCP au coin opposé de la boîte.</translation>
+    </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation>Déplacer « %1 »</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Dupliquer « %1 »</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Supprimer « %1 »</translation>
+    </message>
+    <message>
+        <source>Include “%1”</source>
+        <translation>Inclure « %1 »</translation>
+    </message>
+    <message>
+        <source>Exclude “%1”</source>
+        <translation>Exclure « %1 »</translation>
+    </message>
+    <message>
+        <source>Set the floor</source>
+        <translation>Définir le sol</translation>
+    </message>
+    <message>
+        <source>Remove the floor</source>
+        <translation>Supprimer le sol</translation>
+    </message>
+    <message>
+        <source>Change the safety distance</source>
+        <translation>Modifier la distance de sécurité</translation>
+    </message>
+    <message>
+        <source>Other corner</source>
+        <translation>Autre coin</translation>
+    </message>
+    <message>
+        <source>Corner here</source>
+        <translation>Coin ici</translation>
+    </message>
+    <message>
+        <source>%1 · %2 in %3</source>
+        <translation>%1 · %2 dans %3</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Length along X</source>
+        <translation>Longueur selon X</translation>
+    </message>
+    <message>
+        <source>Length along Y</source>
+        <translation>Longueur selon Y</translation>
+    </message>
+    <message>
+        <source>Length along Z</source>
+        <translation>Longueur selon Z</translation>
+    </message>
+    <message>
+        <source>Point on the plane X</source>
+        <translation>Point du plan X</translation>
+    </message>
+    <message>
+        <source>Point on the plane Y</source>
+        <translation>Point du plan Y</translation>
+    </message>
+    <message>
+        <source>Point on the plane Z</source>
+        <translation>Point du plan Z</translation>
+    </message>
+    <message>
+        <source>Normal X, towards the arm</source>
+        <translation>Normale X, vers le bras</translation>
+    </message>
+    <message>
+        <source>Normal Y, towards the arm</source>
+        <translation>Normale Y, vers le bras</translation>
+    </message>
+    <message>
+        <source>Normal Z, towards the arm</source>
+        <translation>Normale Z, vers le bras</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>When off, it is not drawn and not checked.</source>
+        <translation>Désactivé, il n’est ni dessiné ni vérifié.</translation>
+    </message>
+    <message>
+        <source>Horizontal plane in the base frame that the arm must stay above.</source>
+        <translation>Plan horizontal dans le repère de base, au-dessus duquel le bras doit rester.</translation>
+    </message>
+    <message>
+        <source>Height of the floor</source>
+        <translation>Hauteur du sol</translation>
+    </message>
+    <message>
+        <source>Safety distance</source>
+        <translation>Distance de sécurité</translation>
+    </message>
+    <message>
+        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
+        <translation>Le déplacement manuel s’arrête à cette distance du bras lui-même et de la cellule. Les mouvements qui s’approchent davantage sont refusés.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Ici</translation>
+    </message>
+    <message>
+        <source>Set the floor to the TCP height</source>
+        <translation>Placer le sol à la hauteur du TCP</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Set a corner of a box to the TCP</source>
+        <translation>Placer un coin de boîte au TCP</translation>
+    </message>
+    <message>
+        <source>Plane here</source>
+        <translation>Plan ici</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP, perpendicular to the tool</source>
+        <translation>Ajouter un plan par le TCP, perpendiculaire à l’outil</translation>
+    </message>
+    <message>
+        <source>New box</source>
+        <translation>Nouvelle boîte</translation>
+    </message>
+    <message>
+        <source>Add a box numerically</source>
+        <translation>Ajouter une boîte par valeurs</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP</source>
+        <translation>Ajouter un plan par le TCP</translation>
+    </message>
+    <message>
+        <source>Add a plane numerically</source>
+        <translation>Ajouter un plan par valeurs</translation>
+    </message>
+    <message>
+        <source>Move the box or plane to the TCP</source>
+        <translation>Déplacer la boîte ou le plan au TCP</translation>
+    </message>
+    <message>
+        <source>Include or exclude the box or plane</source>
+        <translation>Inclure ou exclure la boîte ou le plan</translation>
+    </message>
+    <message>
+        <source>Rename box or plane</source>
+        <translation>Renommer la boîte ou le plan</translation>
+    </message>
+    <message>
+        <source>Duplicate box or plane</source>
+        <translation>Dupliquer la boîte ou le plan</translation>
+    </message>
+    <message>
+        <source>Delete box or plane</source>
+        <translation>Supprimer la boîte ou le plan</translation>
+    </message>
+    <message>
+        <source>Resize “%1”</source>
+        <translation>Redimensionner « %1 »</translation>
+    </message>
+    <message>
+        <source>The normal must not be zero. Enter a component first.</source>
+        <translation>La normale ne peut pas être nulle. Saisissez d’abord une composante.</translation>
+    </message>
+    <message>
+        <source>Rotate “%1”</source>
+        <translation>Tourner « %1 »</translation>
     </message>
 </context>
 <context>
@@ -3728,7 +4072,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Comparer…</translation>
     </message>
     <message>
-        <source>Compare this recording with the model of its arm, with other limits</source>
+        <source>Compare this recording with the arm model, with different limits</source>
         <translation>Comparer cet enregistrement au modèle de son bras, avec d’autres limites</translation>
     </message>
     <message>
@@ -3740,11 +4084,11 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Y aller</translation>
     </message>
     <message>
-        <source>Compare no further</source>
+        <source>Stop comparing</source>
         <translation>Ne plus comparer</translation>
     </message>
     <message>
-        <source>Put cursor A where arm and model part</source>
+        <source>Place cursor A where arm and model diverge</source>
         <translation>Placer le curseur A là où le bras et le modèle se séparent</translation>
     </message>
 </context>
@@ -3755,7 +4099,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Comparer au modèle du bras</translation>
     </message>
     <message>
-        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
         <translation>Ce qui a été commandé aux articulations est donné au bras simulé, et ce qu’il fait est comparé à l’enregistrement. Rien ne touche le bras simulé, et il ignore le frottement.</translation>
     </message>
     <message>
@@ -3791,7 +4135,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Plus longtemps que</translation>
     </message>
     <message>
-        <source>What has a limit of 0 is not compared.</source>
+        <source>Signals with a limit of 0 are not compared.</source>
         <translation>Ce dont la limite est 0 n’est pas comparé.</translation>
     </message>
     <message>
@@ -3802,11 +4146,11 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until the program ends)</source>
+        <source>Moves the arm (until Tiller is closed)</source>
         <translation>Déplace le bras (jusqu’à la fin du programme)</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>Seulement l’axe le plus dévié</translation>
     </message>
     <message>
@@ -3818,7 +4162,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Périphérique</translation>
     </message>
     <message>
-        <source>Which way the arm would go</source>
+        <source>Direction in which the arm would move</source>
         <translation>Où irait le bras</translation>
     </message>
     <message>
@@ -3830,7 +4174,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Déplacerait</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
         <translation>Clavier, tant qu’armé (Ctrl+J) : flèches X et Y, PgPréc et PgSuiv Z, avec Alt elles tournent, 1 à 6 avec + et − une articulation, Origine, Fin aligne, Retour arrière revient, F Freedrive. Ctrl plus lent, Maj plus vite. Espace et Esc arrêtent.</translation>
     </message>
     <message>
@@ -3838,7 +4182,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>Il n’y a ni manette ni SpaceMouse. Branchez-en une : elle apparaît d’elle-même.</translation>
     </message>
     <message>
@@ -3857,7 +4201,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
 <context>
     <name>tiller::FigureBox</name>
     <message>
-        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation>« %1 » n’a pas été pris : %2 à %3. Rien n’a été changé.</translation>
     </message>
 </context>
@@ -3903,7 +4247,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Écarter</translation>
     </message>
     <message>
-        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <source>The list will not appear again. Use the command “First steps” to show it.</source>
         <translation>La liste ne revient pas d’elle-même. La commande « Premiers pas » la ramène.</translation>
     </message>
     <message>
@@ -3922,11 +4266,11 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Origine</translation>
     </message>
     <message>
-        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation>En Base. Entrée l’applique ; rien ne bouge que le repère.</translation>
     </message>
     <message>
-        <source>no waypoint uses it</source>
+        <source>not used by any waypoint</source>
         <translation>aucun point de passage ne l’utilise</translation>
     </message>
     <message numerus="yes">
@@ -3944,7 +4288,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoint moved with it.</source>
+        <source>No waypoints moved with it.</source>
         <translation>Aucun point de passage n’a bougé avec lui.</translation>
     </message>
     <message numerus="yes">
@@ -3955,7 +4299,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach there.</source>
+        <source>%n of them are now out of reach.</source>
         <translation>
             <numerusform>%n d’entre eux y est hors de portée.</numerusform>
             <numerusform>%n d’entre eux y sont hors de portée.</numerusform>
@@ -3970,11 +4314,11 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Apprendre « %1 »</translation>
     </message>
     <message>
-        <source>It moves by %1 (%2, base frame).</source>
+        <source>The frame moves by %1 (%2, base frame).</source>
         <translation>Il bouge de %1 (%2, repère de base).</translation>
     </message>
     <message>
-        <source>No waypoint is given in it.</source>
+        <source>No waypoint uses this frame.</source>
         <translation>Aucun point de passage n’y est donné.</translation>
     </message>
     <message numerus="yes">
@@ -3997,15 +4341,15 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Retoucher « %1 »</translation>
     </message>
     <message>
-        <source>“%1” is touched up</source>
+        <source>Touched up “%1”</source>
         <translation>« %1 » est retouché</translation>
     </message>
     <message>
-        <source>Set the place of “%1”</source>
+        <source>Set the position of “%1”</source>
         <translation>Régler la place de « %1 »</translation>
     </message>
     <message>
-        <source>“%1” is set in figures. %2</source>
+        <source>“%1” was set numerically. %2</source>
         <translation>« %1 » est réglé en chiffres. %2</translation>
     </message>
     <message>
@@ -4017,7 +4361,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Supprimer « %1 » ?</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
             <numerusform>%n point de passage y est donné. Il reste où il est, donné en Base.</numerusform>
             <numerusform>%n points de passage y sont donnés. Ils restent où ils sont, donnés en Base.</numerusform>
@@ -4047,11 +4391,11 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Vue</translation>
     </message>
     <message>
-        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <source>“%1” is a built-in frame. Choose another name.</source>
         <translation>« %1 » est un repère que tout robot possède. Choisissez un autre nom.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another frame. Choose another name.</source>
+        <source>Another frame is named “%1”. Choose another name.</source>
         <translation>« %1 » est déjà le nom d’un autre repère. Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -4091,7 +4435,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Points</translation>
     </message>
     <message>
-        <source>Waypoints that move with it</source>
+        <source>Waypoints that move with the frame</source>
         <translation>Points de passage qui bougent avec lui</translation>
     </message>
     <message>
@@ -4121,7 +4465,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Repère par trois points</translation>
     </message>
     <message>
-        <source>Cancel the frame</source>
+        <source>Cancel frame teaching</source>
         <translation>Annuler le repère</translation>
     </message>
     <message>
@@ -4153,15 +4497,15 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Prendre</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>Créer le repère</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the point again.</source>
+        <source>The robot sent an invalid position. Take the point again.</source>
         <translation>Le robot n’a pas envoyé de place valable. Reprenez le point.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Le point sur +X n’est qu’à %1 de l’origine. Reprenez-le à au moins %2 : plus il est loin, plus les axes sont justes.</translation>
     </message>
     <message>
@@ -4169,23 +4513,23 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Le troisième point n’est qu’à %1 de l’origine. Reprenez-le à au moins %2.</translation>
     </message>
     <message>
-        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
         <translation>Les trois points sont alignés : le troisième n’est qu’à %1 de l’axe X. Reprenez-le à au moins %2 du côté de +Y.</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
         <translation>Prêt : le point sur +X est à %1, le troisième à %2 de l’axe X.</translation>
     </message>
     <message>
-        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <source>Jog the tip to the origin of the frame and take the point (P).</source>
         <translation>Amenez la pointe où commence le repère, et prenez-la (P).</translation>
     </message>
     <message>
-        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
         <translation>Maintenant vers un point sur +X : à %1 de l’origine, %2 est le minimum.</translation>
     </message>
     <message>
-        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
         <translation>Maintenant du côté de +Y : à %1 de l’axe X, %2 est le minimum.</translation>
     </message>
     <message>
@@ -4228,12 +4572,12 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Retoucher le repère</translation>
     </message>
     <message>
-        <source>More about frames</source>
+        <source>More frame commands</source>
         <translation>Plus sur les repères</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
         <translation>Pas encore de repères.
 Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 points pour prendre origine, +X et +Y.</translation>
     </message>
@@ -4242,7 +4586,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>nouveau repère</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
     </message>
     <message>
@@ -4250,7 +4594,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
-        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
         <translation>Un repère où est le TCP, avec les axes de l’outil (Maj+T)</translation>
     </message>
     <message>
@@ -4258,7 +4602,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Origine, un point sur +X, un point vers +Y (Ctrl+Maj+T)</translation>
     </message>
     <message>
-        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <source>Move the selected frame to the TCP (Shift+U)</source>
         <translation>Le repère choisi va où est le TCP (Maj+U)</translation>
     </message>
     <message>
@@ -4278,7 +4622,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Prendre le point suivant du repère</translation>
     </message>
     <message>
-        <source>Make the frame of the points taken</source>
+        <source>Create frame from points</source>
         <translation>Créer le repère des points pris</translation>
     </message>
     <message>
@@ -4302,7 +4646,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Renommer le repère</translation>
     </message>
     <message>
-        <source>Set frame in figures</source>
+        <source>Enter frame numerically</source>
         <translation>Régler le repère en chiffres</translation>
     </message>
     <message>
@@ -4326,22 +4670,22 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Retoucher…</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>Créer le repère</translation>
     </message>
 </context>
 <context>
     <name>tiller::GoThrough</name>
     <message>
-        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation>Il n’y a pas de points à parcourir. Apprenez-en ou choisissez-les.</translation>
     </message>
     <message>
-        <source>There is no waypoint before this one.</source>
+        <source>This is the first waypoint.</source>
         <translation>Il n’y a pas de point avant celui-ci.</translation>
     </message>
     <message>
-        <source>A waypoint of the way is not in this project any more.</source>
+        <source>A waypoint of the route was deleted from the project.</source>
         <translation>Un point du parcours n’est plus dans ce projet.</translation>
     </message>
     <message>
@@ -4349,7 +4693,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>« %1 » : %2</translation>
     </message>
     <message>
-        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Une boucle d’un seul point ne mène nulle part. Choisissez d’autres points, ou parcourez sans boucle.</translation>
     </message>
 </context>
@@ -4372,31 +4716,31 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Parcourir, tenir</translation>
     </message>
     <message>
-        <source>One waypoint back, hold</source>
+        <source>Previous waypoint, hold</source>
         <translation>Un point en arrière, tenir</translation>
     </message>
     <message>
-        <source>Goes back to the waypoint before while the key is held</source>
+        <source>Moves to the previous waypoint while the key is held</source>
         <translation>Revient au point précédent tant que la touche est tenue</translation>
     </message>
     <message>
-        <source>One waypoint on, hold</source>
+        <source>Next waypoint, hold</source>
         <translation>Un point en avant, tenir</translation>
     </message>
     <message>
-        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the key is held, and stops there</source>
         <translation>Va au point suivant tant que la touche est tenue, et s’y arrête</translation>
     </message>
     <message>
-        <source>Which waypoints to go through</source>
+        <source>Waypoints of the route</source>
         <translation>Quels points parcourir</translation>
     </message>
     <message>
-        <source>Which waypoints</source>
+        <source>Waypoints</source>
         <translation>Quels points</translation>
     </message>
     <message>
-        <source>Which waypoints to go through, in the order of the list</source>
+        <source>Selects the waypoints of the route, in the order of the list</source>
         <translation>Quels points parcourir, dans l’ordre de la liste</translation>
     </message>
     <message>
@@ -4412,15 +4756,11 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Tout</translation>
     </message>
     <message>
-        <source>In a loop</source>
-        <translation>En boucle</translation>
-    </message>
-    <message>
-        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
         <translation>Après le dernier point revient le premier, tant que la touche est tenue</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
@@ -4428,7 +4768,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>%1 sur %2</translation>
     </message>
     <message>
-        <source>The coming one: %1 of %2, %3</source>
+        <source>Next: %1 of %2, %3</source>
         <translation>Le suivant : %1 sur %2, %3</translation>
     </message>
     <message>
@@ -4436,7 +4776,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>fait</translation>
     </message>
     <message>
-        <source>Done. The next press begins at the first.</source>
+        <source>Done. The next press starts at the first waypoint.</source>
         <translation>Fini. Le prochain appui commence au premier.</translation>
     </message>
     <message numerus="yes">
@@ -4451,7 +4791,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation>Va de point en point tant que la touche est maintenue, pas plus vite que la vitesse de déplacement, et fait à chacun ce qui doit l’être. Relâcher suspend ; l’appui suivant continue vers le point à venir.</translation>
     </message>
     <message>
@@ -4477,15 +4817,15 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
 <context>
     <name>tiller::GripperPanel</name>
     <message>
-        <source>State of the gripper</source>
+        <source>Gripper state</source>
         <translation>État de la pince</translation>
     </message>
     <message>
-        <source>How far the gripper is open</source>
+        <source>Gripper opening</source>
         <translation>Combien la pince est ouverte</translation>
     </message>
     <message>
-        <source>What the gripper holds</source>
+        <source>Gripped object</source>
         <translation>Ce que tient la pince</translation>
     </message>
     <message>
@@ -4537,7 +4877,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Pince : à %1</translation>
     </message>
     <message>
-        <source>Which gripper</source>
+        <source>Gripper type</source>
         <translation>Quelle pince</translation>
     </message>
     <message>
@@ -4565,19 +4905,19 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Sortie qui ouvre</translation>
     </message>
     <message>
-        <source>Opening wanted</source>
+        <source>Target opening</source>
         <translation>Ouverture voulue</translation>
     </message>
     <message>
-        <source>Speed of the fingers</source>
+        <source>Finger speed</source>
         <translation>Vitesse des doigts</translation>
     </message>
     <message>
-        <source>Force of the fingers</source>
+        <source>Finger force</source>
         <translation>Force des doigts</translation>
     </message>
     <message>
-        <source>What to do about the gripper</source>
+        <source>Suggested action</source>
         <translation>Que faire de la pince</translation>
     </message>
     <message>
@@ -4613,15 +4953,15 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Force</translation>
     </message>
     <message>
-        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
         <translation>Combien les doigts doivent s’ouvrir, 0 à %1. « Bouger » les y envoie.</translation>
     </message>
     <message>
-        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
         <translation>Du prochain mouvement. 0 % vaut environ %1, 100 % environ %2.</translation>
     </message>
     <message>
-        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <source>Force of the next grip. 0 % is about %1, 100 % about %2.</source>
         <translation>De la prochaine prise. 0 % vaut environ %1, 100 % environ %2.</translation>
     </message>
     <message>
@@ -4645,11 +4985,11 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Pas de données du robot.</translation>
     </message>
     <message>
-        <source>One moment…</source>
+        <source>Please wait…</source>
         <translation>Un instant…</translation>
     </message>
     <message>
-        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <source>Select the mounted gripper. The choice is stored for this robot.</source>
         <translation>Choisissez ce qui est au poignet. C’est retenu avec ce robot.</translation>
     </message>
     <message>
@@ -4657,7 +4997,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>being activated…</source>
+        <source>activating…</source>
         <translation>en activation…</translation>
     </message>
     <message>
@@ -4677,19 +5017,19 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>en mouvement</translation>
     </message>
     <message>
-        <source>active, standing</source>
+        <source>active, at standstill</source>
         <translation>active, immobile</translation>
     </message>
     <message>
-        <source>unknown while it moves</source>
+        <source>unknown while moving</source>
         <translation>inconnu pendant qu’elle bouge</translation>
     </message>
     <message>
-        <source>an object, from outside</source>
+        <source>object, outer grip</source>
         <translation>un objet, de l’extérieur</translation>
     </message>
     <message>
-        <source>an object, from inside</source>
+        <source>object, inner grip</source>
         <translation>un objet, de l’intérieur</translation>
     </message>
     <message>
@@ -4697,11 +5037,11 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>rien</translation>
     </message>
     <message>
-        <source>With this port offset no gripper can be reached.</source>
+        <source>The gripper cannot be reached with this port offset.</source>
         <translation>Avec ce décalage de ports aucune pince n’est joignable.</translation>
     </message>
     <message>
-        <source>Being activated: the fingers open and close once.</source>
+        <source>Activating: the fingers open and close once.</source>
         <translation>En activation : les doigts s’ouvrent et se ferment une fois.</translation>
     </message>
     <message>
@@ -4713,31 +5053,31 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>La pince est active.</translation>
     </message>
     <message>
-        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
         <translation>Un arrêt du bras laisse la pince telle quelle : elle continue de tenir.</translation>
     </message>
     <message>
-        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>Les doigts s’ouvrent et se ferment une fois ; ce qu’ils tiennent tombe. Gardez les doigts hors de la pince.</translation>
     </message>
     <message>
-        <source>Opens the gripper; what it holds is let go.</source>
+        <source>Opens the gripper and releases the object.</source>
         <translation>Ouvre la pince ; ce qu’elle tient est lâché.</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep fingers out of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of it.</source>
         <translation>Ferme la pince. Gardez-en les doigts éloignés.</translation>
     </message>
     <message>
-        <source>Sends the fingers to this opening.</source>
+        <source>Moves the fingers to this opening.</source>
         <translation>Envoie les doigts à cette ouverture.</translation>
     </message>
     <message>
-        <source>Its speed or its force is no figure it takes.</source>
+        <source>Speed or force is out of range.</source>
         <translation>Sa vitesse ou sa force n’est pas une valeur qu’elle accepte.</translation>
     </message>
     <message>
-        <source>The gripper did not take the command.</source>
+        <source>The gripper did not accept the command.</source>
         <translation>La pince n’a pas accepté la commande.</translation>
     </message>
     <message>
@@ -4788,15 +5128,15 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>SANS DONNÉES</translation>
     </message>
     <message>
-        <source>LAST STOP · no witness</source>
+        <source>LAST STOP · no key check</source>
         <translation>DERNIER ARRÊT · sans témoin</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not measured</source>
         <translation>non vu</translation>
     </message>
     <message>
-        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
         <translation>Les données ont cessé pendant que le bras bougeait : on ne sait comment il s’est arrêté.</translation>
     </message>
     <message>
@@ -4804,7 +5144,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>From the stop to standstill, measured. Cause: %1</source>
+        <source>Measured from stop command to standstill. Cause: %1</source>
         <translation>De l’arrêt à l’immobilité, mesuré. Cause : %1</translation>
     </message>
     <message>
@@ -4816,8 +5156,12 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>▲ Plafond de vitesse relevé à %1</translation>
     </message>
     <message>
-        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
         <translation>Le bras peut dépasser %1. Baissez le plafond dans les réglages ; il finit avec le programme.</translation>
+    </message>
+    <message>
+        <source>MONITOR ONLY</source>
+        <translation>SURVEILLANCE SEULE</translation>
     </message>
 </context>
 <context>
@@ -4827,18 +5171,18 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>tenir</translation>
     </message>
     <message>
-        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <source>Hold this key: the arm moves only while it is held.</source>
         <translation>Tenez cette touche : elle ne bouge le bras que tant qu’elle est tenue.</translation>
     </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
     <message>
-        <source>The window was not the active one. Press again.</source>
+        <source>The window was not active. Press again.</source>
         <translation>La fenêtre n’était pas active. Appuyez de nouveau.</translation>
     </message>
     <message>
-        <source>Click into the window first.</source>
+        <source>Click in the window first.</source>
         <translation>Cliquez d’abord dans la fenêtre.</translation>
     </message>
     <message>
@@ -4846,11 +5190,11 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Un dialogue ou un menu est ouvert. Fermez-le d’abord.</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>Une autre touche est tenue.</translation>
     </message>
     <message>
-        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>Le serveur d’affichage ne répond pas : personne ne pourrait dire quand la touche est lâchée.</translation>
     </message>
 </context>
@@ -4881,7 +5225,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>Incident enregistré : %1</translation>
     </message>
     <message>
-        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
         <translation>Tout depuis %1 s avant est dans %2. Double-cliquez cette ligne pour l’ouvrir.</translation>
     </message>
 </context>
@@ -4904,12 +5248,12 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
         <translation>en attente…</translation>
     </message>
     <message>
-        <source>%1, old data</source>
+        <source>%1, outdated</source>
         <translation>%1, vieilles données</translation>
     </message>
     <message>
         <source>
-Cannot be switched while no data come from the robot.</source>
+Cannot be switched while the robot sends no data.</source>
         <translation>
 Ne peut être commutée tant qu’aucune donnée ne vient du robot.</translation>
     </message>
@@ -4918,10 +5262,6 @@ Ne peut être commutée tant qu’aucune donnée ne vient du robot.</translation
 Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>
 Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</translation>
-    </message>
-    <message>
-        <source>%1 (held by another)</source>
-        <translation>%1 (occupée par un autre)</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -4934,6 +5274,10 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     <message>
         <source>Name of %1</source>
         <translation>Nom de %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4990,7 +5334,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Entrées de l’outil</translation>
     </message>
     <message>
-        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <source>Select a row of the I/O tab with the Tab key first.</source>
         <translation>Allez d’abord à une ligne de l’onglet E/S avec la touche Tab.</translation>
     </message>
     <message>
@@ -4998,7 +5342,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Le robot n’a pas confirmé %1</translation>
     </message>
     <message>
-        <source>Another program or the installation may own it.</source>
+        <source>Another program or the installation may control it.</source>
         <translation>Elle appartient peut-être à un autre programme ou à l’installation.</translation>
     </message>
     <message>
@@ -5006,7 +5350,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Analogiques</translation>
     </message>
     <message>
-        <source>Registers of the robot&apos;s programs</source>
+        <source>Registers of robot programs</source>
         <translation>Registres des programmes du robot</translation>
     </message>
     <message>
@@ -5014,8 +5358,20 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Pas de données du robot.</translation>
     </message>
     <message>
-        <source>This is a replay: go back to live first.</source>
+        <source>Replay is active: return to live data first.</source>
         <translation>Ceci est une relecture : revenez d’abord au direct.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be pulsed now</source>
+        <translation>Impulsion de %1 impossible maintenant</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>verrouillé</translation>
+    </message>
+    <message>
+        <source>controlled by another program</source>
+        <translation>commandé par un autre programme</translation>
     </message>
 </context>
 <context>
@@ -5037,7 +5393,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Articulations</translation>
     </message>
     <message>
-        <source>Shown below the pad</source>
+        <source>Frame of the displayed pose</source>
         <translation>Montré sous le pavé</translation>
     </message>
     <message>
@@ -5045,7 +5401,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Le bras n’a pas encore bougé.</translation>
     </message>
     <message>
-        <source>let go and press again</source>
+        <source>release and press again</source>
         <translation>lâchez et appuyez de nouveau</translation>
     </message>
     <message>
@@ -5073,7 +5429,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Retour</translation>
     </message>
     <message>
-        <source>Goes back the way the arm came while held</source>
+        <source>Retraces the last motion while held</source>
         <translation>Refait en arrière le chemin du bras tant qu’elle est tenue</translation>
     </message>
     <message>
@@ -5089,11 +5445,11 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Finit dans %1 s</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>Une autre touche est tenue.</translation>
     </message>
     <message>
-        <source>Last stop: not seen, data ended while the arm moved</source>
+        <source>Last stop: not measured, data stopped while the arm was moving</source>
         <translation>Dernier arrêt : non vu, les données ont cessé pendant le mouvement</translation>
     </message>
     <message>
@@ -5101,7 +5457,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Dernier arrêt : %1, immobile après %2 ms, %3</translation>
     </message>
     <message>
-        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
         <translation>Le bras suit la main tant qu’elle est tenue : %1. Clic droit : autres axes</translation>
     </message>
     <message>
@@ -5120,7 +5476,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
 <context>
     <name>tiller::JogKey</name>
     <message>
-        <source>%1 left this way</source>
+        <source>%1 left in this direction</source>
         <translation>reste %1 dans ce sens</translation>
     </message>
 </context>
@@ -5166,11 +5522,11 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Bouge tant que la touche est tenue</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>Tourner</translation>
     </message>
     <message>
-        <source>Turns while the key is held</source>
+        <source>Rotates while the key is held</source>
         <translation>Tourne tant que la touche est tenue</translation>
     </message>
     <message>
@@ -5178,7 +5534,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <source>Axes of the view: X right, Y away from you, Z up</source>
         <translation>Axes de l’image : X à droite, Y s’éloigne de vous, Z en haut</translation>
     </message>
     <message>
@@ -5186,15 +5542,15 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Demande la vue 3D</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
         <translation>Aucun repère appris. Apprenez-en un dans l’onglet Repères.</translation>
     </message>
     <message>
-        <source>One step a press: %1</source>
+        <source>One step per press: %1</source>
         <translation>Un pas par appui : %1</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1</source>
+        <source>One rotation step per press, tool or joint: %1</source>
         <translation>Une rotation par appui, de l’outil ou d’une articulation : %1</translation>
     </message>
     <message>
@@ -5202,23 +5558,23 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
         <translation>Lentement jusqu’à ce que l’outil touche avec %1 N, tant que tenue. Cliquez encore pour d’autres pas</translation>
     </message>
     <message>
-        <source>One step a press: %1. Click again for other steps</source>
+        <source>One step per press: %1. Click again for other steps</source>
         <translation>Un pas par appui : %1. Cliquez encore pour d’autres pas</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
         <translation>Une rotation par appui, de l’outil ou d’une articulation : %1. Cliquez encore pour d’autres rotations</translation>
     </message>
     <message>
-        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
         <translation>%1 · rotations %2 · articulations %3 · Ctrl × 0,1, Maj × 3</translation>
     </message>
     <message>
-        <source>Other turn…</source>
+        <source>Other angle…</source>
         <translation>Autre rotation…</translation>
     </message>
     <message>
@@ -5242,15 +5598,15 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Pas en %1</translation>
     </message>
     <message>
-        <source>Turn in degrees</source>
+        <source>Angle in degrees</source>
         <translation>Rotation en degrés</translation>
     </message>
     <message>
-        <source>Speed of the TCP in %1</source>
+        <source>TCP speed in %1</source>
         <translation>Vitesse du TCP en %1</translation>
     </message>
     <message>
-        <source>Force that ends the motion, in N</source>
+        <source>Contact force that ends the motion, in N</source>
         <translation>Force qui termine le mouvement, en N</translation>
     </message>
 </context>
@@ -5263,6 +5619,10 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     <message>
         <source>%1 plus</source>
         <translation>%1 plus</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -5341,11 +5701,11 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Ouvrir</translation>
     </message>
     <message>
-        <source>Open the recording of this incident, at the moment of the stop</source>
+        <source>Open the recording of this incident at the time of the stop</source>
         <translation>Ouvrir l’enregistrement de cet incident au moment de l’arrêt</translation>
     </message>
     <message>
-        <source>Open the recording at this moment</source>
+        <source>Open the recording at this time</source>
         <translation>Ouvrir l’enregistrement à cet instant</translation>
     </message>
 </context>
@@ -5372,7 +5732,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Montrer depuis la gravité</translation>
     </message>
     <message>
-        <source>Filter the log by words</source>
+        <source>Filter the log by text</source>
         <translation>Filtrer le journal par mots</translation>
     </message>
     <message>
@@ -5384,7 +5744,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Copier</translation>
     </message>
     <message>
-        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
         <translation>Copier les lignes choisies, ou toutes celles montrées (Ctrl+C)</translation>
     </message>
     <message>
@@ -5392,11 +5752,11 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Exporter…</translation>
     </message>
     <message>
-        <source>Write the lines that are shown to a file</source>
+        <source>Write the visible entries to a file</source>
         <translation>Écrire dans un fichier les lignes montrées</translation>
     </message>
     <message>
-        <source>The selected line in full</source>
+        <source>Details of the selected entry</source>
         <translation>La ligne choisie en entier</translation>
     </message>
     <message>
@@ -5420,70 +5780,50 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Ouvrir l’enregistrement</translation>
     </message>
     <message>
-        <source>Open the recording of the selected line: incidents have one</source>
+        <source>Open the recording of the selected entry (incidents have a recording)</source>
         <translation>Ouvrir l’enregistrement de la ligne choisie : les incidents en ont un</translation>
     </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
     <message>
-        <source>%1 touches %2 of the arm already here</source>
-        <translation>%1 touche déjà ici %2 du bras</translation>
-    </message>
-    <message>
-        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <source>%1 collides with %2 after %3 of the path</source>
         <translation>%1 rencontre %2 du bras après %3 du chemin</translation>
     </message>
     <message>
-        <source>%1 touches the floor already here</source>
-        <translation>%1 touche déjà le sol ici</translation>
-    </message>
-    <message>
-        <source>%1 meets the floor after %2 of the way</source>
-        <translation>%1 rencontre le sol après %2 du chemin</translation>
-    </message>
-    <message>
-        <source>%1 touches “%2” already here</source>
-        <translation>%1 touche déjà « %2 » ici</translation>
-    </message>
-    <message>
-        <source>%1 meets “%2” after %3 of the way</source>
-        <translation>%1 rencontre « %2 » après %3 du chemin</translation>
-    </message>
-    <message>
-        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <source>The path enters the wrist singularity after %1 of its length</source>
         <translation>La ligne entre dans la singularité du poignet après %1 du chemin</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the way</source>
+        <source>Slow near the wrist singularity at %1 of the path</source>
         <translation>Lent près de la singularité du poignet à %1 du chemin</translation>
     </message>
     <message>
-        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <source>The path enters the elbow singularity after %1 of its length</source>
         <translation>La ligne arrive au coude tendu après %1 du chemin</translation>
     </message>
     <message>
-        <source>Slow near the stretched elbow at %1 of the way</source>
+        <source>Slow near the elbow singularity at %1 of the path</source>
         <translation>Lent près du coude tendu à %1 du chemin</translation>
     </message>
     <message>
-        <source>The line runs into the axis of the base after %1 of the way</source>
+        <source>The path enters the shoulder singularity after %1 of its length</source>
         <translation>La ligne arrive à l’axe de la base après %1 du chemin</translation>
     </message>
     <message>
-        <source>Slow near the axis of the base at %1 of the way</source>
+        <source>Slow near the shoulder singularity at %1 of the path</source>
         <translation>Lent près de l’axe de la base à %1 du chemin</translation>
     </message>
     <message>
-        <source>A joint would have to turn at once after %1 of the way</source>
+        <source>A joint would have to jump after %1 of the path</source>
         <translation>Une articulation devrait tourner d’un coup après %1 du chemin</translation>
     </message>
     <message>
-        <source>%1 leaves its range after %2 of the way</source>
+        <source>%1 exceeds its range after %2 of the path</source>
         <translation>%1 quitte sa plage après %2 du chemin</translation>
     </message>
     <message>
-        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <source>The path leaves the reach of the arm after %1 of its length</source>
         <translation>La ligne quitte la portée du bras après %1 du chemin</translation>
     </message>
     <message>
@@ -5517,6 +5857,26 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     <message>
         <source>Tool</source>
         <translation>Outil</translation>
+    </message>
+    <message>
+        <source>%1 is in contact with %2, and the move leads closer</source>
+        <translation>%1 est en contact avec %2, et le mouvement l’en rapproche</translation>
+    </message>
+    <message>
+        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <translation>%1 n’est qu’à %2 de %3, et le mouvement l’en rapproche</translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 of %3 after %4 of the path</source>
+        <translation>%1 s’approche à moins de %2 de %3 après %4 de la trajectoire</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>le sol</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>« %1 »</translation>
     </message>
 </context>
 <context>
@@ -5569,7 +5929,7 @@ Videz la recherche pour tout voir.</translation>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>Plus</translation>
     </message>
 </context>
@@ -5592,35 +5952,35 @@ Videz la recherche pour tout voir.</translation>
         <translation>Importer une démonstration (CSV)…</translation>
     </message>
     <message>
-        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
         <translation>L’enregistrement de la trajectoire s’est terminé seul : les données ont cessé, ou il durait dix minutes.</translation>
     </message>
     <message>
-        <source>What was recorded until then is kept.</source>
+        <source>The path recorded so far is kept.</source>
         <translation>Ce qui a été enregistré jusque-là est gardé.</translation>
     </message>
     <message>
-        <source>End the recording of the path</source>
+        <source>Stop recording path</source>
         <translation>Terminer l’enregistrement de la trajectoire</translation>
     </message>
     <message>
-        <source>The path is being thinned.</source>
+        <source>Simplifying the path…</source>
         <translation>La trajectoire est en cours d’allègement.</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>Aucune donnée ne vient du robot : il n’y a rien à enregistrer.</translation>
     </message>
     <message>
-        <source>Ends the recording and keeps the path as waypoints</source>
+        <source>Stops recording and stores the path as waypoints</source>
         <translation>Termine l’enregistrement et garde la trajectoire en points de passage</translation>
     </message>
     <message>
-        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
         <translation>Enregistre où le bras est mené, par Freedrive ou à la main, jusqu’au prochain appui, et garde la trajectoire en points. Cela ne bouge rien.</translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>Choisissez les points de la trajectoire, au moins deux.</translation>
     </message>
     <message>
@@ -5632,7 +5992,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Tableaux (*.csv)</translation>
     </message>
     <message>
-        <source>The path was not written.</source>
+        <source>The path was not exported.</source>
         <translation>La trajectoire n’a pas été écrite.</translation>
     </message>
     <message numerus="yes">
@@ -5654,19 +6014,19 @@ Videz la recherche pour tout voir.</translation>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
         <translation>%1 n’a pas de colonne « %2 ». Il faut timestamp et actual_q_0 à actual_q_5.</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>Aucune donnée ne vient du robot : il n’y a rien à enregistrer.</translation>
     </message>
     <message>
-        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <source>Import refused: a path is being recorded. Stop that recording first.</source>
         <translation>Rien n’a été lu : une trajectoire s’enregistre. Terminez-la d’abord.</translation>
     </message>
     <message>
-        <source>The demonstration could not be read.</source>
+        <source>The demonstration could not be imported.</source>
         <translation>La démonstration n’a pu être lue.</translation>
     </message>
     <message>
@@ -5674,7 +6034,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>trajectoire %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was kept.</source>
+        <source>The arm did not move: no path was stored.</source>
         <translation>Le bras n’a pas bougé : aucune trajectoire n’a été gardée.</translation>
     </message>
     <message>
@@ -5682,22 +6042,22 @@ Videz la recherche pour tout voir.</translation>
         <translation>Enregistrer « %1 »</translation>
     </message>
     <message>
-        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
         <translation>« %1 » : %2 s en %3 points. Chaque place enregistrée en est à moins de %4 et %5.</translation>
     </message>
     <message numerus="yes">
-        <source>%n packets did not arrive.</source>
+        <source>%n packets were lost.</source>
         <translation>
             <numerusform>%n paquet n’est pas arrivé.</numerusform>
             <numerusform>%n paquets ne sont pas arrivés.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>Choisissez les points de la trajectoire, au moins deux.</translation>
     </message>
     <message>
-        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <source>“%1” is out of reach. Touch it up, or remove it.</source>
         <translation>« %1 » est inaccessible. Retouchez-le, ou laissez-le.</translation>
     </message>
 </context>
@@ -5720,7 +6080,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Nom</translation>
     </message>
     <message>
-        <source>First place</source>
+        <source>First cell</source>
         <translation>Première place</translation>
     </message>
     <message>
@@ -5728,19 +6088,19 @@ Videz la recherche pour tout voir.</translation>
         <translation>Fin de la première rangée</translation>
     </message>
     <message>
-        <source>Beginning of the last row</source>
+        <source>Start of the last row</source>
         <translation>Début de la dernière rangée</translation>
     </message>
     <message>
-        <source>choose a waypoint</source>
+        <source>select a waypoint</source>
         <translation>choisir un point de passage</translation>
     </message>
     <message>
-        <source>as it was taught</source>
+        <source>as taught</source>
         <translation>comme appris</translation>
     </message>
     <message>
-        <source>Places in a row</source>
+        <source>Cells per row</source>
         <translation>Places par rangée</translation>
     </message>
     <message>
@@ -5752,11 +6112,11 @@ Videz la recherche pour tout voir.</translation>
         <translation>Couches</translation>
     </message>
     <message>
-        <source>Height of a layer</source>
+        <source>Layer height</source>
         <translation>Hauteur d’une couche</translation>
     </message>
     <message>
-        <source>From one layer to the next, against the direction of the tool.</source>
+        <source>Distance between layers, opposite to the tool direction.</source>
         <translation>D’une couche à la suivante, contre la direction de l’outil.</translation>
     </message>
     <message>
@@ -5772,7 +6132,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Méandre</translation>
     </message>
     <message>
-        <source>Make pattern</source>
+        <source>Create pattern</source>
         <translation>Créer le motif</translation>
     </message>
     <message>
@@ -5784,31 +6144,31 @@ Videz la recherche pour tout voir.</translation>
         <translation>Un motif demande un nom.</translation>
     </message>
     <message>
-        <source>There is a pattern of that name. Choose another one.</source>
+        <source>A pattern with this name exists. Choose another name.</source>
         <translation>Un motif porte déjà ce nom. Choisissez-en un autre.</translation>
     </message>
     <message>
-        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <source>Select a waypoint for each corner. Teach the three corners first.</source>
         <translation>Choisissez le point de chaque coin. Apprenez d’abord les trois coins s’ils manquent.</translation>
     </message>
     <message>
-        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <source>Two corners are identical. Select another waypoint for one of them.</source>
         <translation>Deux coins sont la même place. Choisissez un autre point pour l’un.</translation>
     </message>
     <message>
-        <source>The height of a layer is no figure it can be.</source>
+        <source>Invalid layer height.</source>
         <translation>La hauteur d’une couche n’est pas un chiffre possible.</translation>
     </message>
     <message>
-        <source>Layers need a height.</source>
+        <source>Enter a layer height.</source>
         <translation>Les couches demandent une hauteur.</translation>
     </message>
     <message>
-        <source>%1 places are more than the %2 a pattern can have.</source>
+        <source>The pattern has %1 cells; the maximum is %2.</source>
         <translation>%1 places sont plus que les %2 qu’un motif peut avoir.</translation>
     </message>
     <message>
-        <source>Every place is left out.</source>
+        <source>All cells are excluded.</source>
         <translation>Toutes les places sont laissées de côté.</translation>
     </message>
     <message numerus="yes">
@@ -5819,7 +6179,7 @@ Videz la recherche pour tout voir.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 All can be reached.</source>
+        <source>%1 All are within reach.</source>
         <translation>%1 Tous sont accessibles.</translation>
     </message>
     <message>
@@ -5827,7 +6187,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>%1 %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach; they are marked.</source>
+        <source>%n of them are out of reach and marked.</source>
         <translation>
             <numerusform>%n est hors de portée et marqué.</numerusform>
             <numerusform>%n sont hors de portée et marqués.</numerusform>
@@ -5837,11 +6197,11 @@ Videz la recherche pour tout voir.</translation>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Places of the pattern</source>
+        <source>Cells of the pattern</source>
         <translation>Places du motif</translation>
     </message>
     <message>
-        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
         <translation>Cliquez une place pour la laisser de côté ou la reprendre. Le premier coin est en bas à gauche.</translation>
     </message>
     <message>
@@ -5860,11 +6220,11 @@ Videz la recherche pour tout voir.</translation>
         <translation>Garder la charge utile</translation>
     </message>
     <message>
-        <source>Find the payload</source>
+        <source>Measure payload</source>
         <translation>Trouver la charge utile</translation>
     </message>
     <message>
-        <source>Find the payload by weighing it in several poses</source>
+        <source>Measure the payload in several poses</source>
         <translation>Trouver la charge utile en la pesant dans plusieurs poses</translation>
     </message>
     <message>
@@ -5872,7 +6232,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Pose suivante, tenir</translation>
     </message>
     <message>
-        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation>Tourne le poignet vers la pose suivante tant que la touche est tenue, pas plus vite que la vitesse manuelle. Voyez que l’outil ait la place de tourner.</translation>
     </message>
     <message>
@@ -5880,47 +6240,47 @@ Videz la recherche pour tout voir.</translation>
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Cancel finding the payload</source>
+        <source>Cancel payload measurement</source>
         <translation>Annuler la recherche de la charge utile</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
         <translation>Le bras a bougé. Laissez-le s’immobiliser, ne touchez à rien et reprenez la pose.</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
         <translation>Le robot n’envoie pas de forces. Saisissez masse et centre en chiffres.</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>Pesée… que rien ne touche l’outil.</translation>
     </message>
     <message>
-        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <source>%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.</source>
         <translation>%1 kg, centre à %2 de la bride. Les poses s’accordent à %3 et %4 près.</translation>
     </message>
     <message>
-        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
         <translation>%1 C’est faible : la pose %2 convient le moins. Ôtez-la et prenez-en une autre.</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
         <translation>L’outil tourne trop peu entre les poses. Prenez-en une de plus, tournée d’un autre côté.</translation>
     </message>
     <message>
-        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
         <translation>%1 kg : trop léger pour que le capteur dise où est le centre. Saisissez-le en chiffres.</translation>
     </message>
     <message>
-        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
         <translation>Laissez le bras s’immobiliser, ne touchez à rien et prenez la pose. Tournez ensuite le poignet, à la main ou avec « Pose suivante », et prenez-en trois de plus.</translation>
     </message>
     <message numerus="yes">
-        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Tournez le poignet d’un autre côté et prenez la pose. Encore : %n</numerusform>
             <numerusform>Tournez le poignet d’un autre côté et prenez la pose. Encore : %n</numerusform>
@@ -5931,11 +6291,11 @@ Videz la recherche pour tout voir.</translation>
         <translation>Prendre la pose %1</translation>
     </message>
     <message>
-        <source>Remove the worst</source>
+        <source>Remove least accurate pose</source>
         <translation>Ôter la pire</translation>
     </message>
     <message>
-        <source>Remove the last</source>
+        <source>Remove last pose</source>
         <translation>Ôter la dernière</translation>
     </message>
     <message>
@@ -5943,7 +6303,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Pose %1  %2</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ convient le moins</translation>
     </message>
 </context>
@@ -5974,7 +6334,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Une charge utile demande un nom.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another payload. Choose another name.</source>
+        <source>Another payload is named “%1”. Choose another name.</source>
         <translation>« %1 » est déjà le nom d’une autre charge utile. Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -5998,8 +6358,8 @@ Videz la recherche pour tout voir.</translation>
         <translation>Charges utiles</translation>
     </message>
     <message>
-        <source>No payload yet.
-Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <source>No payloads yet.
+Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
         <translation>Pas encore de charge utile.
 Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras.</translation>
     </message>
@@ -6036,7 +6396,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Centre de gravité Z</translation>
     </message>
     <message>
-        <source>Return applies it to the project; the robot keeps its own.</source>
+        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
         <translation>Entrée l’applique au projet ; le robot garde le sien.</translation>
     </message>
     <message>
@@ -6048,27 +6408,27 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Utiliser cette charge utile et la régler sur le robot</translation>
     </message>
     <message>
-        <source>Weigh…</source>
+        <source>Measure…</source>
         <translation>Peser…</translation>
     </message>
     <message>
-        <source>Find the payload with the arm</source>
+        <source>Measure the payload with the arm</source>
         <translation>Trouver la charge utile avec le bras</translation>
     </message>
     <message>
-        <source>Is it true?</source>
+        <source>Verify</source>
         <translation>Est-elle juste ?</translation>
     </message>
     <message>
-        <source>Check whether the payload is true</source>
+        <source>Verify the payload</source>
         <translation>Vérifier si la charge utile est juste</translation>
     </message>
     <message>
-        <source>Keep the payload the robot has</source>
+        <source>Store the active payload of the robot</source>
         <translation>Garder la charge utile du robot</translation>
     </message>
     <message>
-        <source>New payload in figures</source>
+        <source>Enter new payload</source>
         <translation>Nouvelle charge utile en chiffres</translation>
     </message>
     <message>
@@ -6104,7 +6464,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
-        <source>Select a payload to set.</source>
+        <source>Select the payload to set.</source>
         <translation>Choisissez une charge utile à régler.</translation>
     </message>
     <message>
@@ -6112,7 +6472,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Utiliser la charge utile « %1 »</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
@@ -6120,67 +6480,67 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Supprimer la charge utile « %1 »</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>Pesée… que rien ne touche l’outil.</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
         <translation>Le bras a bougé. Laissez-le s’immobiliser, ne touchez à rien et vérifiez encore.</translation>
     </message>
     <message>
-        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <source>The robot sends no forces: the payload cannot be verified.</source>
         <translation>Le robot n’envoie pas de forces : sa charge utile ne peut être vérifiée.</translation>
     </message>
     <message>
-        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
         <translation>Avec %1 kg le bras sent au repos %2 et %3.</translation>
     </message>
     <message>
-        <source>The payload is true. %1</source>
+        <source>The payload is correct. %1</source>
         <translation>La charge utile est juste. %1</translation>
     </message>
     <message>
-        <source>The payload is true</source>
+        <source>The payload is correct</source>
         <translation>La charge utile est juste</translation>
     </message>
     <message>
-        <source>About %1 kg more hang there than it was told of.</source>
+        <source>The load is about %1 kg heavier than the configured payload.</source>
         <translation>Environ %1 kg de plus y pendent qu’il ne le sait.</translation>
     </message>
     <message>
-        <source>About %1 kg less hang there than it was told of.</source>
+        <source>The load is about %1 kg lighter than the configured payload.</source>
         <translation>Environ %1 kg de moins y pendent qu’il ne le sait.</translation>
     </message>
     <message>
-        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <source>The centre of gravity differs, or something is touching the tool.</source>
         <translation>Son centre est ailleurs, ou quelque chose touche l’outil.</translation>
     </message>
     <message>
-        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 Pesez-la, ou choisissez une autre charge utile. Mettre à zéro le capteur de force cache une charge fausse jusqu’à ce que l’outil tourne.</translation>
     </message>
     <message>
-        <source>The payload is not true. %1 %2</source>
+        <source>The payload is wrong. %1 %2</source>
         <translation>La charge utile n’est pas juste. %1 %2</translation>
     </message>
     <message>
-        <source>The payload is not true</source>
+        <source>The payload is wrong</source>
         <translation>La charge utile n’est pas juste</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1, comme sur le robot</translation>
     </message>
     <message>
-        <source>%1; the robot was told %2 kg, centre %3</source>
+        <source>%1; the robot has %2 kg, centre of gravity %3</source>
         <translation>%1 ; le robot connaît %2 kg, centre %3</translation>
     </message>
     <message>
-        <source>The robot has another payload than “%1”</source>
+        <source>The robot&apos;s payload differs from “%1”</source>
         <translation>Le robot a une autre charge utile que « %1 »</translation>
     </message>
     <message>
-        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <source>On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing was changed.</source>
         <translation>Sur le robot : %1 kg, centre %2. Dans le projet : %3 kg, centre %4. Rien n’a été changé.</translation>
     </message>
     <message>
@@ -6207,7 +6567,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Spectre et XY</translation>
     </message>
     <message>
-        <source>Kind of analysis</source>
+        <source>Type of analysis</source>
         <translation>Type d’analyse</translation>
     </message>
     <message>
@@ -6215,11 +6575,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Signal</translation>
     </message>
     <message>
-        <source>Over this signal</source>
+        <source>X-axis signal</source>
         <translation>Selon ce signal</translation>
     </message>
     <message>
-        <source>Put a signal onto the plots first.</source>
+        <source>Add a signal to the plots first.</source>
         <translation>Placez d’abord un signal sur les tracés.</translation>
     </message>
     <message>
@@ -6227,11 +6587,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Il n’y a pas d’échantillons dans cette plage.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
         <translation>Des échantillons manquent dans cette plage : placez les curseurs A et B sans lacune entre eux.</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
         <translation>Fenêtre de Hann de %1 échantillons · %2 Hz par raie · moyenne de %3 · %4 … %5 s</translation>
     </message>
     <message>
@@ -6250,7 +6610,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), one in %1</source>
+        <source>%n sample(s), every %1th shown</source>
         <translation>
             <numerusform>%n échantillon, un sur %1</numerusform>
             <numerusform>%n échantillons, un sur %1</numerusform>
@@ -6261,7 +6621,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
         <translation>Ces deux signaux ne viennent pas du même enregistrement : placez les curseurs A et B autour d’une plage plus courte.</translation>
     </message>
     <message>
@@ -6272,11 +6632,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <source>Not compared with the arm model: the recording does not state the robot model.</source>
         <translation>Pas comparé au modèle du bras : on ne sait pas de quel bras il s’agit.</translation>
     </message>
     <message>
-        <source>Arm and model part: %1</source>
+        <source>Arm and model diverge: %1</source>
         <translation>Le bras et le modèle se séparent : %1</translation>
     </message>
     <message>
@@ -6319,7 +6679,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Lecture au curseur</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
         <translation>Cliquez dans les tracés pour poser les curseurs A et B ; tirez-les, ou utilisez les touches A, B et les flèches. Cliquez un nom de légende pour cacher sa courbe, avec Ctrl pour lire ce signal.</translation>
     </message>
     <message>
@@ -6327,7 +6687,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Fenêtre de temps</translation>
     </message>
     <message>
-        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
         <translation>Combien de temps montrent les tracés. La molette sur les tracés zoome ; sur les valeurs à gauche, ou avec Ctrl, elle zoome celles-ci, et un double clic y laisse à nouveau décider les courbes.</translation>
     </message>
     <message>
@@ -6343,7 +6703,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Zéro</translation>
     </message>
     <message>
-        <source>Export the shown range</source>
+        <source>Export the visible range</source>
         <translation>Exporter la plage montrée</translation>
     </message>
     <message>
@@ -6351,7 +6711,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Exporter…</translation>
     </message>
     <message>
-        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
         <translation>Enregistrer ce qui est montré en image (PNG) ou en valeurs (CSV)</translation>
     </message>
     <message>
@@ -6359,11 +6719,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Enregistrer dans un fichier CSV</translation>
     </message>
     <message>
-        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
         <translation>Enregistrer dans un fichier CSV ce que le robot envoie ; la touche à côté dit quoi et où</translation>
     </message>
     <message>
-        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>La force n’a pas été mise à zéro : les tracés ne montrent pas de valeurs. Connectez-vous à un robot, ou allez à un temps avec des valeurs.</translation>
     </message>
     <message>
@@ -6391,7 +6751,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Reprendre</translation>
     </message>
     <message>
-        <source>Hold the plots still; data and recording go on</source>
+        <source>Freeze the plots; data and recording continue</source>
         <translation>Figer les tracés ; données et enregistrement continuent</translation>
     </message>
     <message>
@@ -6399,11 +6759,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Retour aux valeurs les plus récentes</translation>
     </message>
     <message>
-        <source>Show the force as the robot measures it again. %1</source>
+        <source>Show the force as measured by the robot. %1</source>
         <translation>Montrer de nouveau la force comme le robot la mesure. %1</translation>
     </message>
     <message>
-        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
         <translation>Compter la force à partir de ce qu’elle est maintenant. Seulement ce que montrent les tracés : robot, enregistrements et valeurs exportées gardent ce qui a été mesuré.</translation>
     </message>
     <message>
@@ -6427,11 +6787,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>simulé</translation>
     </message>
     <message>
-        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>Rien n’a été exporté : les tracés ne montrent pas de valeurs. Connectez-vous à un robot, ou allez à un temps avec des valeurs.</translation>
     </message>
     <message>
-        <source>Exported the shown range to %1</source>
+        <source>Exported the visible range to %1</source>
         <translation>Plage montrée exportée dans %1</translation>
     </message>
     <message>
@@ -6451,7 +6811,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Valeurs (*.csv)</translation>
     </message>
     <message>
-        <source>What is recorded</source>
+        <source>Recording options</source>
         <translation>Ce qui est enregistré</translation>
     </message>
     <message>
@@ -6459,11 +6819,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Lignes, signaux, dossier et nom de fichier du prochain enregistrement</translation>
     </message>
     <message>
-        <source>A row for every packet</source>
+        <source>One row per packet</source>
         <translation>Une ligne pour chaque paquet</translation>
     </message>
     <message numerus="yes">
-        <source>A row for every %n packet(s)</source>
+        <source>One row every %n packet(s)</source>
         <translation>
             <numerusform>Une ligne pour chaque paquet</numerusform>
             <numerusform>Une ligne tous les %n paquets</numerusform>
@@ -6489,7 +6849,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Dossier %1…</translation>
     </message>
     <message>
-        <source>Show the folder</source>
+        <source>Open folder</source>
         <translation>Montrer le dossier</translation>
     </message>
     <message>
@@ -6505,11 +6865,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>exporter : il n’y a pas de valeurs dans cette plage</translation>
     </message>
     <message>
-        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
         <translation>nommez le fichier .png, .svg ou .pdf pour une image, .csv pour des valeurs</translation>
     </message>
     <message>
-        <source>%1, at %2 s of the plots&apos; time</source>
+        <source>%1, at %2 s on the time axis</source>
         <translation>%1, à %2 s du temps des tracés</translation>
     </message>
     <message>
@@ -6521,11 +6881,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Note</translation>
     </message>
     <message>
-        <source>What happened at this moment?</source>
+        <source>What happened at this time?</source>
         <translation>Que s’est-il passé à ce moment ?</translation>
     </message>
     <message>
-        <source>The plots are in the clipboard as a picture.</source>
+        <source>The plots were copied to the clipboard as an image.</source>
         <translation>Les tracés sont dans le presse-papiers en image.</translation>
     </message>
     <message>
@@ -6541,7 +6901,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Nouvelle page</translation>
     </message>
     <message>
-        <source>Take this page away</source>
+        <source>Remove this page</source>
         <translation>Ôter cette page</translation>
     </message>
     <message>
@@ -6553,19 +6913,19 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Ouvrir un enregistrement…</translation>
     </message>
     <message>
-        <source>Close the recordings</source>
+        <source>Close recordings</source>
         <translation>Fermer les enregistrements</translation>
     </message>
     <message>
-        <source>Copy the plots as a picture</source>
+        <source>Copy plots as image</source>
         <translation>Copier les tracés en image</translation>
     </message>
     <message>
-        <source>Save this arrangement…</source>
+        <source>Save layout…</source>
         <translation>Enregistrer cette disposition…</translation>
     </message>
     <message>
-        <source>Open an arrangement…</source>
+        <source>Open layout…</source>
         <translation>Ouvrir une disposition…</translation>
     </message>
     <message>
@@ -6573,12 +6933,8 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Mémoire pour l’historique</translation>
     </message>
     <message>
-        <source>save the arrangement to %1</source>
+        <source>save the layout to %1</source>
         <translation>enregistrer la disposition dans %1</translation>
-    </message>
-    <message>
-        <source>open the arrangement %1</source>
-        <translation>ouvrir la disposition %1</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -6593,15 +6949,15 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Enregistrements (*.mcap *.csv *.h5 *.hdf5);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Save the arrangement of the plots</source>
+        <source>Save plot layout</source>
         <translation>Enregistrer la disposition des tracés</translation>
     </message>
     <message>
-        <source>Arrangement of plots (*.json)</source>
+        <source>Plot layouts (*.json)</source>
         <translation>Disposition de tracés (*.json)</translation>
     </message>
     <message>
-        <source>Open an arrangement of plots</source>
+        <source>Open plot layout</source>
         <translation>Ouvrir une disposition de tracés</translation>
     </message>
     <message>
@@ -6617,7 +6973,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Signaux</translation>
     </message>
     <message>
-        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
         <translation>Tout ce que dit le robot : tirez-le sur un tracé, sur son bord pour un tracé à part, ou double clic</translation>
     </message>
     <message>
@@ -6629,11 +6985,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>Ce que vaut chaque signal aux curseurs A et B, et ce qu’il y a entre : plus petit, plus grand, moyenne, RMS, écart, pente</translation>
     </message>
     <message>
-        <source>Pages and arrangement of the plots</source>
+        <source>Pages and layout of the plots</source>
         <translation>Pages et disposition des tracés</translation>
     </message>
     <message>
@@ -6641,7 +6997,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>read an arrangement of plots</source>
+        <source>read a plot layout</source>
         <translation>lire une disposition de tracés</translation>
     </message>
     <message>
@@ -6649,7 +7005,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Spectre et XY</translation>
     </message>
     <message>
-        <source>Export the shown range…</source>
+        <source>Export the visible range…</source>
         <translation>Exporter la plage affichée…</translation>
     </message>
     <message>
@@ -6657,7 +7013,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Axe du temps</translation>
     </message>
     <message>
-        <source>Before the newest sample</source>
+        <source>Relative to the newest sample</source>
         <translation>Avant le dernier échantillon</translation>
     </message>
     <message>
@@ -6665,11 +7021,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Temps du contrôleur</translation>
     </message>
     <message>
-        <source>Time of the day</source>
+        <source>Time of day</source>
         <translation>Heure du jour</translation>
     </message>
     <message>
-        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <source>The maximum number of plot pages is reached: remove a page first.</source>
         <translation>Il y a autant de pages de tracés que possible : retirez-en d’abord une.</translation>
     </message>
     <message>
@@ -6677,11 +7033,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Enregistrer dans un fichier MCAP</translation>
     </message>
     <message>
-        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
         <translation>Enregistre ce que le robot envoie dans un fichier MCAP ; la touche à côté dit quoi et où</translation>
     </message>
     <message numerus="yes">
-        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
             <numerusform>%1 · %2 par seconde · %3 libres · %n paquet perdu</numerusform>
             <numerusform>%1 · %2 par seconde · %3 libres · %n paquets perdus</numerusform>
@@ -6730,7 +7086,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Page %1</translation>
     </message>
     <message>
-        <source>Double click: another name</source>
+        <source>Double-click to rename</source>
         <translation>Double clic : autre nom</translation>
     </message>
 </context>
@@ -6793,15 +7149,15 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
         <translation>Cliquez dans les tracés pour poser A, puis B : ce qu’il y a entre est résumé ici.</translation>
     </message>
     <message>
-        <source>%1 · summing up: %2</source>
+        <source>%1 · calculating: %2</source>
         <translation>%1 · calcul en cours : %2</translation>
     </message>
     <message>
-        <source>Not all of the range could be summed up: %1</source>
+        <source>Statistics are incomplete: %1</source>
         <translation>La plage n’a pas pu être résumée en entier : %1</translation>
     </message>
 </context>
@@ -6828,7 +7184,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>%1 %2 s · %3 %4</translation>
     </message>
     <message>
-        <source>Scale held · double click the axis to let it go</source>
+        <source>Fixed scale · double-click the axis to scale automatically</source>
         <translation>Échelle tenue · double clic sur l’axe pour la libérer</translation>
     </message>
     <message>
@@ -6836,7 +7192,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Pas encore de valeurs : connectez-vous à un robot</translation>
     </message>
     <message>
-        <source>Zeroed: %1 %2 taken off</source>
+        <source>Zeroed (offset %1 %2)</source>
         <translation>À zéro : %1 %2 ôtés</translation>
     </message>
     <message>
@@ -6844,7 +7200,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Tracés dans le temps</translation>
     </message>
     <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation>A et B posent les curseurs, les flèches les déplacent, haut et bas choisissent le signal qu’ils lisent ; H cache sa courbe, Ctrl+Suppr l’ôte ; plus et moins changent la fenêtre de temps, avec Ctrl l’échelle des valeurs, Ctrl+0 laisse à nouveau décider les courbes ; N écrit une note ; F montre tout ; Fin revient aux valeurs les plus récentes</translation>
     </message>
     <message>
@@ -6906,11 +7262,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Pose du TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
         <translation>orientation selon les réglages. Δ₀ : chemin depuis zéro. Clic : chemin depuis l’appui</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
         <translation>orientation selon les réglages. Δ : chemin depuis l’appui. Clic : zéro ici</translation>
     </message>
     <message>
@@ -6933,7 +7289,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <translation>Une position demande un nom.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another position. Choose another name.</source>
+        <source>Another position is named “%1”. Choose another name.</source>
         <translation>« %1 » est déjà le nom d’une autre position. Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -6946,7 +7302,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a place and press Set home here, or Add here.</source>
+Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>Pas encore de positions.
 Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation>
     </message>
@@ -6955,11 +7311,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Hauteur sûre</translation>
     </message>
     <message>
-        <source>%1. Return applies it; nothing moves but the position.</source>
+        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
         <translation>%1. Entrée l’applique ; rien ne bouge que la position.</translation>
     </message>
     <message>
-        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
         <translation>Au-dessus, dans le repère de base, il n’y a rien : là le TCP peut aller de côté.</translation>
     </message>
     <message>
@@ -6967,7 +7323,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Ici</translation>
     </message>
     <message>
-        <source>The safe height is where the TCP is now</source>
+        <source>Set the safe height to the current TCP height</source>
         <translation>La hauteur sûre est là où est le TCP maintenant</translation>
     </message>
     <message>
@@ -6979,7 +7335,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Ajouter ici</translation>
     </message>
     <message>
-        <source>Keep the position the arm has</source>
+        <source>Store the current position of the arm</source>
         <translation>Garder la position du bras</translation>
     </message>
     <message>
@@ -6995,12 +7351,8 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Retoucher la position</translation>
     </message>
     <message>
-        <source>Use the usual home again</source>
+        <source>Reset to default home</source>
         <translation>Reprendre l’origine habituelle</translation>
-    </message>
-    <message>
-        <source>Use the usual home</source>
-        <translation>Utiliser l’origine habituelle</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -7011,7 +7363,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Supprimer la position</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
     </message>
     <message>
@@ -7019,11 +7371,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
-        <source>Set “%1” to where the arm stands?</source>
+        <source>Set “%1” to the current position of the arm?</source>
         <translation>Mettre « %1 » là où est le bras ?</translation>
     </message>
     <message>
-        <source>The key Home goes there from now on.</source>
+        <source>The Home key will move the arm there.</source>
         <translation>La touche Origine y va désormais.</translation>
     </message>
     <message>
@@ -7083,11 +7435,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Pas de hauteur sûre</translation>
     </message>
     <message>
-        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
         <translation>La touche Origine va à l’origine habituelle : dressé, dégagé de lui-même.</translation>
     </message>
     <message>
-        <source>%1: the key Home goes there</source>
+        <source>%1: target of the Home key</source>
         <translation>%1 : la touche Origine y va</translation>
     </message>
     <message>
@@ -7098,7 +7450,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <source>Start the simulated robot first (robot menu).</source>
         <translation>Démarrez d’abord le robot simulé : il est dans le menu Robot.</translation>
     </message>
     <message>
@@ -7106,11 +7458,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Mettez d’abord le bras sous tension et desserrez les freins.</translation>
     </message>
     <message>
-        <source>The arm is in a stop. Recover from it first.</source>
+        <source>The arm is stopped by the safety system. Recover first.</source>
         <translation>Le bras est en arrêt. Rétablissez-le d’abord.</translation>
     </message>
     <message>
-        <source>Done. Start does it once more.</source>
+        <source>Done. Press Start to repeat the task.</source>
         <translation>Fait. Démarrer recommence.</translation>
     </message>
     <message>
@@ -7137,7 +7489,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Force Fz en newtons</translation>
     </message>
     <message>
-        <source>figure, then Return</source>
+        <source>enter value, press Return</source>
         <translation>chiffre, puis Entrée</translation>
     </message>
     <message>
@@ -7145,11 +7497,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Fz [N]</translation>
     </message>
     <message>
-        <source>The task before</source>
+        <source>Previous task</source>
         <translation>L’exercice précédent</translation>
     </message>
     <message>
-        <source>The next task</source>
+        <source>Next task</source>
         <translation>L’exercice suivant</translation>
     </message>
     <message>
@@ -7157,15 +7509,15 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Exercices · %1 sur %2</translation>
     </message>
     <message>
-        <source>Begins the task, or begins it anew</source>
+        <source>Starts or restarts the task</source>
         <translation>Commence l’exercice, ou le recommence</translation>
     </message>
     <message>
-        <source>Goes on to the next task</source>
+        <source>Continues with the next task</source>
         <translation>Passe à l’exercice suivant</translation>
     </message>
     <message>
-        <source>Possible once the check above says so</source>
+        <source>Available after the check above has passed</source>
         <translation>Possible dès que le contrôle ci-dessus le dit</translation>
     </message>
 </context>
@@ -7176,15 +7528,15 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Bon</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Check</source>
         <translation>À voir</translation>
     </message>
     <message>
-        <source>Bad</source>
+        <source>Failed</source>
         <translation>Mauvais</translation>
     </message>
     <message>
-        <source>Not looked at</source>
+        <source>Not checked</source>
         <translation>Non vérifié</translation>
     </message>
     <message>
@@ -7196,11 +7548,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Conditions</translation>
     </message>
     <message>
-        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
         <translation>Connectée malgré tout, la fenêtre montre les données qu’il y a. Ce qui est rouge ci-dessus peut empêcher de prendre le contrôle, ou terminer un mouvement en cours.</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Check again</source>
         <translation>Vérifier encore</translation>
     </message>
     <message>
@@ -7212,11 +7564,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
         <translation>Connecter</translation>
     </message>
     <message>
-        <source>Keep everybody out of the arm&apos;s reach.
+        <source>Keep everyone out of reach of the arm.
 Keep the emergency stop at hand: STOP in this window is a software stop.
-Begin slowly: the first speed is %1.
-Watch the arm, not the screen, while a key is held.
-Let go of the key and the arm stops.</source>
+Start slowly: the initial speed is %1.
+Watch the arm, not the screen, while you hold a key.
+Release the key to stop the arm.</source>
         <translation>Gardez tout le monde hors de portée du bras.
 Gardez l’arrêt d’urgence sous la main : STOP dans cette fenêtre est un arrêt logiciel.
 Commencez lentement : la première vitesse est %1.
@@ -7224,11 +7576,11 @@ Regardez le bras, pas l’écran, tant qu’une touche est tenue.
 Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
-        <source>Looking at %1…</source>
+        <source>Checking %1…</source>
         <translation>Vérification de %1…</translation>
     </message>
     <message>
-        <source>Something is in the way</source>
+        <source>Problems found</source>
         <translation>Quelque chose l’empêche</translation>
     </message>
     <message>
@@ -7258,7 +7610,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         </translation>
     </message>
     <message>
-        <source>Change the order</source>
+        <source>Change order</source>
         <translation>Changer l’ordre</translation>
     </message>
 </context>
@@ -7273,7 +7625,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Le projet n’a pu être enregistré</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <source>%1. Update Tiller to open it. The file was not changed.</source>
         <translation>%1. Mettez Tiller à jour pour l’ouvrir. Le fichier est resté tel quel.</translation>
     </message>
     <message>
@@ -7297,7 +7649,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Une copie de « %1 » est ouverte. Enregistrez-la dans un fichier pour garder les changements.</translation>
     </message>
     <message>
-        <source>“%1” is a copy and has changes that are in no file.</source>
+        <source>“%1” is a copy with unsaved changes.</source>
         <translation>« %1 » est une copie et a des changements qui ne sont dans aucun fichier.</translation>
     </message>
     <message>
@@ -7305,7 +7657,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Enregistrer sous…</translation>
     </message>
     <message>
-        <source>Drop the changes</source>
+        <source>Discard changes</source>
         <translation>Abandonner les changements</translation>
     </message>
     <message>
@@ -7317,7 +7669,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>%1 est endommagé</translation>
     </message>
     <message>
-        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <source>%1. Readable waypoints: %2, unreadable: %3. The damaged file is kept.</source>
         <translation>%1. Points de passage lisibles : %2, non lisibles : %3. Le fichier endommagé est gardé.</translation>
     </message>
     <message numerus="yes">
@@ -7326,6 +7678,188 @@ Lâchez la touche et le bras s’arrête.</translation>
             <numerusform>Ouvrir %n point de passage</numerusform>
             <numerusform>Ouvrir %n points de passage</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 is saved again</source>
+        <translation>%1 est de nouveau enregistré</translation>
+    </message>
+    <message>
+        <source>The other window closed %1. Changes in this window are saved again.</source>
+        <translation>L’autre fenêtre a fermé %1. Les modifications de cette fenêtre sont de nouveau enregistrées.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window</source>
+        <translation>%1 est ouvert dans une autre fenêtre</translation>
+    </message>
+    <message>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <translation>Ouvert par %1. Les modifications de cette fenêtre ne sont pas enregistrées dans le fichier tant que vous ne reprenez pas le projet.</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Save as a copy</source>
+        <translation>Enregistrer une copie</translation>
+    </message>
+    <message>
+        <source>View only</source>
+        <translation>Lecture seule</translation>
+    </message>
+    <message>
+        <source>Another window or program has changed %1</source>
+        <translation>Une autre fenêtre ou un autre programme a modifié %1</translation>
+    </message>
+    <message>
+        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
+        <translation>Cette fenêtre contient des modifications non enregistrées. Recharger les abandonne. Garder les deux enregistre le projet de cette fenêtre dans un second fichier.</translation>
+    </message>
+    <message>
+        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>Recharger affiche le nouveau contenu. Garder les deux enregistre le projet de cette fenêtre dans un second fichier. Les modifications ne sont pas enregistrées jusqu’à votre décision.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Garder les deux</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>Décider plus tard</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>Impossible de reprendre le projet</translation>
+    </message>
+    <message>
+        <source>Reloaded %1</source>
+        <translation>%1 rechargé</translation>
+    </message>
+    <message>
+        <source>This window&apos;s project is now %1</source>
+        <translation>Le projet de cette fenêtre est maintenant %1</translation>
+    </message>
+    <message>
+        <source>A project without a file</source>
+        <translation>Un projet sans fichier</translation>
+    </message>
+    <message>
+        <source>Unsaved work is available</source>
+        <translation>Du travail non enregistré est disponible</translation>
+    </message>
+    <message>
+        <source>“%1” was changed on %2 and not saved to a file.</source>
+        <translation>« %1 » a été modifié le %2 et n’a pas été enregistré dans un fichier.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Ask again next time</source>
+        <translation>Redemander la prochaine fois</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved. %2</source>
+        <translation>%1 contient des modifications non enregistrées. %2</translation>
+    </message>
+    <message>
+        <source>The project has unsaved changes.</source>
+        <translation>Le projet contient des modifications non enregistrées.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFit</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 et %n de plus</numerusform>
+            <numerusform>%1 et %n de plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>TCP of %1</source>
+        <translation>TCP de %1</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, but a %2 is connected. The same joint positions lead to different poses.</source>
+        <translation>Le projet a été appris avec un %1, mais un %2 est connecté. Les mêmes positions articulaires mènent à d’autres poses.</translation>
+    </message>
+    <message>
+        <source>The project uses the TCP “%1”. The active TCP of the robot differs by %2.</source>
+        <translation>Le projet utilise le TCP « %1 ». Le TCP actif du robot en diffère de %2.</translation>
+    </message>
+    <message>
+        <source>The project fits the connected robot.</source>
+        <translation>Le projet convient au robot connecté.</translation>
+    </message>
+    <message>
+        <source>Connect the robot for this project.</source>
+        <translation>Connectez le robot de ce projet.</translation>
+    </message>
+    <message>
+        <source>Project of another robot model</source>
+        <translation>Projet d’un autre modèle de robot</translation>
+    </message>
+    <message>
+        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>Conserver les poses : Tiller recalcule les positions articulaires et l’outil atteint les mêmes poses. Conserver les articulations : le bras garde sa configuration et l’outil atteint d’autres poses. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
+    </message>
+    <message>
+        <source>Keep poses</source>
+        <translation>Conserver les poses</translation>
+    </message>
+    <message>
+        <source>Keep joints</source>
+        <translation>Conserver les articulations</translation>
+    </message>
+    <message>
+        <source>TCP differs from the project</source>
+        <translation>Le TCP diffère du projet</translation>
+    </message>
+    <message>
+        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>Avec le TCP du robot, la bride va aux positions apprises. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>Régler « %1 » sur le robot</translation>
+    </message>
+    <message>
+        <source>Keep the robot’s TCP</source>
+        <translation>Conserver le TCP du robot</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the poses</source>
+        <translation>Convertir de %1 en %2, conserver les poses</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the joints</source>
+        <translation>Convertir de %1 en %2, conserver les articulations</translation>
+    </message>
+    <message>
+        <source>Out of reach: %1.</source>
+        <translation>Hors de portée : %1.</translation>
+    </message>
+    <message>
+        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <translation>Supprimés car hors de portée : %1. Annuler les rétablit.</translation>
+    </message>
+    <message>
+        <source>Some positions are out of reach</source>
+        <translation>Certaines positions sont hors de portée</translation>
+    </message>
+    <message>
+        <source>Moves to positions of this project are blocked</source>
+        <translation>Les mouvements vers les positions de ce projet sont bloqués</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
     </message>
 </context>
 <context>
@@ -7358,6 +7892,34 @@ Lâchez la touche et le bras s’arrête.</translation>
         <source>no file chosen</source>
         <translation>aucun fichier choisi</translation>
     </message>
+    <message>
+        <source>%1 — open in another window, changes here are not saved</source>
+        <translation>%1 — ouvert dans une autre fenêtre, modifications non enregistrées ici</translation>
+    </message>
+    <message>
+        <source>%1 — changed by another program, changes here are not saved</source>
+        <translation>%1 — modifié par un autre programme, modifications non enregistrées ici</translation>
+    </message>
+    <message>
+        <source>Unsaved project</source>
+        <translation>Projet non enregistré</translation>
+    </message>
+    <message>
+        <source>save %1</source>
+        <translation>enregistrer %1</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>il est ouvert dans une autre fenêtre (%1)</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>un autre programme</translation>
+    </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>un autre programme l’a modifié</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -7366,7 +7928,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Rétablissement</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>Force au TCP</translation>
     </message>
     <message>
@@ -7374,7 +7936,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Courant articulaire</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>Vitesse du TCP</translation>
     </message>
     <message>
@@ -7386,7 +7948,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>À X %1, Y %2, Z %3.</translation>
     </message>
     <message>
-        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <source>Suspected joint: %1 (largest deviation from its target current).</source>
         <translation>Articulation suspecte : %1, dont le courant s’est le plus écarté de sa cible.</translation>
     </message>
     <message>
@@ -7394,11 +7956,11 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation> (%1 s)</translation>
     </message>
     <message>
-        <source>Tick what you have looked at.</source>
+        <source>Tick the items that you have checked.</source>
         <translation>Cochez ce que vous avez regardé.</translation>
     </message>
     <message>
-        <source>Asked; waiting for the robot…</source>
+        <source>Requested; waiting for the robot…</source>
         <translation>Demandé ; en attente du robot…</translation>
     </message>
 </context>
@@ -7429,15 +7991,15 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Bit</translation>
     </message>
     <message>
-        <source>Kind of input register</source>
+        <source>Input register type</source>
         <translation>Type du registre d’entrée</translation>
     </message>
     <message>
-        <source>Number of the input register</source>
+        <source>Input register number</source>
         <translation>Numéro du registre d’entrée</translation>
     </message>
     <message>
-        <source>Value for the input register</source>
+        <source>Input register value</source>
         <translation>Valeur pour le registre d’entrée</translation>
     </message>
     <message>
@@ -7456,7 +8018,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Revenir au direct</translation>
     </message>
     <message>
-        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <source>Show the current state of the robot. The recording stays open in the plots</source>
         <translation>Montrer ce que le robot fait maintenant ; un enregistrement reste ouvert dans les tracés</translation>
     </message>
 </context>
@@ -7479,7 +8041,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Message sur le robot</translation>
     </message>
     <message>
-        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <source>The popup could not be closed from here: close it on the teach pendant.</source>
         <translation>Il n’a pu être fermé d’ici : fermez-le sur le pupitre.</translation>
     </message>
     <message>
@@ -7494,7 +8056,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         </translation>
     </message>
     <message>
-        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <source>A waiting program continues when the popup is closed: keep clear of the arm.</source>
         <translation>Un programme qui l’attend continue après sa fermeture : restez à l’écart du bras.</translation>
     </message>
     <message>
@@ -7533,7 +8095,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Contrôlé</translation>
     </message>
     <message>
-        <source>Taking control was ended by a stop</source>
+        <source>Taking control was cancelled by a stop</source>
         <translation>Un arrêt a mis fin à la prise de contrôle</translation>
     </message>
     <message>
@@ -7557,7 +8119,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Message sur le robot : %1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
         <translation>Le programme du robot attend une réponse sur le pupitre : %1</translation>
     </message>
     <message>
@@ -7573,16 +8135,43 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Connexion à %1…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <source>No data from the robot. Reconnecting automatically; motion does not resume.</source>
         <translation>Pas de données du robot. Reconnexion automatique ; le mouvement ne reprend pas.</translation>
     </message>
     <message>
-        <source>Data from the robot are late.</source>
+        <source>Robot data are late.</source>
         <translation>Les données du robot sont en retard.</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>Prise de contrôle…</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. STOP reste actif.</translation>
+    </message>
+    <message>
+        <source>Monitor only is off</source>
+        <translation>Surveillance seule désactivée</translation>
+    </message>
+    <message>
+        <source>%1: refused. %2</source>
+        <translation>%1 : refusé. %2</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Prendre le contrôle</translation>
+    </message>
+    <message>
+        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>La commande a été rendue : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez la commande.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The robot sends too many messages: %n were not shown</source>
+        <translation>
+            <numerusform>Le robot envoie trop de messages : %n n’a pas été affiché</numerusform>
+            <numerusform>Le robot envoie trop de messages : %n n’ont pas été affichés</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7592,7 +8181,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Connexion à la pince…</translation>
     </message>
     <message>
-        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
         <translation>La pince ne donne pas de valeurs. Mettez le bras sous tension ; si cela reste, vérifiez le câble de la pince au poignet.</translation>
     </message>
     <message>
@@ -7604,7 +8193,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>La pince est active</translation>
     </message>
     <message>
-        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
         <translation>La pince n’est pas devenue active. Voyez que rien ne bloque ses doigts, puis pressez de nouveau Activer.</translation>
     </message>
     <message>
@@ -7624,27 +8213,27 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Échec : %1. %2</translation>
     </message>
     <message>
-        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>Personne ne répond pour la pince à %1:%2. Installez l’URCap de Robotiq sur le robot et choisissez la pince dans son Installation.</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>La pince ne répond pas. Vérifiez son câble au poignet et sa page dans l’Installation du robot ; si cela reste, redémarrez le robot.</translation>
     </message>
     <message>
-        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>Le robot a terminé la connexion à la pince ; il redémarre peut-être. Elle revient d’elle-même ; la pince continue de tenir.</translation>
     </message>
     <message>
-        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
         <translation>La pince ne l’a pas accepté. Activez-la ; si elle est active, voyez sa page dans l’Installation du robot.</translation>
     </message>
     <message>
-        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <source>The gripper is activating; the command runs afterwards.</source>
         <translation>La pince s’active : ce qui a été demandé se fait ensuite.</translation>
     </message>
     <message>
-        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press Activate.</source>
         <translation>La pince a été envoyée quelque part avant d’être active. Pressez Activer.</translation>
     </message>
     <message>
@@ -7652,35 +8241,35 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>La pince est trop chaude. Laissez-la refroidir, puis pressez Activer.</translation>
     </message>
     <message>
-        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
         <translation>La pince n’a rien entendu pendant une seconde. Vérifiez son câble au poignet, puis pressez Activer.</translation>
     </message>
     <message>
-        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
         <translation>La pince a trop peu de tension. Réglez la tension de l’outil à 24 V, puis pressez Activer.</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
         <translation>Le relâchement automatique de la pince est en cours. Attendez qu’il finisse, puis pressez Activer.</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press Activate.</source>
         <translation>Le relâchement automatique de la pince est fini. Pressez Activer.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
         <translation>La pince a un défaut interne. Pressez Activer ; s’il revient, demandez à Robotiq.</translation>
     </message>
     <message>
-        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>L’activation a échoué. Voyez que rien ne bloque les doigts, puis pressez Activer.</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>La pince tire trop de courant. Voyez que rien ne bloque les doigts, puis pressez Activer.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>La pince signale le défaut %1. Pressez Activer ; s’il revient, voyez son manuel.</translation>
     </message>
 </context>
@@ -7698,7 +8287,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>Regarder du premier côté, en perspective</translation>
     </message>
     <message>
@@ -7730,7 +8319,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Cadrer</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture</source>
+        <source>Fit the arm, target and waypoints in the view</source>
         <translation>Bras, cible et points de passage dans l’image</translation>
     </message>
 </context>
@@ -7741,7 +8330,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Vue du bras</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
         <translation>Tirez ou utilisez les flèches pour regarder d’un autre côté, avec Maj ou le bouton droit pour déplacer l’image, la molette ou plus et moins pour s’approcher, double clic ou Origine pour la première vue. Rien ici ne bouge le robot.</translation>
     </message>
     <message>
@@ -7757,15 +8346,15 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>fantôme « %1 » · hors de portée</translation>
     </message>
     <message>
-        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <source>ghost “%1” · reachable · largest rotation %2 %3 · %4 s at %5</source>
         <translation>fantôme « %1 » · accessible · plus grande rotation %2 %3 · %4 s à %5</translation>
     </message>
     <message>
-        <source>1 name hidden: come nearer</source>
+        <source>1 name hidden: zoom in</source>
         <translation>1 nom caché : approchez-vous</translation>
     </message>
     <message numerus="yes">
-        <source>%n names hidden: come nearer</source>
+        <source>%n names hidden: zoom in</source>
         <translation>
             <numerusform>%n nom caché : approchez-vous</numerusform>
             <numerusform>%n noms cachés : approchez-vous</numerusform>
@@ -7776,15 +8365,15 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>fantôme « %1 » · accessible</translation>
     </message>
     <message>
-        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <source>ghost “%1” · %2 · largest rotation %3 %4 · %5 s at %6</source>
         <translation>fantôme « %1 » · %2 · plus grande rotation %3 %4 · %5 s à %6</translation>
     </message>
     <message>
-        <source>“%1” as it will be</source>
+        <source>“%1” after the change</source>
         <translation>« %1 » tel qu’il sera</translation>
     </message>
     <message>
-        <source>“%1” as it was</source>
+        <source>“%1” before the change</source>
         <translation>« %1 » tel qu’il était</translation>
     </message>
     <message>
@@ -7799,7 +8388,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>calculer un signal</translation>
     </message>
     <message>
-        <source>%1 does not come in the same packets as the others.</source>
+        <source>%1 is not part of the same RTDE packets as the other signals.</source>
         <translation>%1 ne vient pas dans les mêmes paquets que les autres.</translation>
     </message>
     <message>
@@ -7807,7 +8396,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Dérivés</translation>
     </message>
     <message>
-        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <source>The robot cannot send so many signals at once: remove other signals first.</source>
         <translation>C’est plus de signaux qu’un robot n’en envoie à la fois : ôtez-en d’abord d’autres.</translation>
     </message>
     <message>
@@ -7815,7 +8404,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>ouvrir %1</translation>
     </message>
     <message>
-        <source>There is no row in this recording.</source>
+        <source>The recording is empty.</source>
         <translation>Cet enregistrement n’a aucune ligne.</translation>
     </message>
     <message>
@@ -7823,11 +8412,11 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
         <translation>Trop peu de mémoire d’historique pour montrer %1 : choisissez-en plus dans le menu Layout.</translation>
     </message>
     <message>
-        <source>%1 could not be computed to its end: %2</source>
+        <source>%1 could not be computed completely: %2</source>
         <translation>%1 n’a pas pu être calculé jusqu’au bout : %2</translation>
     </message>
 </context>
@@ -7850,11 +8439,11 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Signal calculé à partir d’autres</translation>
     </message>
     <message>
-        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
         <translation>Un nom, une unité entre crochets si vous voulez, et une expression sur des signaux : tirez-les ici pour leurs noms. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ et les fonctions usuelles. Entrée le crée.</translation>
     </message>
     <message>
-        <source>%1: this robot does not send it.</source>
+        <source>%1: not sent by this robot.</source>
         <translation>%1 : ce robot ne l’envoie pas.</translation>
     </message>
 </context>
@@ -7865,7 +8454,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Simulation</translation>
     </message>
     <message>
-        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <source>This robot is simulated. No real robot moves.</source>
         <translation>Ce robot est simulé. Seuls des pixels bougent.</translation>
     </message>
     <message>
@@ -7891,20 +8480,8 @@ Lâchez la touche et le bras s’arrête.</translation>
 <context>
     <name>tiller::StatusLine</name>
     <message>
-        <source>Recording, session and last message</source>
+        <source>Recording, project and last message</source>
         <translation>Enregistrement, session et dernier message</translation>
-    </message>
-    <message>
-        <source>%1 — %2</source>
-        <translation>%1 — %2</translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation>enregistré</translation>
-    </message>
-    <message>
-        <source>not saved</source>
-        <translation>non enregistré</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -7915,7 +8492,7 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>%1 valeurs · %2 · %3 libres</translation>
     </message>
     <message>
-        <source>Recording ended</source>
+        <source>Recording stopped</source>
         <translation>Enregistrement terminé</translation>
     </message>
     <message>
@@ -7938,10 +8515,24 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>Arrêt logiciel. Pas un arrêt d’urgence. Le courant reste.</translation>
     </message>
     <message>
-        <source>Space / Esc
-not an e-stop</source>
-        <translation>Espace / Esc
-pas d’urgence</translation>
+        <source>Space and Esc stop as well.</source>
+        <translation>Espace et Échap arrêtent aussi.</translation>
+    </message>
+    <message>
+        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <translation>Cliquez pour arrêter. Espace et Échap n’arrêtent que si cette fenêtre a la commande.</translation>
+    </message>
+    <message>
+        <source>Space / Esc</source>
+        <translation>Espace / Échap</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>clic</translation>
+    </message>
+    <message>
+        <source>not an e-stop</source>
+        <translation>pas un arrêt d’urg.</translation>
     </message>
 </context>
 <context>
@@ -7966,7 +8557,7 @@ pas d’urgence</translation>
         <translation>Un TCP demande un nom.</translation>
     </message>
     <message>
-        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <source>Another TCP is named “%1”. Choose another name.</source>
         <translation>« %1 » est déjà le nom d’un autre TCP. Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -7978,8 +8569,8 @@ pas d’urgence</translation>
         <translation>TCP</translation>
     </message>
     <message>
-        <source>No TCP yet.
-Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <source>No TCPs yet.
+Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>Pas encore de TCP.
 Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le bras.</translation>
     </message>
@@ -7988,7 +8579,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>TCP</translation>
     </message>
     <message>
-        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
         <translation>Depuis la bride. Entrée l’applique au projet ; le robot garde le sien.</translation>
     </message>
     <message>
@@ -8012,7 +8603,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Du robot</translation>
     </message>
     <message>
-        <source>Keep the TCP the robot has</source>
+        <source>Store the active TCP of the robot</source>
         <translation>Garder le TCP du robot</translation>
     </message>
     <message>
@@ -8020,7 +8611,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Réapprendre le TCP choisi…</translation>
     </message>
     <message>
-        <source>New TCP in figures</source>
+        <source>Enter new TCP</source>
         <translation>Nouveau TCP en chiffres</translation>
     </message>
     <message>
@@ -8056,7 +8647,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
-        <source>“%1” is the TCP the robot has.</source>
+        <source>“%1” is the active TCP of the robot.</source>
         <translation>« %1 » est le TCP du robot.</translation>
     </message>
     <message>
@@ -8068,7 +8659,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Apprendre un nouveau TCP</translation>
     </message>
     <message>
-        <source>Select a TCP to set.</source>
+        <source>Select the TCP to set.</source>
         <translation>Choisissez un TCP à régler.</translation>
     </message>
     <message>
@@ -8076,7 +8667,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Utiliser le TCP « %1 »</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
@@ -8088,19 +8679,19 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>%1, depuis la bride</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1, comme sur le robot</translation>
     </message>
     <message>
-        <source>%1, %2 from the one the robot has</source>
+        <source>%1, %2 from the robot&apos;s TCP</source>
         <translation>%1, à %2 de celui du robot</translation>
     </message>
     <message>
-        <source>The robot has another TCP than “%1”</source>
+        <source>The robot&apos;s TCP differs from “%1”</source>
         <translation>Le robot a un autre TCP que « %1 »</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
         <translation>Sur le robot : %1. Dans le projet : %2. Ils sont à %3 l’un de l’autre. Rien n’a été changé.</translation>
     </message>
     <message>
@@ -8115,7 +8706,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Prendre la pose</translation>
     </message>
     <message>
-        <source>Take the worst again</source>
+        <source>Retake least accurate pose</source>
         <translation>Reprendre la pire</translation>
     </message>
     <message>
@@ -8139,7 +8730,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Rotation de l’outil</translation>
     </message>
     <message>
-        <source>Rotation as it is</source>
+        <source>Keep current rotation</source>
         <translation>Rotation inchangée</translation>
     </message>
     <message>
@@ -8155,34 +8746,34 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
         <translation>Pointe à %1. Les poses s’accordent à %2 (rms) ; la pose %3 convient le moins, de %4.</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
         <translation>L’outil tourne trop peu entre les poses. Prenez-en une de plus, inclinée de 30° ou plus d’un autre côté.</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the poses again.</source>
+        <source>The robot sent an invalid position. Take the poses again.</source>
         <translation>Le robot n’a pas envoyé de place valable. Reprenez les poses.</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Quatre fois en tout : la pointe au même point, l’outil incliné chaque fois d’un autre côté.</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
             <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>The tool keeps the rotation it has now.</source>
+        <source>The tool keeps its current rotation.</source>
         <translation>L’outil garde la rotation qu’il a maintenant.</translation>
     </message>
     <message>
-        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
         <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son X suive le X de la base ; prenez-le.</translation>
     </message>
     <message>
@@ -8190,43 +8781,43 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Rotation prise. Reprenez-la pour la remplacer.</translation>
     </message>
     <message>
-        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>Prenez l’outil tel qu’il est. À partir d’ici il ne doit pas tourner : déplacez seulement X, Y et Z.</translation>
     </message>
     <message>
-        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
         <translation>Déplacez l’outil selon son propre +Z, loin de la bride, d’au moins %1, et prenez-le.</translation>
     </message>
     <message>
-        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
         <translation>Maintenant du côté de son +X, d’au moins %1, et prenez-le.</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>Rotation prise : %1 selon +Z, %2 à côté ; la bride a tourné de %3, surtout à la pose %4.</translation>
     </message>
     <message>
-        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
         <translation>La bride a tourné de %1 en chemin, surtout à la pose %2. Reprenez les trois sans tourner l’outil.</translation>
     </message>
     <message>
-        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>Le chemin selon +Z n’est que de %1. Reprenez les trois, distantes d’au moins %2.</translation>
     </message>
     <message>
-        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>Le chemin vers +X n’est que de %1. Reprenez les trois, distantes d’au moins %2.</translation>
     </message>
     <message>
-        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
         <translation>Les trois poses sont alignées : la troisième n’est qu’à %1. Reprenez les trois.</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the three again.</source>
+        <source>The robot sent an invalid position. Take the three poses again.</source>
         <translation>Le robot n’a pas envoyé de place valable. Reprenez les trois.</translation>
     </message>
     <message>
-        <source>Take the last again</source>
+        <source>Retake last pose</source>
         <translation>Reprendre la dernière</translation>
     </message>
     <message>
@@ -8238,11 +8829,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Pose %1</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ convient le moins</translation>
     </message>
     <message>
-        <source>Poses can be taken while the robot sends data.</source>
+        <source>Poses can be taken only while the robot sends data.</source>
         <translation>Les poses se prennent tant que le robot envoie des données.</translation>
     </message>
 </context>
@@ -8276,29 +8867,40 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Outils</translation>
     </message>
     <message>
-        <source>TCP, payload or positions</source>
-        <translation>TCP, charge utile ou positions</translation>
+        <source>Cell</source>
+        <translation>Cellule</translation>
+    </message>
+    <message>
+        <source>TCP, payload, positions or cell</source>
+        <translation>TCP, charge utile, positions ou cellule</translation>
     </message>
 </context>
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left, then %3 is at its limit</source>
+        <source>%1: %2 left to the limit of %3</source>
         <translation>%1 : reste %2, puis %3 est à sa limite</translation>
     </message>
     <message>
-        <source>%1: %2 left to the plane the base stands on</source>
-        <translation>%1 : reste %2 jusqu’au plan où repose la base</translation>
+        <source>%1: %2 left to the end of reach or a singularity</source>
+        <translation>%1 : reste %2, puis la fin de la portée ou une singularité</translation>
     </message>
     <message>
-        <source>%1: %2 left, then the end of the reach or a singularity</source>
-        <translation>%1 : reste %2, puis la fin de la portée ou une singularité</translation>
+        <source>%1: %2 left, then %3 is %4 from %5</source>
+        <translation>%1 : reste %2, puis %3 est à %4 de %5</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VectorEditor</name>
+    <message>
+        <source>%1. Press Return to apply. The robot does not move.</source>
+        <translation>%1. Entrée pour appliquer. Le robot ne bouge pas.</translation>
     </message>
 </context>
 <context>
     <name>tiller::ViewCard</name>
     <message>
-        <source>Fold</source>
+        <source>Collapse</source>
         <translation>Replier</translation>
     </message>
     <message>
@@ -8306,11 +8908,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>The view is too small to unfold this</source>
+        <source>The view is too small to expand this</source>
         <translation>La vue est trop petite pour déplier ceci</translation>
     </message>
     <message>
-        <source>Unfold</source>
+        <source>Expand</source>
         <translation>Déplier</translation>
     </message>
 </context>
@@ -8321,7 +8923,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
         <translation>Dans le repère du point. Entrée l’applique ; rien ne bouge que le point.</translation>
     </message>
     <message>
@@ -8337,7 +8939,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Repères</translation>
     </message>
     <message>
-        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
         <translation>Le repère où il est donné et avec lequel il bouge. La place reste où elle est. — : les articulations priment</translation>
     </message>
     <message numerus="yes">
@@ -8352,15 +8954,15 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>à %1 de la pose actuelle</translation>
     </message>
     <message>
-        <source>joints rule</source>
+        <source>joints have priority</source>
         <translation>les articulations priment</translation>
     </message>
     <message>
-        <source>pose rules</source>
+        <source>pose has priority</source>
         <translation>la pose prime</translation>
     </message>
     <message>
-        <source>place of “%1”</source>
+        <source>cell of “%1”</source>
         <translation>place de « %1 »</translation>
     </message>
     <message>
@@ -8380,15 +8982,15 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Parcourir</translation>
     </message>
     <message>
-        <source>Shows the keys of Go through in place of the figures.</source>
+        <source>Shows the Go through controls instead of the values.</source>
         <translation>Affiche les touches de Parcourir à la place des chiffres.</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Values</source>
         <translation>Chiffres</translation>
     </message>
     <message>
-        <source>Shows the figures in place of the keys of Go through.</source>
+        <source>Shows the values instead of the Go through controls.</source>
         <translation>Affiche les chiffres à la place des touches de Parcourir.</translation>
     </message>
 </context>
@@ -8421,19 +9023,19 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Changer le motif « %1 »</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern first, and select them.</source>
+        <source>Teach the three corners of the pattern and select them first.</source>
         <translation>Apprenez d’abord les trois coins du motif, et choisissez-les.</translation>
     </message>
     <message>
-        <source>Make the pattern “%1”</source>
+        <source>Create the pattern “%1”</source>
         <translation>Créer le motif « %1 »</translation>
     </message>
     <message>
-        <source>Dissolve the pattern “%1”</source>
+        <source>Convert the pattern “%1” to waypoints</source>
         <translation>Dissoudre le motif « %1 »</translation>
     </message>
     <message>
-        <source>Select a place of a pattern.</source>
+        <source>Select a cell of a pattern.</source>
         <translation>Choisissez une place d’un motif.</translation>
     </message>
     <message>
@@ -8445,11 +9047,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Choisissez un point pour voir son historique.</translation>
     </message>
     <message>
-        <source>The frame it was given in then is not in the project any more.</source>
+        <source>The frame of the earlier version was deleted from the project.</source>
         <translation>Le repère où il était donné alors n’est plus dans le projet.</translation>
     </message>
     <message>
-        <source>Take an earlier “%1” back</source>
+        <source>Restore an earlier version of “%1”</source>
         <translation>Reprendre un « %1 » antérieur</translation>
     </message>
     <message>
@@ -8469,11 +9071,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Séparé par virgules (*.csv);;JSON (*.json)</translation>
     </message>
     <message>
-        <source>Nothing was imported</source>
+        <source>Import failed</source>
         <translation>Rien n’a été importé</translation>
     </message>
     <message>
-        <source>%1 is too large for a list of waypoints.</source>
+        <source>%1 is too large for a waypoint file.</source>
         <translation>%1 est trop grand pour une liste de points.</translation>
     </message>
     <message>
@@ -8500,7 +9102,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Il n’y a pas de points à exporter.</translation>
     </message>
     <message>
-        <source>Nothing was exported</source>
+        <source>Export failed</source>
         <translation>Rien n’a été exporté</translation>
     </message>
     <message numerus="yes">
@@ -8511,7 +9113,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         </translation>
     </message>
     <message>
-        <source>Select waypoints where something is to be done.</source>
+        <source>Select the waypoints to add actions to.</source>
         <translation>Sélectionnez des points où quelque chose est à faire.</translation>
     </message>
     <message numerus="yes">
@@ -8536,7 +9138,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         </translation>
     </message>
     <message>
-        <source>Nothing was pasted</source>
+        <source>Paste failed</source>
         <translation>Rien n’a été collé</translation>
     </message>
     <message>
@@ -8562,7 +9164,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Historique de « %1 »</translation>
     </message>
     <message>
-        <source>Changes, the newest first</source>
+        <source>Changes, newest first</source>
         <translation>Changements, le plus récent d’abord</translation>
     </message>
     <message>
@@ -8574,7 +9176,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>%1  %2  (%3)</translation>
     </message>
     <message>
-        <source>Go back to before this</source>
+        <source>Restore the version before this change</source>
         <translation>Revenir avant ceci</translation>
     </message>
     <message>
@@ -8582,15 +9184,15 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Nom : « %1 », maintenant « %2 »</translation>
     </message>
     <message>
-        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <source>Position: moved by %1 (%2, base frame)</source>
         <translation>Place : elle a bougé de %1 (%2, repère de base)</translation>
     </message>
     <message>
-        <source>Joints: %1 turned most, by %2</source>
+        <source>Joints: largest change %2 (%1)</source>
         <translation>Articulations : %1 a le plus tourné, de %2</translation>
     </message>
     <message>
-        <source>the joints rule</source>
+        <source>joints have priority</source>
         <translation>les articulations priment</translation>
     </message>
     <message>
@@ -8598,7 +9200,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Base</translation>
     </message>
     <message>
-        <source>a frame that is no more</source>
+        <source>a deleted frame</source>
         <translation>un repère qui n’est plus</translation>
     </message>
     <message>
@@ -8626,7 +9228,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Raccordement : %1, maintenant %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another one</source>
+        <source>TCP: taught with another TCP</source>
         <translation>TCP : appris avec un autre</translation>
     </message>
     <message>
@@ -8642,19 +9244,19 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Note : « %1 », maintenant « %2 »</translation>
     </message>
     <message>
-        <source>Actions: others than now</source>
+        <source>Actions: changed</source>
         <translation>Actions : autres que maintenant</translation>
     </message>
     <message>
-        <source>It was not changed since it was taught.</source>
+        <source>Not changed since it was taught.</source>
         <translation>Il n’a pas changé depuis qu’il a été appris.</translation>
     </message>
     <message>
-        <source>Before this it was as it is now.</source>
+        <source>The version before this change equals the current version.</source>
         <translation>Avant cela il était comme maintenant.</translation>
     </message>
     <message>
-        <source>Before this it was:</source>
+        <source>Before this change:</source>
         <translation>Avant cela il était :</translation>
     </message>
 </context>
@@ -8677,7 +9279,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>✕ portée</translation>
     </message>
     <message>
-        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
         <translation>Une articulation quitterait sa plage. Retouchez le point depuis une autre posture du bras.</translation>
     </message>
     <message>
@@ -8685,11 +9287,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Son repère n’est pas dans ce projet. Choisissez un autre repère.</translation>
     </message>
     <message>
-        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
         <translation>La ligne droite depuis ici quitte la portée du bras. Utilisez MoveJ, ou partez d’ailleurs.</translation>
     </message>
     <message>
-        <source>Out of reach. Touch it up nearer to the base.</source>
+        <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>Hors de portée. Retouchez-le plus près de la base.</translation>
     </message>
     <message>
@@ -8705,19 +9307,19 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>MoveJ : toutes les articulations partent et s’arrêtent ensemble</translation>
     </message>
     <message>
-        <source>MoveL: the TCP goes along a straight line</source>
+        <source>MoveL: the TCP moves along a straight line</source>
         <translation>MoveL : le TCP suit une ligne droite</translation>
     </message>
     <message>
-        <source>The joints rule: the arm comes back in the same posture</source>
+        <source>Joints have priority: the arm returns to the same configuration</source>
         <translation>Les articulations priment : le bras revient dans la même posture</translation>
     </message>
     <message>
-        <source>The pose rules: it moves with its frame</source>
+        <source>The pose has priority: the waypoint moves with its frame</source>
         <translation>La pose prime : il bouge avec son repère</translation>
     </message>
     <message>
-        <source>Can be reached</source>
+        <source>Within reach</source>
         <translation>Accessible</translation>
     </message>
     <message>
@@ -8749,7 +9351,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Un point de passage demande un nom.</translation>
     </message>
     <message>
-        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <source>Waypoint %2 is named “%1”. Choose another name.</source>
         <translation>« %1 » est le nom du point %2. Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -8757,15 +9359,15 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Renommer « %1 » en « %2 »</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveJ</source>
+        <source>Change “%1” to MoveJ</source>
         <translation>Faire de « %1 » un MoveJ</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveL</source>
+        <source>Change “%1” to MoveL</source>
         <translation>Faire de « %1 » un MoveL</translation>
     </message>
     <message>
-        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <source>The arm cannot reach this pose. “%1” was not changed.</source>
         <translation>Le bras ne peut y aller. « %1 » est resté tel quel.</translation>
     </message>
     <message>
@@ -8781,7 +9383,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Il n’y a pas de repère « %1 » dans ce projet.</translation>
     </message>
     <message>
-        <source>Give “%1” in %2</source>
+        <source>Change the frame of “%1” to %2</source>
         <translation>Donner « %1 » en %2</translation>
     </message>
     <message>
@@ -8809,11 +9411,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Couleur : %1</translation>
     </message>
     <message>
-        <source>Name %1, the coming one</source>
+        <source>Name %1, next waypoint</source>
         <translation>Nom %1, le suivant</translation>
     </message>
     <message>
-        <source>Done there: %1</source>
+        <source>Actions: %1</source>
         <translation>Fait à cet endroit : %1</translation>
     </message>
     <message>
@@ -8826,6 +9428,18 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
             <numerusform>%n action</numerusform>
             <numerusform>%n actions</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>✕ arm</source>
+        <translation>✕ bras</translation>
+    </message>
+    <message>
+        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>Le projet a été appris avec un autre modèle de robot. Utilisez d’abord « Adapter le projet à ce robot… ».</translation>
+    </message>
+    <message>
+        <source>✕ path</source>
+        <translation>✕ trajet</translation>
     </message>
 </context>
 <context>
@@ -8859,7 +9473,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Bleu ciel</translation>
     </message>
     <message>
-        <source>Only what is ticked is changed.</source>
+        <source>Only the selected properties are changed.</source>
         <translation>Seul ce qui est coché change.</translation>
     </message>
     <message>
@@ -8954,7 +9568,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Décalage</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>Tourner</translation>
     </message>
     <message>
@@ -8970,7 +9584,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Base</translation>
     </message>
     <message>
-        <source>Tool, each its own</source>
+        <source>Tool of each waypoint</source>
         <translation>Outil, chacun le sien</translation>
     </message>
     <message>
@@ -8990,7 +9604,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Décalage %1</translation>
     </message>
     <message>
-        <source>About or along</source>
+        <source>Axis of rotation or mirroring</source>
         <translation>Autour ou le long de</translation>
     </message>
     <message>
@@ -8998,7 +9612,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Angle</translation>
     </message>
     <message>
-        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
         <translation>Le bras ne peut y aller : %1. Rien ne serait déplacé.</translation>
     </message>
     <message>
@@ -9006,18 +9620,18 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Un repère manque. Choisissez-en un autre.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <source>%n of them would be out of reach. They are kept and marked.</source>
         <translation>
             <numerusform>%n serait hors de portée ; il est gardé et marqué.</numerusform>
             <numerusform>%n seraient hors de portée ; ils sont gardés et marqués.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>En miroir par le plan à l’origine perpendiculaire à l’axe. L’outil approche du côté opposé.</translation>
     </message>
     <message>
-        <source>All stay in reach.</source>
+        <source>All remain within reach.</source>
         <translation>Tous restent à portée.</translation>
     </message>
 </context>
@@ -9051,17 +9665,17 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Retoucher</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>Plus</translation>
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a place and press Teach here (T).</source>
+Jog the arm to a position and press Teach here (T).</source>
         <translation>Pas encore de points de passage.
 Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
     </message>
     <message>
@@ -9073,15 +9687,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Choisissez un point de passage où aller.</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
-        <source>Add the place where the arm stands, after the selection (T)</source>
+        <source>Add the current position after the selection (T)</source>
         <translation>Ajouter la place où est le bras, après la sélection (T)</translation>
     </message>
     <message>
-        <source>Replace the selected place by where the arm stands (U)</source>
+        <source>Replace the selected waypoint with the current position (U)</source>
         <translation>Remplacer la place choisie par celle où est le bras (U)</translation>
     </message>
     <message>
@@ -9137,7 +9751,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Le repère de « %1 » n’est pas dans ce projet. Choisissez d’abord un autre repère.</translation>
     </message>
     <message>
-        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>La place actuelle est à %1 (%2, repère de base). Plus grand changement articulaire : %3 %4.</translation>
     </message>
     <message>
@@ -9169,7 +9783,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Groupe, couleur, note, vitesses…</translation>
     </message>
     <message>
-        <source>Offset, turn or mirror…</source>
+        <source>Offset, rotate or mirror…</source>
         <translation>Décaler, tourner ou mettre en miroir…</translation>
     </message>
     <message>
@@ -9181,7 +9795,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Motif…</translation>
     </message>
     <message>
-        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <source>Convert pattern to waypoints</source>
         <translation>Faire des places du motif des points ordinaires</translation>
     </message>
     <message>
@@ -9189,7 +9803,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Supprimer le motif et ses points</translation>
     </message>
     <message>
-        <source>Actions there…</source>
+        <source>Actions…</source>
         <translation>Actions à cet endroit…</translation>
     </message>
     <message>
@@ -9216,11 +9830,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Commandes</translation>
     </message>
     <message>
-        <source>Search a command</source>
+        <source>Search commands</source>
         <translation>Chercher une commande</translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
+        <source>Type a command or keyword</source>
         <translation>Tapez ce que vous voulez faire</translation>
     </message>
     <message>
@@ -9228,7 +9842,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Commandes trouvées</translation>
     </message>
     <message>
-        <source>not possible now</source>
+        <source>not available now</source>
         <translation>impossible maintenant</translation>
     </message>
 </context>
@@ -9239,11 +9853,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Saisissez l’adresse du robot, comme le pupitre la montre sous À propos.</translation>
     </message>
     <message>
-        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
         <translation>Une adresse a quatre nombres de 0 à 255, comme 192.168.0.10.</translation>
     </message>
     <message>
-        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <source>A host name contains only letters, digits, dots and hyphens.</source>
         <translation>Un nom d’hôte n’a que lettres, chiffres, points et traits d’union.</translation>
     </message>
     <message>
@@ -9263,7 +9877,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Connecter</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Avant de bouger un bras réel : gardez tout le monde hors de sa portée, ayez l’arrêt d’urgence sous la main, vérifiez charge utile et TCP, commencez lentement. Le STOP de cette fenêtre n’est pas un arrêt d’urgence.</translation>
     </message>
     <message>
@@ -9275,7 +9889,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Ouvrir un projet…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <source>Waypoints from a file, without a robot: everything works except motion.</source>
         <translation>Des points de passage d’un fichier, sans robot : tout marche sauf bouger.</translation>
     </message>
     <message>
@@ -9283,11 +9897,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Essayer le simulateur</translation>
     </message>
     <message>
-        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <source>A simulated UR5e in this program. All functions are available without risk.</source>
         <translation>Un UR5e simulé dans ce programme. Tout marche, rien ne peut être blessé.</translation>
     </message>
     <message>
-        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <source>Starts the simulated robot and opens a project with taught waypoints.</source>
         <translation>Démarre le robot simulé et ouvre un projet déjà appris.</translation>
     </message>
     <message>
@@ -9319,14 +9933,14 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Robots déjà connectés</translation>
     </message>
     <message>
-        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
         <translation>Ôte le robot choisi de cette liste (Suppr). Rien ne change sur le robot.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>make the folder %1: choose one that may be written to</source>
+        <source>create the folder %1: choose a folder that you have permission to write to</source>
         <translation>créer le dossier %1 : choisissez-en un où l’on peut écrire</translation>
     </message>
     <message>
@@ -9358,7 +9972,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>aller en X+ en Base sur 50 mm</translation>
     </message>
     <message>
-        <source>let go</source>
+        <source>release</source>
         <translation>lâcher</translation>
     </message>
     <message>
@@ -9370,7 +9984,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>aller au premier point de passage (tenu)</translation>
     </message>
     <message>
-        <source>let go of Go to</source>
+        <source>release Go to</source>
         <translation>lâcher Aller à</translation>
     </message>
     <message>
@@ -9398,11 +10012,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>%1 : ne s’est pas produit en %2 s (%3)</translation>
     </message>
     <message>
-        <source>the robot reports no reason</source>
+        <source>the robot reported no reason</source>
         <translation>le robot ne donne pas de raison</translation>
     </message>
     <message>
-        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
         <translation>appuyé de nouveau    %1 fois : le mouvement s’était arrêté avant le lâcher</translation>
     </message>
     <message>
@@ -9459,7 +10073,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>L’essayer…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>Ce que dit chaque périphérique maintenant et où il ira.</translation>
     </message>
     <message>
@@ -9483,7 +10097,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation> %</translation>
     </message>
     <message>
-        <source>So far a stick may be out without moving anything.</source>
+        <source>Deflection below which the device does not move the arm.</source>
         <translation>Jusque-là un stick peut être dévié sans rien bouger.</translation>
     </message>
     <message>
@@ -9495,15 +10109,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>exposant </translation>
     </message>
     <message>
-        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
         <translation>1 : égale. Plus : douce près du milieu, rapide en fin de course.</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>Seulement l’axe le plus dévié</translation>
     </message>
     <message>
-        <source>%1: only the axis that is out furthest</source>
+        <source>%1: dominant axis only</source>
         <translation>%1 : seulement l’axe le plus dévié</translation>
     </message>
     <message>
@@ -9519,18 +10133,18 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Aucun</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>Il n’y a ni manette ni SpaceMouse. Branchez-en une : elle apparaît d’elle-même.</translation>
     </message>
     <message>
-        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
         <translation>Seulement tant que son homme mort est tenu. Ce n’est pas retenu : après un démarrage aucun périphérique ne bouge le bras.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
         <translation>Il n’y a pas de panneau ici. Choisissez une perspective en bas à droite, ou montrez un panneau par le menu Vue.</translation>
     </message>
 </context>
@@ -9539,10 +10153,6 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     <message>
         <source>Help</source>
         <translation>Aide</translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Bouger le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant qu’une touche du pavé est tenue, et s’arrête quand elle est lâchée. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte la touche, un second bouton est pressé ou une autre main s’en mêle ;&lt;/li&gt;&lt;li&gt;à côté d’une touche tenue du clavier, un modificateur ou une touche contraire est enfoncé ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, quelque chose s’ouvre par-dessus, ou un autre repère, une autre vitesse, un autre pas ou un autre onglet est choisi ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme se fige, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou se tait ;&lt;/li&gt;&lt;li&gt;personne ne peut prouver que la touche est encore tenue : sous X11 on demande cent fois par seconde au serveur d’affichage si le bouton ou la touche est enfoncé, et un « non », ou 100 ms sans réponse, termine le mouvement. Là où l’on ne peut interroger personne, l’en-tête et les réglages le disent ;&lt;/li&gt;&lt;li&gt;elle a été tenue longtemps : un déplacement manuel %1 s (réglages), Freedrive cinq minutes, un mouvement vers une place 5 s de plus qu’il ne dure. Les 3 dernières s sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un mouvement arrêté demande un nouvel appui. &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Esc&lt;/b&gt; arrêtent de partout, les programmes des autres aussi. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend un appui dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa place sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
     </message>
     <message>
         <source>Practice tasks</source>
@@ -9568,6 +10178,10 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Le manuel n’est pas sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Il vient avec le paquet Debian de Tiller. Un Tiller que vous avez compilé l’a si le paquet python3-sphinx est installé :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. D’ici là, ses pages se lisent comme du texte dans le dossier packaging/manual des sources. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Bouger le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant qu’une touche du pavé est tenue, et s’arrête quand elle est lâchée. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte la touche, un second bouton est pressé ou une autre main s’en mêle ;&lt;/li&gt;&lt;li&gt;à côté d’une touche tenue du clavier, un modificateur ou une touche contraire est enfoncé ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, quelque chose s’ouvre par-dessus, ou un autre repère, une autre vitesse, un autre pas ou un autre onglet est choisi ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme se fige, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou se tait ;&lt;/li&gt;&lt;li&gt;personne ne peut prouver que la touche est encore tenue : sous X11 on demande cent fois par seconde au serveur d’affichage si le bouton ou la touche est enfoncé, et un « non », ou 100 ms sans réponse, termine le mouvement. Là où l’on ne peut interroger personne, l’en-tête et les réglages le disent ;&lt;/li&gt;&lt;li&gt;elle a été tenue longtemps : un déplacement manuel %1 s (réglages), Freedrive cinq minutes, un mouvement vers une place 5 s de plus qu’il ne dure. Les 3 dernières s sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un mouvement arrêté demande un nouvel appui. Avec le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent depuis chaque fenêtre, dialogue et champ de texte. Sans le contrôle, ils appartiennent à l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend un appui dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa place sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9576,11 +10190,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Couleurs, tailles et unités</translation>
     </message>
     <message>
-        <source>Speed cap and longest hold</source>
+        <source>Speed cap and maximum hold time</source>
         <translation>Plafond de vitesse et plus longue tenue</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>Touches des commandes</translation>
     </message>
     <message>
@@ -9624,19 +10238,19 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>%1 n’a pas été importé. Rien n’a été changé.</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1 holds:</source>
+        <source>The selected settings are replaced by those in %1:</source>
         <translation>Ce qui est coché est remplacé par ce que contient %1 :</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
         <translation>Ce qui est coché est remplacé par ce que contient %1, écrit par Tiller %2 :</translation>
     </message>
     <message>
-        <source>%1: the same already</source>
+        <source>%1: identical</source>
         <translation>%1 : déjà pareil</translation>
     </message>
     <message>
-        <source>%1: none in the file</source>
+        <source>%1: not in the file</source>
         <translation>%1 : absent du fichier</translation>
     </message>
     <message>
@@ -9644,11 +10258,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>%1 : %2 ici, %3 dans le fichier</translation>
     </message>
     <message>
-        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <source>The replaced settings are saved to a separate file, which can be imported again.</source>
         <translation>Ce qui est remplacé est gardé dans un fichier à part, qui peut être importé de nouveau.</translation>
     </message>
     <message>
-        <source>There is nothing in the file that is not here already.</source>
+        <source>All settings in the file match the current settings.</source>
         <translation>Le fichier ne contient rien qui ne soit déjà ici.</translation>
     </message>
 </context>
@@ -9659,7 +10273,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Premiers pas</translation>
     </message>
     <message>
-        <source>A checklist in the view: from power on to a recording.</source>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
         <translation>Une liste dans la vue : de la mise sous tension à un enregistrement.</translation>
     </message>
     <message>
@@ -9671,11 +10285,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Cinq exercices sur le robot simulé, chacun avec un contrôle.</translation>
     </message>
     <message>
-        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
         <translation>Les exercices sont réservés au robot simulé de ce programme. Celui-ci est « %1 ».</translation>
     </message>
     <message>
-        <source>Practice: put “%1”</source>
+        <source>Practice: place “%1”</source>
         <translation>Exercice : poser « %1 »</translation>
     </message>
 </context>
@@ -9686,7 +10300,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>Clavier armé : les flèches déplacent X et Y, PgPréc et PgSuiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − tournent une articulation. Espace et Esc arrêtent.</translation>
     </message>
     <message>
@@ -9726,7 +10340,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>%1 débranché. Le bras a été arrêté.</translation>
     </message>
     <message>
-        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 s’est tu pendant qu’il bougeait le bras, qui a été arrêté. Lâchez-le ; s’il reste muet, rebranchez-le.</translation>
     </message>
     <message>
@@ -9750,7 +10364,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Ouvrir un projet d’exemple…</translation>
     </message>
     <message>
-        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
         <translation>Une copie de l’un de trois projets, à essayer sur le robot simulé.</translation>
     </message>
     <message>
@@ -9758,7 +10372,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Enregistrer le projet sous…</translation>
     </message>
     <message>
-        <source>Saves to this file now, and every change from now on.</source>
+        <source>Saves to this file now and saves all further changes automatically.</source>
         <translation>Enregistre dans ce fichier maintenant, et chaque changement ensuite.</translation>
     </message>
     <message>
@@ -9778,7 +10392,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Montrer le journal</translation>
     </message>
     <message>
-        <source>Brings this tab to the front.</source>
+        <source>Shows this tab.</source>
         <translation>Amène cet onglet devant.</translation>
     </message>
     <message>
@@ -9786,7 +10400,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Montrer la pince</translation>
     </message>
     <message>
-        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <source>Shows the Gripper page of the I/O tab.</source>
         <translation>Amène devant la page de la pince dans E/S.</translation>
     </message>
     <message>
@@ -9794,7 +10408,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Réinitialiser la disposition</translation>
     </message>
     <message>
-        <source>All panels back to where the current perspective has them.</source>
+        <source>Restores the panel layout of the current perspective.</source>
         <translation>Tous les panneaux là où la perspective actuelle les a.</translation>
     </message>
     <message>
@@ -9806,7 +10420,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Couleurs sombres</translation>
     </message>
     <message>
-        <source>Changes the colours at once and remembers it.</source>
+        <source>Changes the colour theme now and for the next start.</source>
         <translation>Change aussitôt les couleurs et le retient.</translation>
     </message>
     <message>
@@ -9814,7 +10428,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Mettre à zéro la force dans les tracés, ou la montrer telle que mesurée</translation>
     </message>
     <message>
-        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
         <translation>Compte la force TCP à partir de ce qu’elle est ; encore une fois : comme le robot la mesure.</translation>
     </message>
     <message>
@@ -9830,7 +10444,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Réglages…</translation>
     </message>
     <message>
-        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
         <translation>Couleurs, tailles, unités, plafond de vitesse, périphériques et touche de chaque commande.</translation>
     </message>
     <message>
@@ -9838,7 +10452,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Exporter les réglages…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <source>Saves all settings to one file, for another computer or as a backup.</source>
         <translation>Un fichier avec tout ce qui est retenu, pour un autre ordinateur ou comme copie.</translation>
     </message>
     <message>
@@ -9846,7 +10460,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Importer des réglages…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <source>Imports settings from a file after showing what will be replaced.</source>
         <translation>Reprend ce que contient un tel fichier ; dit d’abord ce qu’il remplace.</translation>
     </message>
     <message>
@@ -9870,11 +10484,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Détacher %1</translation>
     </message>
     <message>
-        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
         <translation>En fait une fenêtre à part, pour un second écran, ou la remet.</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the others.</source>
+        <source>Moves this panel to that side of the main window.</source>
         <translation>Déplace ce panneau de ce côté des autres.</translation>
     </message>
     <message>
@@ -9898,11 +10512,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Charger un programme</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as the tablet shows it</source>
+        <source>Name of the program on the robot, as shown on the teach pendant</source>
         <translation>Nom du programme sur le robot, comme la tablette le montre</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as in pick.urp</source>
+        <source>Name of the program on the robot, e.g. pick.urp</source>
         <translation>Nom du programme sur le robot, comme pick.urp</translation>
     </message>
     <message>
@@ -9910,7 +10524,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Plafond de vitesse %1</translation>
     </message>
     <message>
-        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <source>A recording is running. Stop it first.</source>
         <translation>Un enregistrement est en cours. Terminez-le d’abord : rien ne doit y manquer.</translation>
     </message>
     <message>
@@ -9922,7 +10536,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Outils</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
             <numerusform>Le robot simulé ne connaît pas %n boîte ou plan de la cellule : il n’a pas de place pour plus.</numerusform>
             <numerusform>Le robot simulé ne connaît pas %n boîtes ou plans de la cellule : il n’a pas de place pour plus.</numerusform>
@@ -9933,7 +10547,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Signaler un problème…</translation>
     </message>
     <message>
-        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
         <translation>Un fichier avec versions, journal et réglages pour qui vous aide ; montre d’abord son contenu.</translation>
     </message>
     <message>
@@ -9941,26 +10555,78 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Rapport enregistré : %1</translation>
     </message>
     <message>
-        <source>Tiller ended unexpectedly the last time</source>
+        <source>Tiller closed unexpectedly</source>
         <translation>Tiller s’est arrêté de façon inattendue la dernière fois</translation>
     </message>
     <message>
-        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <source>Tiller saved a crash log. You can attach it to a problem report.</source>
         <translation>Ce qu’il faisait alors a été gardé. Enregistrez-le comme rapport pour qui vous aide.</translation>
     </message>
     <message>
-        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
         <translation>Le manuel à la page de ce qui a le focus, toutes les commandes avec leurs touches et les règles du déplacement.</translation>
+    </message>
+    <message>
+        <source>The settings could not be saved. %1</source>
+        <translation>Impossible d’enregistrer les réglages. %1</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Annulé : %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Rétabli : %1</translation>
+    </message>
+    <message>
+        <source>Adapt project to this robot…</source>
+        <translation>Adapter le projet à ce robot…</translation>
+    </message>
+    <message>
+        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <translation>Convertit un projet d’un autre modèle de robot : conserve les poses ou les articulations.</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>Prendre le contrôle</translation>
+    </message>
+    <message>
+        <source>A program is paused on the robot.</source>
+        <translation>Un programme est en pause sur le robot.</translation>
+    </message>
+    <message>
+        <source>A program is running on the robot.</source>
+        <translation>Un programme est en cours sur le robot.</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <translation>Le programme « %1 » est en pause sur le robot.</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <translation>Le programme « %1 » est en cours sur le robot.</translation>
+    </message>
+    <message>
+        <source>Taking control stops it. It cannot be resumed, only started again.</source>
+        <translation>Prendre le contrôle l’arrête. Il ne peut pas être repris, seulement redémarré.</translation>
+    </message>
+    <message>
+        <source>Stop it and take control</source>
+        <translation>L’arrêter et prendre le contrôle</translation>
+    </message>
+    <message>
+        <source>Keep it running</source>
+        <translation>Le laisser continuer</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
     <message>
-        <source>Put back</source>
+        <source>Dock</source>
         <translation>Remettre</translation>
     </message>
     <message>
-        <source>Back into the main window</source>
+        <source>Move the panel back to the main window</source>
         <translation>De retour dans la fenêtre principale</translation>
     </message>
     <message>
@@ -9968,7 +10634,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Closes this panel. The menu View brings it back.</source>
+        <source>Closes this panel. Use the View menu to show it again.</source>
         <translation>Ferme ce panneau. Le menu Vue le ramène.</translation>
     </message>
     <message>
@@ -9976,7 +10642,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Déplacer, détacher ou fermer %1</translation>
     </message>
     <message>
-        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <source>Click to move, float or close this panel. Drag to move it.</source>
         <translation>Clic : déplacer, détacher ou fermer ce panneau. Tirer : le porter ailleurs.</translation>
     </message>
 </context>
@@ -9987,11 +10653,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Enregistrer la perspective</translation>
     </message>
     <message>
-        <source>The panels as they stand now, into the current perspective.</source>
+        <source>Saves the current panel layout to the current perspective.</source>
         <translation>Les panneaux tels qu’ils sont, dans la perspective actuelle.</translation>
     </message>
     <message>
-        <source>This perspective is built in. Save it under a name of your own.</source>
+        <source>This perspective is built in. Save it under another name.</source>
         <translation>Cette perspective est intégrée. Enregistrez-la sous un nom à vous.</translation>
     </message>
     <message>
@@ -9999,7 +10665,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Enregistrer la perspective sous…</translation>
     </message>
     <message>
-        <source>The panels as they stand now, under a name of your own.</source>
+        <source>Saves the current panel layout under a new name.</source>
         <translation>Les panneaux tels qu’ils sont, sous un nom à vous.</translation>
     </message>
     <message>
@@ -10011,7 +10677,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Renommer la perspective…</translation>
     </message>
     <message>
-        <source>Gives the current perspective another name.</source>
+        <source>Renames the current perspective.</source>
         <translation>Donne un autre nom à la perspective actuelle.</translation>
     </message>
     <message>
@@ -10019,7 +10685,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Renommer la perspective</translation>
     </message>
     <message>
-        <source>This perspective is built in and keeps its name.</source>
+        <source>This perspective is built in and cannot be renamed.</source>
         <translation>Cette perspective est intégrée et garde son nom.</translation>
     </message>
     <message>
@@ -10027,11 +10693,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Supprimer la perspective…</translation>
     </message>
     <message>
-        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <source>Deletes the current perspective. The panel layout does not change.</source>
         <translation>Oublie la perspective actuelle. Les panneaux restent tels quels.</translation>
     </message>
     <message>
-        <source>This perspective is built in and stays.</source>
+        <source>This perspective is built in and cannot be deleted.</source>
         <translation>Cette perspective est intégrée et reste.</translation>
     </message>
     <message>
@@ -10039,7 +10705,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Perspective %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <source>Perspective %1. Select a panel layout, or save the current one.</source>
         <translation>Perspective %1. Choisissez comment sont les panneaux, ou enregistrez comment ils sont.</translation>
     </message>
     <message>
@@ -10071,7 +10737,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Supprimer</translation>
     </message>
     <message>
-        <source>Keep it</source>
+        <source>Keep</source>
         <translation>Garder</translation>
     </message>
 </context>
@@ -10082,7 +10748,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Apprendre</translation>
     </message>
     <message>
-        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <source>Shows the view, the waypoints next to it and the plots below.</source>
         <translation>Montre la vue, les points de passage à côté et les tracés dessous.</translation>
     </message>
     <message>
@@ -10090,7 +10756,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Surveiller</translation>
     </message>
     <message>
-        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <source>Shows inputs and outputs, a smaller view next to them and taller plots below.</source>
         <translation>Montre entrées et sorties, une vue plus petite à côté et des tracés plus hauts dessous.</translation>
     </message>
     <message>
@@ -10098,7 +10764,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Tracés</translation>
     </message>
     <message>
-        <source>Shows the plots alone, as large as the window allows.</source>
+        <source>Shows only the plots, as large as possible.</source>
         <translation>Montre les tracés seuls, aussi grands que la fenêtre le permet.</translation>
     </message>
     <message>
@@ -10106,7 +10772,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Montre les panneaux comme vous les avez enregistrés.</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
         <translation>La perspective « %1 » ne peut être montrée : sa disposition dans les réglages est endommagée. Disposez les panneaux et enregistrez-la de nouveau.</translation>
     </message>
     <message>
@@ -10118,19 +10784,19 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Le nom est trop long.</translation>
     </message>
     <message>
-        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
         <translation>Il y a autant de perspectives qu’on peut en garder. Supprimez-en d’abord une.</translation>
     </message>
     <message>
-        <source>There is a perspective of this name. Choose another name.</source>
+        <source>A perspective with this name exists. Choose another name.</source>
         <translation>Une perspective porte déjà ce nom. Choisissez un autre nom.</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
         <translation>Les panneaux sont comme dans la perspective « %1 » : la disposition de la version précédente ne va pas à celle-ci. Disposez-les de nouveau ; c’est retenu.</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
         <translation>Les panneaux sont comme dans la perspective « %1 » : la disposition dans les réglages est endommagée ou d’une autre version. Disposez-les de nouveau ; c’est retenu.</translation>
     </message>
 </context>
@@ -10149,15 +10815,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Choisir le dossier des enregistrements</translation>
     </message>
     <message>
-        <source>Pattern of the file name</source>
+        <source>File name pattern</source>
         <translation>Modèle du nom de fichier</translation>
     </message>
     <message>
-        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <source>{date}, {time}, {robot} and {number} are replaced when a recording starts.</source>
         <translation>{date}, {time}, {robot} et {number} sont remplis quand un enregistrement commence.</translation>
     </message>
     <message>
-        <source>One row every so many packets</source>
+        <source>Packets per row</source>
         <translation>Une ligne tous les tant de paquets</translation>
     </message>
     <message>
@@ -10197,18 +10863,18 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>UR5e du labo</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
         <translation>Par exemple %1. {date}, {time}, {robot} et {number} sont remplis ; un fichier existant n’est jamais remplacé.</translation>
     </message>
     <message numerus="yes">
-        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
         <translation>
             <numerusform>%n paquet par ligne : %1 lignes par seconde d’un robot qui envoie 500 paquets par seconde.</numerusform>
             <numerusform>%n paquets par ligne : %1 lignes par seconde d’un robot qui envoie 500 paquets par seconde.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Format of a recording</source>
+        <source>Recording format</source>
         <translation>Format d’un enregistrement</translation>
     </message>
     <message>
@@ -10220,7 +10886,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>MCAP : tous les champs, le journal et le projet, pour les outils ROS</translation>
     </message>
     <message>
-        <source>Megabytes of the disk that stay free</source>
+        <source>Free disk space to keep, in megabytes</source>
         <translation>Mégaoctets du disque qui restent libres</translation>
     </message>
     <message>
@@ -10228,7 +10894,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation> Mo</translation>
     </message>
     <message>
-        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <source>A recording stops and is completed before the free disk space falls below this value.</source>
         <translation>Un enregistrement se termine en ordre, complet, avant que le disque n’ait moins de libre.</translation>
     </message>
     <message>
@@ -10243,7 +10909,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
 <context>
     <name>tiller::app::ReportDialog</name>
     <message>
-        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <source>Include names and addresses of robots, inputs, outputs and files</source>
         <translation>Avec les noms et adresses des robots, entrées, sorties et fichiers</translation>
     </message>
     <message>
@@ -10263,7 +10929,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Fichiers du rapport</translation>
     </message>
     <message>
-        <source>What this file says</source>
+        <source>Content of this file</source>
         <translation>Ce que dit ce fichier</translation>
     </message>
     <message>
@@ -10275,7 +10941,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
         <translation>Un fichier avec ce que doit savoir qui vous aide. Tout ce qu’il contiendra est ci-dessous. Il est enregistré où vous voulez ; Tiller ne l’envoie nulle part.</translation>
     </message>
     <message>
@@ -10298,7 +10964,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Ouvrir un projet d’exemple</translation>
     </message>
     <message>
-        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
         <translation>Chacun est appris pour un UR5e et peut être parcouru avec le robot simulé. Vous travaillez sur une copie : enregistrer demande un fichier à vous.</translation>
     </message>
     <message>
@@ -10317,7 +10983,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Réglages</translation>
     </message>
     <message>
-        <source>Look and motion</source>
+        <source>Appearance and motion</source>
         <translation>Aspect et mouvement</translation>
     </message>
     <message>
@@ -10329,7 +10995,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Enregistrement</translation>
     </message>
     <message>
-        <source>Keys</source>
+        <source>Shortcuts</source>
         <translation>Touches</translation>
     </message>
     <message>
@@ -10341,7 +11007,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Exporter les réglages…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <source>Save all settings to one file, for another computer or as a backup</source>
         <translation>Un fichier avec tout ce qui est retenu, pour un autre ordinateur ou comme copie</translation>
     </message>
     <message>
@@ -10349,7 +11015,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Importer des réglages…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces</source>
+        <source>Import settings from a file after showing what will be replaced</source>
         <translation>Reprend ce que contient un tel fichier ; dit d’abord ce qu’il remplace</translation>
     </message>
     <message>
@@ -10365,7 +11031,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Sombre</translation>
     </message>
     <message>
-        <source>Size of keys and rows</source>
+        <source>Size of controls</source>
         <translation>Taille des touches et lignes</translation>
     </message>
     <message>
@@ -10385,7 +11051,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Size of everything</source>
+        <source>Interface size</source>
         <translation>Taille de tout</translation>
     </message>
     <message>
@@ -10417,7 +11083,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Plafond de vitesse de ce programme</translation>
     </message>
     <message>
-        <source>Longest hold</source>
+        <source>Maximum hold time</source>
         <translation>Plus longue tenue</translation>
     </message>
     <message>
@@ -10425,15 +11091,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation>Après ce temps un déplacement finit et sa touche doit être pressée de nouveau. Freedrive a cinq minutes, un mouvement vers une place sa durée et 5 s.</translation>
     </message>
     <message>
-        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
         <translation>Tactile : aussi haut qu’un doigt le demande. Dans une fenêtre de moins de %1 px, les touches des articulations, onglets et barres de titre restent plus petites.</translation>
     </message>
     <message>
-        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
         <translation>Comment longueurs, vitesses du TCP et orientations sont montrées et saisies. Tracés et fichiers gardent mètres, millimètres et degrés.</translation>
     </message>
     <message>
@@ -10441,27 +11107,27 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Plafond de vitesse</translation>
     </message>
     <message>
-        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <source>Scales text, controls, plots and the view.</source>
         <translation>Texte, touches, lignes, tracés et la vue, tout pareil.</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
         <translation>Vaut dès le prochain démarrage de Tiller. L’écran n’a de place que pour %1 %, qu’il aura alors.</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller.</source>
+        <source>Takes effect at the next start of Tiller.</source>
         <translation>Vaut dès le prochain démarrage de Tiller.</translation>
     </message>
     <message>
-        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
         <translation>▲ Au-dessus de %1. Rien d’autre ne limite un déplacement depuis un PC : ni le mode manuel ni le dispositif de validation du pupitre. L’en-tête le dit, et cela finit avec le programme.</translation>
     </message>
     <message>
-        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
         <translation>Aucun mouvement de ce programme ne le dépasse, au TCP et au coude. Il vaut aussitôt et arrête ce qui bouge.</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>Touches des commandes</translation>
     </message>
     <message>
@@ -10469,7 +11135,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Commande</translation>
     </message>
     <message>
-        <source>Key</source>
+        <source>Shortcut</source>
         <translation>Touche</translation>
     </message>
     <message>
@@ -10477,19 +11143,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Rétablir les touches par défaut</translation>
     </message>
     <message>
-        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
-        <translation>Pressez la nouvelle touche dans le champ ; Retour arrière l’ôte. Espace et Esc arrêtent toujours le bras.</translation>
-    </message>
-    <message>
-        <source>Key for %1</source>
+        <source>Shortcut for %1</source>
         <translation>Touche pour %1</translation>
     </message>
     <message>
-        <source>%1 stops the arm and nothing else.</source>
+        <source>%1 is reserved for stopping the arm.</source>
         <translation>%1 arrête le bras et rien d’autre.</translation>
     </message>
     <message>
-        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
         <translation>%1 appartient à &quot;%2&quot;. Ôtez-la d’abord là.</translation>
     </message>
     <message>
@@ -10497,24 +11159,44 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>Langue</translation>
     </message>
     <message>
-        <source>As the system: %1</source>
+        <source>System language: %1</source>
         <translation>Comme le système : %1</translation>
     </message>
     <message>
-        <source>Open the window anew</source>
+        <source>Reopen window</source>
         <translation>Rouvrir la fenêtre</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
         <translation>Arrête le bras, rend le contrôle et se reconnecte ; ce que montrent les tracés recommence. Le projet est enregistré.</translation>
     </message>
     <message>
-        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
         <translation>De la fenêtre et des vérifications. Fichiers et scripts sont les mêmes dans toutes.</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
         <translation>Vaut dès le prochain démarrage de Tiller, ou dès que la fenêtre est rouverte.</translation>
+    </message>
+    <message>
+        <source>Monitor only</source>
+        <translation>Surveillance seule</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>For PCs that only monitor: this window does not take control, set outputs or start programs. STOP still works.</source>
+        <translation>Pour les PC qui ne font que surveiller : cette fenêtre ne prend pas le contrôle, ne change pas de sortie et ne démarre aucun programme. STOP reste actif.</translation>
+    </message>
+    <message>
+        <source>Monitor only (set on the command line)</source>
+        <translation>Surveillance seule (définie sur la ligne de commande)</translation>
+    </message>
+    <message>
+        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
+        <translation>Tapez le nouveau raccourci dans le champ ; Retour arrière le supprime. Avec le contrôle, Espace et Échap arrêtent toujours le bras.</translation>
     </message>
 </context>
 <context>
@@ -10540,7 +11222,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
         <translation>%1 n’a pas été importé. Rien n’a été changé. %2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. What was here before is in %2</source>
+        <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>Réglages importés de %1. Ce qui était ici avant est dans %2</translation>
     </message>
 </context>

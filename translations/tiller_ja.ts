@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
         <translation>このロボットにはグリッパーがありません。I/Oのグリッパーで選んでください。</translation>
     </message>
     <message>
@@ -12,19 +12,19 @@
         <translation>通しで移動</translation>
     </message>
     <message>
-        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
         <translation>%1が%2 s以内にオンになりませんでした。待っている対象を確かめ、もう一度押してください。</translation>
     </message>
     <message>
-        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
         <translation>%1が%2 s以内にオフになりませんでした。待っている対象を確かめ、もう一度押してください。</translation>
     </message>
     <message>
-        <source>%1 was not done. %2</source>
+        <source>%1 was not completed. %2</source>
         <translation>%1は行われませんでした。%2</translation>
     </message>
     <message>
-        <source>The gripper did not come to rest within %1 s.</source>
+        <source>The gripper did not stop moving within %1 s.</source>
         <translation>グリッパーが%1 s以内に停止しませんでした。</translation>
     </message>
 </context>
@@ -110,19 +110,19 @@
         <translation>%1を%2 sオフ</translation>
     </message>
     <message>
-        <source>Wait for %1 on, at most %2 s</source>
+        <source>Wait until %1 is on, %2 s at most</source>
         <translation>%1のオンを待つ、最大%2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 off, at most %2 s</source>
+        <source>Wait until %1 is off, %2 s at most</source>
         <translation>%1のオフを待つ、最大%2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 on</source>
+        <source>Wait until %1 is on</source>
         <translation>%1のオンを待つ</translation>
     </message>
     <message>
-        <source>Wait for %1 off</source>
+        <source>Wait until %1 is off</source>
         <translation>%1のオフを待つ</translation>
     </message>
     <message>
@@ -150,14 +150,14 @@
         <translation>入力を待つ</translation>
     </message>
     <message>
-        <source>Wait a while</source>
+        <source>Wait</source>
         <translation>一定時間待つ</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
-        <source>go back: nothing left to undo</source>
+        <source>go back: no recorded motion left</source>
         <translation>戻る：元に戻す動きはもうありません</translation>
     </message>
 </context>
@@ -176,7 +176,7 @@
         <translation>このアドレスまたはホスト名のロボットに接続します。</translation>
     </message>
     <message>
-        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
         <translation>シミュレートされたロボットで台本どおりのデモを実行し、ファイルをこのフォルダーに残して終了します。</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>tiller --help を参照</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not expected</source>
+        <source>unexpected argument &quot;%1&quot;</source>
         <translation>&quot;%1&quot; は予期されていません</translation>
     </message>
     <message>
@@ -200,11 +200,11 @@
         <translation>--theme には light か dark を指定します（&quot;%1&quot; は不可）</translation>
     </message>
     <message>
-        <source>--robot and --simulator exclude each other</source>
+        <source>--robot and --simulator cannot be combined</source>
         <translation>--robot と --simulator は同時に使えません</translation>
     </message>
     <message>
-        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
         <translation>--demo はシミュレートされたロボットだけで動きます（--robot とは併用できません）</translation>
     </message>
     <message>
@@ -212,12 +212,20 @@
         <translation>--demo にはフォルダーが必要です</translation>
     </message>
     <message>
-        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot にはアドレスが必要です（例：--robot 192.168.0.10）</translation>
     </message>
     <message>
-        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <source>only one project can be opened; remove &quot;%1&quot;</source>
         <translation>開けるプロジェクトは一つだけです（&quot;%1&quot; は不可）</translation>
+    </message>
+    <message>
+        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
+        <translation>監視のみ：STOP以外ではロボットを一切変更しません。設定では解除できません。</translation>
+    </message>
+    <message>
+        <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
+        <translation>--demo はシミュレートされたロボットを動かすため、--monitor-only と併用できません</translation>
     </message>
 </context>
 <context>
@@ -243,7 +251,7 @@
         <translation>%1：比較していません</translation>
     </message>
     <message>
-        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
         <translation>%1：比較していません。記録に %2 がありません。すべての信号を MCAP に記録してください</translation>
     </message>
     <message>
@@ -251,11 +259,11 @@
         <translation>%1：値がありません</translation>
     </message>
     <message>
-        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <source>%1: within %2 at all times, maximum %3 at %4 s</source>
         <translation>%1：%2 を超えず、最大 %3（%4 s）</translation>
     </message>
     <message>
-        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
         <translation>%1：%3 s から %2 を超過（%4）、最大 %5（%6 s）</translation>
     </message>
     <message>
@@ -268,43 +276,43 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
         <translation>%1 s でアームとモデルが分かれます：%2 が %3 ずれています</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
         <translation>%1 s でアームとモデルが分かれます：TCP が %2 ずれています</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
         <translation>%1 s でアームとモデルが分かれます：%2 の電流が予想と %3 違います</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
         <translation>%1 s でアームとモデルが分かれます：TCP に %2 の力がかかっています</translation>
     </message>
     <message>
-        <source>The arm did what the model of a %1 does</source>
+        <source>The arm moved as the model of a %1 does</source>
         <translation>アームは %1 のモデルと同じ動きをしました</translation>
     </message>
     <message>
-        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>比較できるものがありませんでした：アームはずっと電源が切れていたか、手で動かされていました。</translation>
     </message>
     <message>
-        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
         <translation>最初から一致していません：ロボットに設定したペイロード、モデル、アームに触れているものを確認してください。</translation>
     </message>
     <message>
-        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
         <translation>それ以降、何かがアームを押したか押さえた、荷重が違った、または関節が追従しませんでした。</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
         <translation>この記録はモデルと比較できません：関節への指令または関節の位置がありません。すべての信号を MCAP に記録してください。</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>この記録はモデルと比較できません：行の間隔が広すぎます。すべてのパケットを記録してください。</translation>
     </message>
     <message>
@@ -355,11 +363,11 @@
         <translation>位置が経路から外れています</translation>
     </message>
     <message>
-        <source>The arm is not where the controller sent it.</source>
+        <source>The arm is not at the commanded position.</source>
         <translation>アームがコントローラーの指令した位置にありません。</translation>
     </message>
     <message>
-        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
         <translation>障害物を探し、ペイロード、重心、取り付けを確認し、加速度を下げてください。</translation>
     </message>
     <message>
@@ -367,11 +375,11 @@
         <translation>特異点</translation>
     </message>
     <message>
-        <source>The straight move leads through a singular position of the arm.</source>
+        <source>The linear move passes through a singularity of the arm.</source>
         <translation>直線動作がアームの特異姿勢を通ります。</translation>
     </message>
     <message>
-        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints out of it; use MoveJ through this region.</source>
         <translation>関節を一つずつジョグして抜け出し、この領域では MoveJ を使ってください。</translation>
     </message>
     <message>
@@ -379,7 +387,7 @@
         <translation>位置を保持できません</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed while it stood.</source>
+        <source>The arm sagged or was pushed at standstill.</source>
         <translation>停止中にアームが下がったか、押されました。</translation>
     </message>
     <message>
@@ -391,19 +399,19 @@
         <translation>ペイロードまたは取り付けの誤り</translation>
     </message>
     <message>
-        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
         <translation>力がペイロードと合わないか、フリードライブ開始時に何かがアームを押しました。</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <source>Correct payload and mounting, release the arm, and try again.</source>
         <translation>ペイロードと取り付けを直し、アームから手を離して、もう一度試してください。</translation>
     </message>
     <message>
-        <source>Collision noticed by a joint</source>
+        <source>Collision detected by a joint</source>
         <translation>関節が衝突を検出</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion explains.</source>
+        <source>A joint needed more torque than the motion requires.</source>
         <translation>関節が、動作から説明できる以上のトルクを必要としました。</translation>
     </message>
     <message>
@@ -411,11 +419,11 @@
         <translation>障害物を取り除いてください。なければペイロードを確認してください。</translation>
     </message>
     <message>
-        <source>Collision noticed by the tool force</source>
+        <source>Collision detected by the tool force</source>
         <translation>ツールの力が衝突を検出</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded what is allowed.</source>
+        <source>The force at the tool exceeded its limit.</source>
         <translation>ツールの力が許容値を超えました。</translation>
     </message>
     <message>
@@ -427,7 +435,7 @@
         <translation>関節が指令位置から外れました。</translation>
     </message>
     <message>
-        <source>Look for an obstacle and check payload and mounting.</source>
+        <source>Check for obstacles, and check payload and mounting.</source>
         <translation>障害物を探し、ペイロードと取り付けを確認してください。</translation>
     </message>
     <message>
@@ -439,7 +447,7 @@
         <translation>一つの関節で 8 時間に 50 回を超える保護停止がありました。</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>続ける前に停止の原因を見つけ、その後コントローラーを再起動してください。</translation>
     </message>
     <message>
@@ -447,11 +455,11 @@
         <translation>目標位置の急変</translation>
     </message>
     <message>
-        <source>A program asked for a jump in position.</source>
+        <source>A program commanded a step in position.</source>
         <translation>プログラムが位置の飛びを要求しました。</translation>
     </message>
     <message>
-        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
         <translation>プログラムをアームの現在位置から始め、サーボの刻みを小さくしてください。</translation>
     </message>
     <message>
@@ -459,23 +467,23 @@
         <translation>目標速度の急変</translation>
     </message>
     <message>
-        <source>A program asked for a jump in speed.</source>
+        <source>A program commanded a step in speed.</source>
         <translation>プログラムが速度の飛びを要求しました。</translation>
     </message>
     <message>
-        <source>Lower the acceleration, or smooth the path.</source>
+        <source>Reduce the acceleration, or smooth the path.</source>
         <translation>加速度を下げるか、経路を滑らかにしてください。</translation>
     </message>
     <message>
-        <source>Protective stop by a program</source>
+        <source>Protective stop requested by a program</source>
         <translation>プログラムによる保護停止</translation>
     </message>
     <message>
-        <source>The running program itself asked for the stop.</source>
+        <source>The running program requested the stop.</source>
         <translation>実行中のプログラム自身が停止を要求しました。</translation>
     </message>
     <message>
-        <source>See the program&apos;s own messages before it.</source>
+        <source>See the messages of the program before this one.</source>
         <translation>その前のプログラムのメッセージを見てください。</translation>
     </message>
     <message>
@@ -483,7 +491,7 @@
         <translation>ロボットはローカル制御です</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
         <translation>スクリプトが送られましたが、ロボットはペンダントにだけ従います。</translation>
     </message>
     <message>
@@ -499,7 +507,7 @@
         <translation>コントローラーがこの番号を報告しました。</translation>
     </message>
     <message>
-        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>メーカーのエラーコード一覧で C%1 を調べてください。</translation>
     </message>
 </context>
@@ -510,19 +518,19 @@
         <translation>信号を計算する</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <source>There is no signal “%1”. See the signal list for the names.</source>
         <translation>信号「%1」はありません。信号の一覧に名前があります。</translation>
     </message>
     <message>
-        <source>There is no signal in it.</source>
+        <source>The expression contains no signal.</source>
         <translation>信号が含まれていません。</translation>
     </message>
     <message>
-        <source>There are too many signals in it.</source>
+        <source>The expression contains too many signals.</source>
         <translation>信号が多すぎます。</translation>
     </message>
     <message>
-        <source>It must give one number.</source>
+        <source>The expression must evaluate to one number.</source>
         <translation>一つの数になる必要があります。</translation>
     </message>
     <message>
@@ -530,15 +538,15 @@
         <translation>文が長すぎます。</translation>
     </message>
     <message>
-        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>名前、等号、式の順に書いてください：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <source>There is one equals sign too many. For a comparison, use ==</source>
         <translation>等号が一つ多いです。比較は二つです：==</translation>
     </message>
     <message>
-        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <source>The time window must be between 0.001 and 60 seconds.</source>
         <translation>時間の幅は 0.001〜60 秒です。</translation>
     </message>
 </context>
@@ -568,27 +576,27 @@
         <translation>いくつかの値と制御用レジスターがありません。ロボットを %1.%2 以降に更新してください。</translation>
     </message>
     <message>
-        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
         <translation>アームを見て原因を取り除き、復旧してください：ヘッダーの「復旧…」またはティーチペンダント。</translation>
     </message>
     <message>
-        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <source>Power on and release the brakes with the button in the header.</source>
         <translation>電源を入れてブレーキを解除してください。ヘッダーのボタンが案内します。</translation>
     </message>
     <message>
-        <source>the RTDE port takes connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not answer</source>
         <translation>RTDE ポートは接続を受けますが応答しません</translation>
     </message>
     <message>
-        <source>what answers on port %1 does not speak RTDE</source>
+        <source>the service on port %1 does not use RTDE</source>
         <translation>ポート %1 の相手は RTDE を話しません</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>RTDE クライアントが多すぎるか、コントローラーが固まっています。他のプログラムを閉じ、コントローラーを再起動してください。</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program took the port.</source>
+        <source>Check the address: this is another device, or another program uses the port.</source>
         <translation>アドレスを確認してください：別の機器か、別のプログラムがポートを使っています。</translation>
     </message>
     <message>
@@ -596,11 +604,11 @@
         <translation>プロトコルバージョン %1</translation>
     </message>
     <message>
-        <source>another program holds %1</source>
+        <source>another program uses %1</source>
         <translation>別のプログラムが %1 を使用中</translation>
     </message>
     <message>
-        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
         <translation>このロボットを制御している別のプログラム（別のウィンドウ、ROS、ur_rtde）を終了してください。</translation>
     </message>
     <message>
@@ -612,23 +620,23 @@
         <translation>ロボットのソフトウェアを 3.9 または 5.3 に更新してください。</translation>
     </message>
     <message>
-        <source>24 to 47 are free</source>
+        <source>registers 24 to 47 are free</source>
         <translation>24〜47 は空いています</translation>
     </message>
     <message>
-        <source>a fieldbus adapter or another program holds %1</source>
+        <source>a fieldbus adapter or another program uses %1</source>
         <translation>フィールドバスアダプターか別のプログラムが %1 を使用中</translation>
     </message>
     <message>
-        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <source>No action needed for jogging. To use these registers, disable EtherNet/IP, PROFINET or MODBUS in the robot&apos;s installation.</source>
         <translation>ジョグには対応不要です。これらのレジスターを使うには、ロボットのインストールで EtherNet/IP、PROFINET、MODBUS を無効にしてください。</translation>
     </message>
     <message>
-        <source>0 to 23 are free</source>
+        <source>registers 0 to 23 are free</source>
         <translation>0〜23 は空いています</translation>
     </message>
     <message>
-        <source>the robot takes the subscription but sends no data</source>
+        <source>the robot accepts the subscription but sends no data</source>
         <translation>ロボットは購読を受け付けますがデータを送りません</translation>
     </message>
     <message>
@@ -636,11 +644,11 @@
         <translation>他の RTDE プログラムを閉じ、ロボットのコントローラーを再起動してください。</translation>
     </message>
     <message>
-        <source>%1 of %2 packages a second</source>
+        <source>%1 of %2 packets per second</source>
         <translation>毎秒 %1 / %2 パケット</translation>
     </message>
     <message>
-        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
         <translation>パケットが欠けています：無線ではなくケーブルを使い、ロボットやこの PC に負荷をかける他のプログラムを閉じてください。</translation>
     </message>
     <message>
@@ -648,15 +656,15 @@
         <translation>優先度 %1</translation>
     </message>
     <message>
-        <source>the system grants this user no real-time priority</source>
+        <source>the system does not grant this user real-time priority</source>
         <translation>システムはこのユーザーにリアルタイム優先度を許可していません</translation>
     </message>
     <message>
-        <source>permitted, and asked for by loops with priority</source>
+        <source>permitted, and requested by real-time loops</source>
         <translation>許可済み。優先度付きループが要求します</translation>
     </message>
     <message>
-        <source>processors may sleep deeply, loops begin later</source>
+        <source>CPUs may enter deep sleep states, which delays loops</source>
         <translation>プロセッサーが深く眠ることがあり、ループの開始が遅れます</translation>
     </message>
     <message>
@@ -668,11 +676,11 @@
         <translation>ツールを付けている場合は、ロボットのインストールで TCP とペイロードを設定してください。誤ったペイロードは保護停止の原因になり、フリードライブでアームが下がります。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
         <translation>&quot;%1&quot; はアドレスではなく、その名前のホストもありません</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
         <translation>ティーチペンダントの「情報」に表示される四つの数を入力するか、ネットワーク管理者に名前を確認してください。</translation>
     </message>
     <message>
@@ -680,11 +688,11 @@
         <translation>%1 は応答しません</translation>
     </message>
     <message>
-        <source>There is no way to %1</source>
+        <source>There is no route to %1</source>
         <translation>%1 への経路がありません</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>ロボットの電源とケーブルを確認し、間にファイアウォールがないことを確認してください。</translation>
     </message>
     <message>
@@ -692,11 +700,11 @@
         <translation>この PC にロボットのネットワークのアドレス（最初の三つの数が同じ）を設定し、ケーブルを確認してください。</translation>
     </message>
     <message>
-        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <source>%1 answers, but offers none of a robot&apos;s services</source>
         <translation>%1 は応答しますが、ロボットのサービスがありません</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
         <translation>ロボット自身のアドレスか確認してください。電源投入直後のロボットはもう 1 分かかります。</translation>
     </message>
     <message>
@@ -720,31 +728,31 @@
         <translation>ポート %1 は応答しません</translation>
     </message>
     <message>
-        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <source>Enable this interface on the robot: Settings, Security, Services.</source>
         <translation>ロボットでこのインターフェースを有効にしてください：設定、セキュリティ、サービス。</translation>
     </message>
     <message>
-        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
         <translation>ファイアウォールがこのポートを遮っています：ロボットへの TCP ポート %1 を許可してください。</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
         <translation>ティーチペンダント右上でロボットをリモート制御に切り替えてください。それまで Tiller は監視だけです。</translation>
     </message>
     <message>
-        <source>the dashboard takes connections but does not answer</source>
+        <source>the dashboard accepts connections but does not answer</source>
         <translation>ダッシュボードは接続を受けますが応答しません</translation>
     </message>
     <message>
-        <source>what answers on port %1 is not a dashboard</source>
+        <source>the service on port %1 is not a dashboard server</source>
         <translation>ポート %1 の相手はダッシュボードではありません</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
         <translation>ロボットのコントローラーを再起動してください。直らなければログを見てください。</translation>
     </message>
     <message>
-        <source>Check the address, and that no other program uses this port.</source>
+        <source>Check the address, and check that no other program uses this port.</source>
         <translation>アドレスと、他のプログラムがこのポートを使っていないことを確認してください。</translation>
     </message>
     <message>
@@ -760,15 +768,15 @@
         <translation>ローカル</translation>
     </message>
     <message>
-        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
         <translation>ダッシュボード（ポート %1）も Robot API（ポート %2）もありません</translation>
     </message>
     <message>
-        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
         <translation>ロボットで Dashboard Server を有効にしてください：設定、セキュリティ、サービス。PolyScope X の Robot API は 10.11 以降が必要です。</translation>
     </message>
     <message>
-        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
         <translation>Robot API %1、ポート %2。ポップアップはタブレットで閉じます</translation>
     </message>
     <message>
@@ -776,15 +784,15 @@
         <translation>プライマリーインターフェースがアームを記述していません</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <source>Check that this is the address of the robot, and restart its controller.</source>
         <translation>ロボット自身のアドレスか確認し、コントローラーを再起動してください。</translation>
     </message>
     <message>
-        <source>robot type %1 is newer than this program</source>
+        <source>robot type %1 is not known to this version of Tiller</source>
         <translation>ロボット型式 %1 はこのプログラムより新しいものです</translation>
     </message>
     <message>
-        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
         <translation>監視は可能です。限界とプレビューはロボットが報告する寸法を使います。最初はゆっくりジョグしてください。</translation>
     </message>
     <message>
@@ -816,7 +824,7 @@
         <translation>ダッシュボードまたは Robot API</translation>
     </message>
     <message>
-        <source>RTDE is understood</source>
+        <source>RTDE protocol</source>
         <translation>RTDE の理解</translation>
     </message>
     <message>
@@ -844,7 +852,7 @@
         <translation>制御用レジスターの空き</translation>
     </message>
     <message>
-        <source>No fieldbus holds registers</source>
+        <source>No fieldbus uses registers</source>
         <translation>フィールドバスによるレジスター使用なし</translation>
     </message>
     <message>
@@ -852,11 +860,11 @@
         <translation>データレート</translation>
     </message>
     <message>
-        <source>Real-time privilege of this PC</source>
+        <source>Real-time priority on this PC</source>
         <translation>この PC のリアルタイム権限</translation>
     </message>
     <message>
-        <source>Fast wake-ups of this PC</source>
+        <source>Timer wake-ups of this PC</source>
         <translation>この PC の速い起床</translation>
     </message>
     <message>
@@ -887,11 +895,11 @@
         <translation>直線 Z</translation>
     </message>
     <message>
-        <source>Let the arm come to rest before freedrive.</source>
+        <source>Wait until the arm is at standstill before Freedrive.</source>
         <translation>フリードライブの前にアームを静止させてください。</translation>
     </message>
     <message>
-        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
         <translation>ペイロード %2 kg でアームに %1 がかかっています。ひとりでに動きます。ツールから手を離すか、ペイロードと TCP を直してください。</translation>
     </message>
 </context>
@@ -902,29 +910,29 @@
         <translation>左ショルダー</translation>
     </message>
     <message>
-        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
         <translation>左スティックは X と Y、右スティックは Z と回転。右ショルダー：スティックで回転。</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
-        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
         <translation>この画面には第二の証人がいません（%1）：キーがまだ押されているかはウィンドウのイベントからしか分かりません。</translation>
     </message>
     <message>
-        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>ボタンやキーがまだ押されているかを 10 ms ごとにディスプレイサーバーに尋ねます。</translation>
     </message>
     <message>
-        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
         <translation>ディスプレイサーバーに二重に尋ねることができません：キーがまだ押されているかはウィンドウのイベントからしか分かりません。</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
         <translation>この画面は画素が細かいです。設定の「全体の大きさ」で文字、キー、グラフを大きくできます。</translation>
     </message>
 </context>
@@ -943,7 +951,7 @@
         <translation>キーボードを有効／無効にする</translation>
     </message>
     <message>
-        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
         <translation>有効な間、矢印キーがアームを動かし、ウィンドウの周りに枠が出ます。30 秒でひとりでに終わります。</translation>
     </message>
     <message>
@@ -951,7 +959,7 @@
         <translation>ゲームパッドと SpaceMouse…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>各デバイスの現在の値と、動く向き。</translation>
     </message>
     <message>
@@ -959,27 +967,27 @@
         <translation>ここをゼロに</translation>
     </message>
     <message>
-        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
         <translation>ここから TCP の移動量を数えます。もう一度で、押してからの量に戻ります。</translation>
     </message>
     <message>
-        <source>Stops the arm; the next press has this speed.</source>
+        <source>Stops the arm. The next press uses this speed.</source>
         <translation>アームを止めます。次に押すとこの速度になります。</translation>
     </message>
     <message>
-        <source>Moves by this much, only while the key is held.</source>
+        <source>Moves by this distance, only while the key is held.</source>
         <translation>キーを押し続けている間だけ、この量動きます。</translation>
     </message>
     <message>
-        <source>Moves by this much at each press.</source>
+        <source>Moves by this distance at each press.</source>
         <translation>押すたびにこの量動きます。</translation>
     </message>
     <message>
-        <source>Jog until contact, %1 N</source>
+        <source>Jog until contact (%1 N)</source>
         <translation>接触までジョグ、%1 N</translation>
     </message>
     <message>
-        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
         <translation>押し続けるとゆっくり動き、ツールがこの力に当たると終わります。</translation>
     </message>
     <message>
@@ -987,7 +995,7 @@
         <translation>他のジョグ速度…</translation>
     </message>
     <message>
-        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
         <translation>TCP の速度を尋ねます。回転と関節は比例します。</translation>
     </message>
     <message>
@@ -995,7 +1003,7 @@
         <translation>他のジョグステップ…</translation>
     </message>
     <message>
-        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <source>Asks for the step length. The step angle does not change.</source>
         <translation>ステップの長さを尋ねます。回転の角度は変わりません。</translation>
     </message>
     <message>
@@ -1003,7 +1011,7 @@
         <translation>他の回転ステップ…</translation>
     </message>
     <message>
-        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
         <translation>ツールや関節を回すステップの角度を尋ねます。長さは変わりません。</translation>
     </message>
     <message>
@@ -1011,7 +1019,7 @@
         <translation>接触までジョグ、他の力…</translation>
     </message>
     <message>
-        <source>Asks for the force in N at which the motion ends.</source>
+        <source>Asks for the contact force in N that ends the motion.</source>
         <translation>動作を終える力を N で尋ねます。</translation>
     </message>
     <message>
@@ -1019,7 +1027,7 @@
         <translation>フリードライブ：%1</translation>
     </message>
     <message>
-        <source>What the hand can move while Freedrive is held.</source>
+        <source>Selects the axes that can be moved by hand during Freedrive.</source>
         <translation>フリードライブを押している間に手で動かせるもの。</translation>
     </message>
 </context>
@@ -1096,7 +1104,7 @@
         <translation>外側へ動かす</translation>
     </message>
     <message>
-        <source>jog %1 or turn the base</source>
+        <source>jog %1 or rotate the base</source>
         <translation>%1 へジョグするかベースを回す</translation>
     </message>
     <message>
@@ -1108,11 +1116,11 @@
         <translation>手首2が 0° か 180° の近く：速度の %1</translation>
     </message>
     <message>
-        <source>turn wrist 2</source>
+        <source>rotate wrist 2</source>
         <translation>手首2を回す</translation>
     </message>
     <message>
-        <source>jog %1 or turn wrist 2</source>
+        <source>jog %1 or rotate wrist 2</source>
         <translation>%1 へジョグするか手首2を回す</translation>
     </message>
     <message>
@@ -1120,23 +1128,23 @@
         <translation>%1 は限界まで %2°</translation>
     </message>
     <message>
-        <source>turn %1 %2</source>
+        <source>rotate %1 %2</source>
         <translation>%1 を %2 に回す</translation>
     </message>
     <message>
-        <source>jog %1 or turn %2 %3</source>
+        <source>jog %1 or rotate %2 %3</source>
         <translation>%1 へジョグするか %2 を %3 に回す</translation>
     </message>
     <message>
-        <source>TCP at its speed cap: %1</source>
+        <source>TCP at the speed cap of %1</source>
         <translation>TCP が速度上限：%1</translation>
     </message>
     <message>
-        <source>the cap is in the settings</source>
+        <source>change the cap in Settings</source>
         <translation>上限は設定にあります</translation>
     </message>
     <message>
-        <source>Elbow at its speed cap: %1</source>
+        <source>Elbow at the speed cap of %1</source>
         <translation>肘が速度上限：%1</translation>
     </message>
     <message>
@@ -1144,16 +1152,32 @@
         <translation>横への動きを減らす</translation>
     </message>
     <message>
-        <source>Turning at its cap: %1</source>
+        <source>Rotation at its cap of %1</source>
         <translation>回転が上限：%1</translation>
     </message>
     <message>
-        <source>%1 at its top speed: %2</source>
+        <source>%1 at its maximum speed of %2</source>
         <translation>%1 が最高速度：%2</translation>
     </message>
     <message>
-        <source>choose a slower class</source>
+        <source>choose a lower speed</source>
         <translation>遅い速度を選ぶ</translation>
+    </message>
+    <message>
+        <source>move away from it</source>
+        <translation>離れる方向へ移動</translation>
+    </message>
+    <message>
+        <source>jog %1</source>
+        <translation>%1へジョグ</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3: %4 of the speed</source>
+        <translation>%1は%3まで%2：速度の%4</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3</source>
+        <translation>%1は%3まで%2</translation>
     </message>
 </context>
 <context>
@@ -1170,7 +1194,7 @@
         <translation>フリードライブ</translation>
     </message>
     <message>
-        <source>The arm follows the hand that moves it.</source>
+        <source>The arm can be moved by hand.</source>
         <translation>アームは動かす手に従います。</translation>
     </message>
     <message>
@@ -1238,15 +1262,15 @@
         <translation>監視中</translation>
     </message>
     <message>
-        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>パケットが遅れるか届きません：ジョグが止まったり、グラフに隙間ができます。無線ではなくケーブルを使い、他のプログラムを閉じてください。</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
         <translation>指令に 20 ms より長くかかります：アームがキーに遅れて従います。ゆっくりジョグしてください。</translation>
     </message>
     <message>
-        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
         <translation>良好：アームはすぐキーに従い、切れた接続は 1/4 秒以内にアームを止めます。</translation>
     </message>
     <message>
@@ -1258,7 +1282,7 @@
         <translation>接続以来：%1 パケット、遅れ %2、欠落 %3</translation>
     </message>
     <message>
-        <source>Late is a packet that comes more than half a period after its time.</source>
+        <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
         <translation>「遅れ」は時刻より半周期以上遅く届いたパケットです。</translation>
     </message>
     <message>
@@ -1326,7 +1350,7 @@
         <translation>制御を取得</translation>
     </message>
     <message>
-        <source>Choose the simulator or the address of a robot</source>
+        <source>Select the simulator or enter the address of a robot</source>
         <translation>シミュレーターかロボットのアドレスを選んでください</translation>
     </message>
     <message>
@@ -1338,12 +1362,16 @@
         <translation>アームが数ミリ下がることがあります。離れてください。</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
         <translation>アームを止めた原因、直前の 5 秒、戻り方を示します。何も動きません。</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>ロボットで制御プログラムを起動します。他のプログラムは止まります。</translation>
+        <source>Data late</source>
+        <translation>データ遅延</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>ロボットで制御プログラムを開始します。別のプログラムを停止する前に確認します。</translation>
     </message>
 </context>
 <context>
@@ -1357,7 +1385,7 @@
         <translation>ロボットのコントローラーが動いていません。コントロールボックスを再起動してください。</translation>
     </message>
     <message>
-        <source>Arm off line</source>
+        <source>Arm disconnected</source>
         <translation>アーム未接続</translation>
     </message>
     <message>
@@ -1385,7 +1413,7 @@
         <translation>電源オフ</translation>
     </message>
     <message>
-        <source>The arm is off. Power it on.</source>
+        <source>The arm is powered off. Power it on.</source>
         <translation>アームの電源が切れています。入れてください。</translation>
     </message>
     <message>
@@ -1393,7 +1421,7 @@
         <translation>電源オン</translation>
     </message>
     <message>
-        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <source>The arm is powered and initializing. Wait a moment.</source>
         <translation>アームに電源が入り、準備しています。しばらくお待ちください。</translation>
     </message>
     <message>
@@ -1409,7 +1437,7 @@
         <translation>バックドライブ</translation>
     </message>
     <message>
-        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
         <translation>ブレーキに逆らって手でアームを動かしています。フリードライブボタンを離してください。</translation>
     </message>
     <message>
@@ -1417,7 +1445,7 @@
         <translation>稼働中</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm stands still.</source>
+        <source>Brakes are released. The arm is at standstill.</source>
         <translation>ブレーキは解除され、アームは静止しています。</translation>
     </message>
     <message>
@@ -1441,7 +1469,7 @@
         <translation>低減</translation>
     </message>
     <message>
-        <source>The robot keeps to its reduced limits.</source>
+        <source>The reduced safety limits are active.</source>
         <translation>ロボットは低減された限界を守っています。</translation>
     </message>
     <message>
@@ -1465,7 +1493,7 @@
         <translation>安全防護停止</translation>
     </message>
     <message>
-        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
         <translation>安全防護が開いています。閉じて、リセットが設定されていれば押してください。</translation>
     </message>
     <message>
@@ -1505,7 +1533,7 @@
         <translation>関節の検証</translation>
     </message>
     <message>
-        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <source>A joint was replaced. Validate the joints on the teach pendant.</source>
         <translation>関節が交換されました。ティーチペンダントで関節を検証してください。</translation>
     </message>
     <message>
@@ -1513,7 +1541,7 @@
         <translation>未定義</translation>
     </message>
     <message>
-        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <source>The controller does not report its safety mode. Check the teach pendant.</source>
         <translation>コントローラーが安全モードを伝えません。ティーチペンダントを見てください。</translation>
     </message>
     <message>
@@ -1561,7 +1589,7 @@
         <translation>PROFIsafe 待機</translation>
     </message>
     <message>
-        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
         <translation>ロボットは PROFIsafe コントローラーを待っています。フィールドバスとパラメーターを確認してください。</translation>
     </message>
     <message>
@@ -1585,7 +1613,7 @@
         <translation>PROFIsafe 非常停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
         <translation>PROFIsafe コントローラーが非常停止を要求しています。そちらで解除してから電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
@@ -1601,7 +1629,7 @@
         <translation>I/O 平面停止</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
         <translation>入力で有効になった安全平面をツールが越えました。ティーチペンダントで外へ出すか、入力を切ってください。</translation>
     </message>
     <message>
@@ -1621,7 +1649,7 @@
         <translation>ロボットでプログラムは動いていません。</translation>
     </message>
     <message>
-        <source>Program plays</source>
+        <source>Program running</source>
         <translation>プログラム再生中</translation>
     </message>
     <message>
@@ -1633,7 +1661,7 @@
         <translation>プログラム一時停止へ</translation>
     </message>
     <message>
-        <source>The program is coming to a halt.</source>
+        <source>The program is pausing.</source>
         <translation>プログラムが止まるところです。</translation>
     </message>
     <message>
@@ -1641,7 +1669,7 @@
         <translation>プログラム一時停止</translation>
     </message>
     <message>
-        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
         <translation>再生すると中断した動作を続けます。破棄するにはプログラムを停止してください。</translation>
     </message>
     <message>
@@ -1649,7 +1677,7 @@
         <translation>プログラム再開中</translation>
     </message>
     <message>
-        <source>The program is going on: the arm may move.</source>
+        <source>The program is resuming: the arm may move.</source>
         <translation>プログラムが続きます：アームが動くことがあります。</translation>
     </message>
     <message>
@@ -1668,7 +1696,7 @@
 <context>
     <name>OutputGripper</name>
     <message>
-        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
         <translation>ロボットが出力を確認しませんでした。別のプログラムかインストールが使っている可能性があります。</translation>
     </message>
     <message>
@@ -1688,11 +1716,11 @@
         <translation>不明</translation>
     </message>
     <message>
-        <source>told to open</source>
+        <source>open requested</source>
         <translation>開く指令</translation>
     </message>
     <message>
-        <source>told to close</source>
+        <source>close requested</source>
         <translation>閉じる指令</translation>
     </message>
     <message>
@@ -1715,11 +1743,11 @@
         <translation>記録</translation>
     </message>
     <message>
-        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
         <translation>停止するまで、ロボットの全パケットを CSV ファイルに書きます。</translation>
     </message>
     <message>
-        <source>A recording runs already.</source>
+        <source>A recording is already running.</source>
         <translation>すでに記録中です。</translation>
     </message>
     <message>
@@ -1731,11 +1759,11 @@
         <translation>記録を停止</translation>
     </message>
     <message>
-        <source>Ends the recording; its file is complete.</source>
+        <source>Stops the recording and completes its file.</source>
         <translation>記録を終えます。ファイルは完全です。</translation>
     </message>
     <message>
-        <source>Nothing is recorded.</source>
+        <source>No recording is running.</source>
         <translation>何も記録していません。</translation>
     </message>
     <message>
@@ -1743,7 +1771,7 @@
         <translation>グラフを一時停止／再開</translation>
     </message>
     <message>
-        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
         <translation>グラフを止めます。データと記録は続きます。もう一度で最新のサンプルに戻ります。</translation>
     </message>
     <message>
@@ -1751,7 +1779,7 @@
         <translation>グラフをエクスポート…</translation>
     </message>
     <message>
-        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <source>Saves the visible range as an image, a drawing, a page or values.</source>
         <translation>表示範囲を画像、図面、ページ、または値として保存します。</translation>
     </message>
     <message>
@@ -1759,7 +1787,7 @@
         <translation>グラフは %1 を表示</translation>
     </message>
     <message>
-        <source>How much time the plots show.</source>
+        <source>Sets the time range of the plots.</source>
         <translation>グラフが表示する時間。</translation>
     </message>
     <message>
@@ -1771,27 +1799,27 @@
         <translation>番号か名前で端子やレジスターを探します。</translation>
     </message>
     <message>
-        <source>Rename the chosen input or output</source>
+        <source>Rename selected input or output</source>
         <translation>選んだ入出力の名前を変更</translation>
     </message>
     <message>
-        <source>The row of the tab I/O that has the focus.</source>
+        <source>Applies to the focused row of the I/O tab.</source>
         <translation>フォーカスのある I/O タブの行。</translation>
     </message>
     <message>
-        <source>Switch the chosen output</source>
+        <source>Switch selected output</source>
         <translation>選んだ出力を切り替え</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <source>Switches the focused output of the I/O tab on or off.</source>
         <translation>フォーカスのある I/O タブの出力：オン、またはオフに戻します。</translation>
     </message>
     <message>
-        <source>Pulse the chosen output</source>
+        <source>Pulse selected output</source>
         <translation>選んだ出力をパルス</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
         <translation>フォーカスのある I/O タブの出力：0.5 秒オン、その後オフ。</translation>
     </message>
     <message>
@@ -1799,7 +1827,7 @@
         <translation>ログを検索</translation>
     </message>
     <message>
-        <source>Shows only the lines with these words.</source>
+        <source>Shows only entries that contain these words.</source>
         <translation>これらの語を含む行だけを表示します。</translation>
     </message>
     <message>
@@ -1807,7 +1835,7 @@
         <translation>ログ：すべて表示</translation>
     </message>
     <message>
-        <source>Log: show warnings and worse</source>
+        <source>Log: show warnings and errors</source>
         <translation>ログ：警告以上を表示</translation>
     </message>
     <message>
@@ -1815,7 +1843,7 @@
         <translation>ログ：エラーを表示</translation>
     </message>
     <message>
-        <source>Chooses which lines of the log are shown.</source>
+        <source>Selects which log entries are shown.</source>
         <translation>ログのどの行を表示するかを選びます。</translation>
     </message>
     <message>
@@ -1823,7 +1851,7 @@
         <translation>ログをコピー</translation>
     </message>
     <message>
-        <source>Copies the selected lines, or all that are shown.</source>
+        <source>Copies the selected entries, or all visible entries.</source>
         <translation>選択した行、または表示中の全行をコピーします。</translation>
     </message>
     <message>
@@ -1831,7 +1859,7 @@
         <translation>ログをエクスポート…</translation>
     </message>
     <message>
-        <source>Writes the lines that are shown to a file.</source>
+        <source>Writes the visible entries to a file.</source>
         <translation>表示中の行をファイルに書きます。</translation>
     </message>
     <message>
@@ -1839,7 +1867,7 @@
         <translation>グラフの信号を検索</translation>
     </message>
     <message>
-        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
         <translation>ロボットが伝えるすべての一覧を開きます：ドラッグ、ダブルクリック、Return でグラフへ。</translation>
     </message>
     <message>
@@ -1847,26 +1875,26 @@
         <translation>グラフの新しいページ</translation>
     </message>
     <message>
-        <source>An empty page behind the others; all pages show the same time.</source>
+        <source>Adds an empty page after the others. All pages share the time axis.</source>
         <translation>他の後に空のページ。全ページが同じ時間を表示します。</translation>
     </message>
     <message>
-        <source>Show all of the plots&apos; history</source>
+        <source>Show the entire history</source>
         <translation>グラフの全履歴を表示</translation>
     </message>
     <message>
-        <source>All that is in memory, each plot at its best scale.</source>
+        <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>メモリーにあるすべてを、各グラフに最適な目盛りで。</translation>
     </message>
 </context>
 <context>
     <name>PlotMenu</name>
     <message>
-        <source>Take the lane %1 away</source>
+        <source>Remove lane %1</source>
         <translation>レーン %1 を外す</translation>
     </message>
     <message>
-        <source>Note here…</source>
+        <source>Add note here…</source>
         <translation>ここにメモ…</translation>
     </message>
     <message>
@@ -1878,7 +1906,7 @@
         <translation>%1 を隠す</translation>
     </message>
     <message>
-        <source>Let the cursors read %1</source>
+        <source>Read %1 at the cursors</source>
         <translation>カーソルで %1 を読む</translation>
     </message>
     <message>
@@ -1886,15 +1914,15 @@
         <translation>%1 を独立したグラフへ</translation>
     </message>
     <message>
-        <source>Take %1 away</source>
+        <source>Remove %1</source>
         <translation>%1 を外す</translation>
     </message>
     <message>
-        <source>Alarm when %1</source>
+        <source>Warn when %1</source>
         <translation>%1 のとき警報</translation>
     </message>
     <message>
-        <source>No alarm when %1</source>
+        <source>Do not warn when %1</source>
         <translation>%1 のとき警報しない</translation>
     </message>
     <message>
@@ -1902,7 +1930,7 @@
         <translation>%1 の変化率</translation>
     </message>
     <message>
-        <source>Moving mean of %1 over half a second</source>
+        <source>Moving mean of %1 over 0.5 s</source>
         <translation>%1 の 0.5 秒移動平均</translation>
     </message>
     <message>
@@ -1918,15 +1946,15 @@
         <translation>下に新しいグラフ</translation>
     </message>
     <message>
-        <source>New plot beside</source>
+        <source>New plot to the right</source>
         <translation>隣に新しいグラフ</translation>
     </message>
     <message>
-        <source>Take this plot away</source>
+        <source>Remove this plot</source>
         <translation>このグラフを外す</translation>
     </message>
     <message>
-        <source>Let the curves decide about the scale</source>
+        <source>Scale to the curves</source>
         <translation>目盛りを曲線に任せる</translation>
     </message>
     <message>
@@ -1941,11 +1969,11 @@
         <translation>停止を待っています。</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <source>The arm is in a protective stop. Press Recover… in the header.</source>
         <translation>アームは保護停止中です。ヘッダーの「復旧」を押してください。</translation>
     </message>
     <message>
-        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
         <translation>ロック解除済み。アームはまだ稼働していません：復旧ページに従ってください。</translation>
     </message>
     <message>
@@ -1953,43 +1981,43 @@
         <translation>ロック解除済み。もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>The arm runs and is under your control again.</source>
+        <source>The arm is running and under your control again.</source>
         <translation>アームは稼働し、再び制御下にあります。</translation>
     </message>
     <message>
-        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <source>No new frame yet. Use 3 points in the Frames tab.</source>
         <translation>新しい座標系はまだありません。「3 点」は座標系タブにあります。</translation>
     </message>
     <message>
-        <source>“%1” lies as it was asked for.</source>
+        <source>“%1” meets the requirements.</source>
         <translation>「%1」は求められた位置にあります。</translation>
     </message>
     <message>
-        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
         <translation>「%1」：その Z はベースの Z から %2° ずれています。3 点目は +Y 側です。</translation>
     </message>
     <message>
-        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
         <translation>「%1」：その X はベースの Y から %2° ずれています。</translation>
     </message>
     <message>
-        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
         <translation>「%1」はアームで取られていません：TCP がその原点にありませんでした。</translation>
     </message>
     <message>
-        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <source>The waypoint was deleted. Start adds a new one.</source>
         <translation>ウェイポイントがもうありません。開始で新しく置きます。</translation>
     </message>
     <message>
-        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
         <translation>「%1」は元の位置です。アームは X に沿って %2 離れています。</translation>
     </message>
     <message>
-        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <source>“%1” has moved by %2 and is %3 from the expected position.</source>
         <translation>「%1」は %2 動き、あるべき位置から %3 離れています。</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the tool was turned.</source>
+        <source>“%1” is at the expected position, but the tool orientation changed.</source>
         <translation>「%1」は位置に合っていますが、ツールが回っています。</translation>
     </message>
     <message>
@@ -1997,23 +2025,23 @@
         <translation>「%1」は再び部品にあります。</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
         <translation>「%1」は位置に合っていますが、アームがそこにありません。アームを部品に当てて修正教示してください。</translation>
     </message>
     <message>
-        <source>Slowed down to %1. Go on.</source>
+        <source>Slowed down to %1. Continue.</source>
         <translation>%1 に減速。続けてください。</translation>
     </message>
     <message>
-        <source>No limit yet. The line below the pad will name it.</source>
+        <source>No limit reached yet. The line below the pad will name it.</source>
         <translation>まだ限界ではありません。パッドの下の行に名前が出ます。</translation>
     </message>
     <message>
-        <source>That is the limit. Now back: %1 of %2.</source>
+        <source>Limit reached. Now jog back: %1 of %2.</source>
         <translation>それが限界です。戻ってください：%2 のうち %1。</translation>
     </message>
     <message>
-        <source>Found it, and out of it again.</source>
+        <source>You reached the limit and moved out of it again.</source>
         <translation>見つけて、抜け出しました。</translation>
     </message>
     <message>
@@ -2025,7 +2053,7 @@
         <translation>その記録は短すぎます。もう一度記録してください。</translation>
     </message>
     <message>
-        <source>No recording yet. Record is above the plots.</source>
+        <source>No recording yet. Press Record above the plots.</source>
         <translation>まだ記録がありません。「記録」はグラフの上にあります。</translation>
     </message>
     <message>
@@ -2033,11 +2061,11 @@
         <translation>記録済み。グラフが示す力を入力してください。</translation>
     </message>
     <message>
-        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <source>%1 does not match the recording. Look at the Fz curve.</source>
         <translation>%1 は記録された値ではありません。曲線 Fz を見てください。</translation>
     </message>
     <message>
-        <source>Right: it was %1.</source>
+        <source>Correct: it was %1.</source>
         <translation>正解：%1 でした。</translation>
     </message>
     <message>
@@ -2061,23 +2089,23 @@
         <translation>記録と計測</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
         <translation>開始するとシミュレートされたアームが衝突し、保護停止になります。原因を見て 5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>座標系タブで 3 点から座標系を教示してください。X はベースの Y+ に沿い、Z は上向き：原点、次に Y+ に沿った点、次に X− に沿った点を取ります。</translation>
     </message>
     <message>
-        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>開始するとアームの位置にウェイポイント「部品」を置きます。その後、部品はベースの X+ に %1 動きました。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
     </message>
     <message>
-        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>ベースから外側へ、限界でアームが半分の速度になるまでジョグしてください。パッドの下の行に名前と抜け方が出ます。その後 %1 戻ってください。</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>開始すると手がツールを上から押します。3 秒以上記録して停止してください。グラフで力 Fz の大きさを読み、入力してください。</translation>
     </message>
     <message>
@@ -2093,6 +2121,21 @@
     </message>
 </context>
 <context>
+    <name>ProjectLock</name>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%2の%1</translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation>プロセス %1</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>別のプログラム</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2103,11 +2146,11 @@
         <translation>接続中…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself.</source>
+        <source>No data from the robot. Reconnecting automatically.</source>
         <translation>ロボットからのデータなし。自動で再接続します。</translation>
     </message>
     <message>
-        <source>Robot data is late. Waiting for it to come back.</source>
+        <source>Robot data are late. Waiting for new data.</source>
         <translation>ロボットのデータが遅れています。戻るのを待っています。</translation>
     </message>
     <message>
@@ -2122,7 +2165,7 @@
 <context>
     <name>RecordingChoice</name>
     <message>
-        <source>A file needs a name that does not begin with a point.</source>
+        <source>A file name must not be empty or begin with a period.</source>
         <translation>ファイル名は点で始まらない名前が必要です。</translation>
     </message>
     <message>
@@ -2141,11 +2184,11 @@
         <translation>安全は再び通常です</translation>
     </message>
     <message>
-        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
         <translation>アームを動かせます。停止前に準備したものは動きません：動作ごとに新しく押す必要があります。</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
         <translation>アームは準備完了です。動かすには制御を取得するか、ティーチペンダントで続けてください。</translation>
     </message>
     <message>
@@ -2161,15 +2204,15 @@
         <translation>接続を待っています</translation>
     </message>
     <message>
-        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
         <translation>アームを見た：誰も触れず、何も挟まっていない。</translation>
     </message>
     <message>
-        <source>What stopped it is known and removed.</source>
+        <source>The cause of the stop is known and removed.</source>
         <translation>止めた原因が分かり、取り除いた。</translation>
     </message>
     <message>
-        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <source>Payload and TCP match the mounted tool.</source>
         <translation>ペイロードと TCP は取り付けたツールのものである。</translation>
     </message>
     <message>
@@ -2177,15 +2220,15 @@
         <translation>あと %1 s で可能</translation>
     </message>
     <message>
-        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
         <translation>アームとロボットのログを見た：原因が分かっている。</translation>
     </message>
     <message>
-        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <source>The cause is removed, and no one is within reach of the arm.</source>
         <translation>原因を取り除き、アームの届く範囲に誰もいない。</translation>
     </message>
     <message>
-        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <source>No action needed here: this state ends when its cause is removed.</source>
         <translation>ここで押すものはありません：原因がなくなれば終わります。</translation>
     </message>
     <message>
@@ -2247,7 +2290,7 @@
         <translation>ロボットでプログラムは動いていません。</translation>
     </message>
     <message>
-        <source>A program runs already.</source>
+        <source>A program is already running.</source>
         <translation>すでにプログラムが動いています。</translation>
     </message>
     <message>
@@ -2255,7 +2298,7 @@
         <translation>接続…</translation>
     </message>
     <message>
-        <source>Choose the simulator, a robot or a project.</source>
+        <source>Select the simulator, a robot or a project.</source>
         <translation>シミュレーター、ロボット、プロジェクトを選びます。</translation>
     </message>
     <message>
@@ -2271,11 +2314,11 @@
         <translation>接続を確認…</translation>
     </message>
     <message>
-        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <source>Checks everything between this PC and the robot and suggests fixes.</source>
         <translation>この PC とロボットの間のすべてを調べ、対処を示します。</translation>
     </message>
     <message>
-        <source>Choose a robot first.</source>
+        <source>Select a robot first.</source>
         <translation>先にロボットを選んでください。</translation>
     </message>
     <message>
@@ -2283,7 +2326,7 @@
         <translation>切断</translation>
     </message>
     <message>
-        <source>Ends the connection; a motion of ours stops first.</source>
+        <source>Stops our motion, then closes the connection.</source>
         <translation>接続を終えます。こちらの動作は先に止まります。</translation>
     </message>
     <message>
@@ -2295,7 +2338,7 @@
         <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
     </message>
     <message>
-        <source>The arm has power, or is getting it.</source>
+        <source>The arm is powered on or powering on.</source>
         <translation>アームには電源が入っているか、入るところです。</translation>
     </message>
     <message>
@@ -2303,11 +2346,11 @@
         <translation>アームが数ミリ下がることがあります。離れてください。</translation>
     </message>
     <message>
-        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <source>Stops programs, engages the brakes and powers the arm off.</source>
         <translation>ブレーキをかけ、アームの電源を切ります。プログラムは止まります。</translation>
     </message>
     <message>
-        <source>The arm is off.</source>
+        <source>The arm is powered off.</source>
         <translation>アームの電源は切れています。</translation>
     </message>
     <message>
@@ -2315,15 +2358,15 @@
         <translation>復旧…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, and the way back.</source>
+        <source>Shows what stopped the arm and the recovery steps.</source>
         <translation>アームを止めた原因と戻り方を示します。</translation>
     </message>
     <message>
-        <source>No stop of the safety system.</source>
+        <source>The safety system reports no stop.</source>
         <translation>安全システムによる停止はありません。</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
         <translation>違反や故障の後、原因が分かってから。アームの電源は切れたままです。</translation>
     </message>
     <message>
@@ -2339,11 +2382,7 @@
         <translation>制御を取得</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>ロボットで制御プログラムを起動します。他のプログラムは止まります。</translation>
-    </message>
-    <message>
-        <source>In control already.</source>
+        <source>Already in control.</source>
         <translation>すでに制御中です。</translation>
     </message>
     <message>
@@ -2363,7 +2402,7 @@
         <translation>停止</translation>
     </message>
     <message>
-        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <source>Software stop of all motion. Not an emergency stop.</source>
         <translation>動いているものすべてのソフトウェア停止。非常停止ではありません。</translation>
     </message>
     <message>
@@ -2371,20 +2410,24 @@
         <translation>プログラムを読み込む…</translation>
     </message>
     <message>
-        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <source>Loads a program stored on the robot by name.</source>
         <translation>ロボット自身のプログラムを名前で読み込みます。</translation>
     </message>
     <message>
-        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
         <translation>読み込んだプログラムを開始、または一時停止から続けます：アームがすぐ動くことがあります。</translation>
     </message>
     <message>
-        <source>Pauses the program that runs.</source>
+        <source>Pauses the running program.</source>
         <translation>実行中のプログラムを一時停止します。</translation>
     </message>
     <message>
-        <source>Stops the robot&apos;s own program.</source>
+        <source>Stops the program on the robot.</source>
         <translation>ロボット自身のプログラムを停止します。</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>ロボットで制御プログラムを開始します。別のプログラムを停止する前に確認します。</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2475,22 @@
     <message>
         <source>%1: off for %2 s</source>
         <translation>%1：%2 s間オフ</translation>
+    </message>
+    <message>
+        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <translation>パルスの時間はロボットが計測するため、制御が必要です。先に制御を取得するか、出力をオン・オフしてください。</translation>
+    </message>
+    <message>
+        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <translation>プログラムが停止または一時停止されたため、ロボットは%1のパルスを終了しませんでした。Tillerが出力をオフにします。</translation>
+    </message>
+    <message>
+        <source>Input register %1</source>
+        <translation>入力レジスター %1</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>速度スライダー</translation>
     </message>
 </context>
 <context>
@@ -2485,22 +2544,26 @@
         <translation>ロボットのプログラムを停止しました</translation>
     </message>
     <message>
-        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
         <translation>ロボットのプログラムを停止できませんでした：ティーチペンダントで停止してください。%1</translation>
     </message>
     <message>
-        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
         <translation>ロボットがローカル制御に切り替わりました：動作を止め、制御を返却しました。ティーチペンダントでリモート制御に戻し、もう一度制御を取得してください。</translation>
+    </message>
+    <message>
+        <source>Unlock protective stop</source>
+        <translation>保護停止のロックを解除</translation>
     </message>
 </context>
 <context>
     <name>RobotTooling</name>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>アームは制御下にありません。先に制御を取得してください。</translation>
     </message>
     <message>
-        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
         <translation>TCP とペイロードはアームの静止中に設定します。静止させてください。</translation>
     </message>
     <message>
@@ -2519,7 +2582,7 @@
         <translation>ピックアンドプレース</translation>
     </message>
     <message>
-        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
         <translation>部品を供給器から取り、トレーの六つの場所の一つに置きます。場所はトレーの座標系で与えられ、一緒に動きます。</translation>
     </message>
     <message>
@@ -2527,26 +2590,26 @@
         <translation>経路に沿った接着</translation>
     </message>
     <message>
-        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
         <translation>角の丸いふたの周りをゆっくり直線で塗ります。ブレンドにより角でもノズルが動き続けます。</translation>
     </message>
     <message>
-        <source>Measuring round</source>
+        <source>Measuring</source>
         <translation>計測巡回</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
         <translation>プローブが部品を上と四方から、それぞれ接近点からツールを傾けて触れます。</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>最初の向きから透視で見る</translation>
     </message>
     <message>
-        <source>From between front and side, a little above, with everything in the picture.</source>
+        <source>From between front and side, slightly above, with everything visible.</source>
         <translation>正面と側面の間、少し上から、全体が入ります。</translation>
     </message>
     <message>
@@ -2574,18 +2637,18 @@
         <translation>ベースの X が右、Y が上。</translation>
     </message>
     <message>
-        <source>Fit everything into the view</source>
+        <source>Fit everything in the view</source>
         <translation>全体をビューに収める</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>今見ている向きのまま、アーム、目標、ウェイポイントを収めます。</translation>
     </message>
 </context>
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>Nothing is recorded: connect to a robot first.</source>
+        <source>Cannot record: connect to a robot first.</source>
         <translation>記録していません：先にロボットに接続してください。</translation>
     </message>
     <message>
@@ -2606,11 +2669,11 @@
         <translation>%1 を書き込む</translation>
     </message>
     <message>
-        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <source>Invalid value for the setting &quot;%1&quot;.</source>
         <translation>&quot;%1&quot; の値は設定にありえないものです。</translation>
     </message>
     <message>
-        <source>The file is too large for settings.</source>
+        <source>The file is too large for a settings file.</source>
         <translation>設定としてはファイルが大きすぎます。</translation>
     </message>
     <message>
@@ -2618,7 +2681,7 @@
         <translation>ファイルのバイト %1 が壊れています：%2。</translation>
     </message>
     <message>
-        <source>The file holds no settings of Tiller.</source>
+        <source>The file contains no Tiller settings.</source>
         <translation>ファイルに Tiller の設定がありません。</translation>
     </message>
     <message>
@@ -2626,20 +2689,16 @@
         <translation>ファイルはより新しい Tiller が書いたものです。Tiller を更新してから取り込んでください。</translation>
     </message>
     <message>
-        <source>The file does not say which version it has.</source>
+        <source>The file does not state its version.</source>
         <translation>ファイルにバージョンの記載がありません。</translation>
     </message>
     <message>
-        <source>The file has no list of values, or one that is too long.</source>
+        <source>The list of values is missing or too long.</source>
         <translation>ファイルに値の一覧がないか、長すぎます。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no name of a setting.</source>
+        <source>&quot;%1&quot; is not a valid setting name.</source>
         <translation>&quot;%1&quot; は設定の名前ではありません。</translation>
-    </message>
-    <message>
-        <source>read %1</source>
-        <translation>%1 を読み込む</translation>
     </message>
 </context>
 <context>
@@ -2673,7 +2732,7 @@
         <translation>ペイロードとツール</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>その他</translation>
     </message>
     <message>
@@ -2681,71 +2740,71 @@
         <translation>レジスター</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>TCP の力</translation>
     </message>
     <message>
-        <source>Torque at the TCP</source>
+        <source>TCP torque</source>
         <translation>TCP のトルク</translation>
     </message>
     <message>
-        <source>Position of the TCP</source>
+        <source>TCP position</source>
         <translation>TCP の位置</translation>
     </message>
     <message>
-        <source>Rotation vector of the TCP</source>
+        <source>TCP rotation vector</source>
         <translation>TCP の回転ベクトル</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>TCP の速度</translation>
     </message>
     <message>
-        <source>Rotation speed of the TCP</source>
+        <source>TCP angular speed</source>
         <translation>TCP の回転速度</translation>
     </message>
     <message>
-        <source>Acceleration of the TCP</source>
+        <source>TCP acceleration</source>
         <translation>TCP の加速度</translation>
     </message>
     <message>
-        <source>Target position of the TCP</source>
+        <source>Target TCP position</source>
         <translation>TCP の目標位置</translation>
     </message>
     <message>
-        <source>Target rotation vector of the TCP</source>
+        <source>Target TCP rotation vector</source>
         <translation>TCP の目標回転ベクトル</translation>
     </message>
     <message>
-        <source>Target speed of the TCP</source>
+        <source>Target TCP speed</source>
         <translation>TCP の目標速度</translation>
     </message>
     <message>
-        <source>Target rotation speed of the TCP</source>
+        <source>Target TCP angular speed</source>
         <translation>TCP の目標回転速度</translation>
     </message>
     <message>
-        <source>Raw force of the sensor</source>
+        <source>Raw sensor force</source>
         <translation>センサーの生の力</translation>
     </message>
     <message>
-        <source>Raw torque of the sensor</source>
+        <source>Raw sensor torque</source>
         <translation>センサーの生のトルク</translation>
     </message>
     <message>
-        <source>Force at the TCP, norm</source>
+        <source>TCP force, norm</source>
         <translation>TCP の力、ノルム</translation>
     </message>
     <message>
-        <source>Accelerometer in the flange</source>
+        <source>Tool accelerometer</source>
         <translation>フランジの加速度計</translation>
     </message>
     <message>
-        <source>Position of the elbow</source>
+        <source>Elbow position</source>
         <translation>肘の位置</translation>
     </message>
     <message>
-        <source>Speed of the elbow</source>
+        <source>Elbow speed</source>
         <translation>肘の速度</translation>
     </message>
     <message>
@@ -2797,15 +2856,15 @@
         <translation>関節制御電流</translation>
     </message>
     <message>
-        <source>Allowed deviation of the currents</source>
+        <source>Allowed current deviation</source>
         <translation>電流の許容偏差</translation>
     </message>
     <message>
-        <source>Position deviation over its limit</source>
+        <source>Position deviation, ratio to limit</source>
         <translation>位置偏差と限界の比</translation>
     </message>
     <message>
-        <source>Collision measure over its limit</source>
+        <source>Collision measure, ratio to limit</source>
         <translation>衝突量と限界の比</translation>
     </message>
     <message>
@@ -2885,7 +2944,7 @@
         <translation>アーム電流</translation>
     </message>
     <message>
-        <source>Current of the I/O</source>
+        <source>I/O current</source>
         <translation>I/O の電流</translation>
     </message>
     <message>
@@ -2909,7 +2968,7 @@
         <translation>速度スライダー</translation>
     </message>
     <message>
-        <source>Time of a control step</source>
+        <source>Control step time</source>
         <translation>制御ステップの時間</translation>
     </message>
     <message>
@@ -3044,7 +3103,7 @@
         <translation>左キー</translation>
     </message>
     <message>
-        <source>The cap moves and turns as the tool shall.</source>
+        <source>The tool follows the motion of the cap.</source>
         <translation>ツールが動くべきようにキャップを動かし回します。</translation>
     </message>
 </context>
@@ -3055,22 +3114,22 @@
         <translation>スペクトルの計算</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <source>There are fewer than %1 samples: select a longer range.</source>
         <translation>サンプルが%1個より少なくなっています。範囲を長くしてください。</translation>
     </message>
     <message>
-        <source>Values are missing in this range: choose one without a gap.</source>
+        <source>Values are missing in this range: select a range without gaps.</source>
         <translation>この範囲には値の欠けがあります。欠けのない範囲を選んでください。</translation>
     </message>
     <message>
-        <source>There is too little memory.</source>
+        <source>Not enough memory.</source>
         <translation>メモリが足りません。</translation>
     </message>
 </context>
 <context>
     <name>StartProject</name>
     <message>
-        <source>The project worked in last is not there any more: %1</source>
+        <source>The last project no longer exists: %1</source>
         <translation>最後に作業したプロジェクトがもうありません：%1</translation>
     </message>
 </context>
@@ -3156,31 +3215,31 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
         <translation>アドレスを確認してください：192.168.0.10 のような四つの数か、ネットワークにある名前。</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
         <translation>ロボットの電源、ケーブル、この PC が同じネットワークにあることを確認してください。</translation>
     </message>
     <message>
-        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
         <translation>ロボットでインターフェースを有効にしてください：設定、セキュリティ、サービス。起動直後のロボットはもう 1 分かかることがあります。</translation>
     </message>
     <message>
-        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
         <translation>ロボットが接続を終えました：再起動中か、ローカルとリモートが切り替えられた可能性があります。</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <source>The robot does not answer. Check the cable and the address.</source>
         <translation>ロボットが応答しません。ケーブルと、アドレスがロボット自身のものか確認してください。</translation>
     </message>
     <message>
-        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
         <translation>データが届かなくなりました。ケーブルを確認してください。接続は自動で戻りますが、動作は戻りません。</translation>
     </message>
     <message>
-        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <source>The answer violates the RTDE protocol. Check address and port.</source>
         <translation>そこで応答するものは RTDE を正しく話しません。アドレスとポートを確認してください。</translation>
     </message>
     <message>
@@ -3188,11 +3247,11 @@
         <translation>ロボットのソフトウェアが古すぎます。</translation>
     </message>
     <message>
-        <source>The robot&apos;s software does not have this value.</source>
+        <source>The robot&apos;s software does not provide this value.</source>
         <translation>ロボットのソフトウェアにこの値はありません。</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
         <translation>別のプログラムかロボットのフィールドバスがこれらのレジスターを使っています：そのプログラムを閉じるか、インストールでフィールドバスを無効にしてください。</translation>
     </message>
     <message>
@@ -3208,36 +3267,32 @@
         <translation>先にロボットを「稼働中」、安全を「通常」にしてください。</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>ティーチペンダント右上でロボットをリモート制御に切り替えてください。</translation>
     </message>
     <message>
-        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed within the cap.</source>
         <translation>アームの範囲内の目標と上限内の速度を選んでください。</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
         <translation>アームはこの姿勢に到達できません：点を近づけるか、ツールを回してください。</translation>
     </message>
     <message>
-        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <source>The robot could not run the program. See the log for the message of the controller.</source>
         <translation>ロボットは送られたプログラムを実行できませんでした。ロボットの言葉はログにあります。</translation>
     </message>
     <message>
-        <source>Check that the file exists and may be read.</source>
+        <source>Check that the file exists and that you have permission to read it.</source>
         <translation>ファイルが存在し、読めることを確認してください。</translation>
     </message>
     <message>
-        <source>Choose a folder you may write to.</source>
+        <source>Choose a folder that you have permission to write to.</source>
         <translation>書き込めるフォルダーを選んでください。</translation>
     </message>
     <message>
-        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <source>The file was not changed. Open a backup, or repair the reported position.</source>
         <translation>ファイルはそのままです。バックアップを開くか、示された箇所を直してください。</translation>
-    </message>
-    <message>
-        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
-        <translation>ディスクが一杯です：記録した分は残ります。空きを作って記録し直してください。</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3256,11 +3311,11 @@
         <translation>接続拒否</translation>
     </message>
     <message>
-        <source>Connection ended by the robot</source>
+        <source>Connection closed by the robot</source>
         <translation>ロボットが接続を終了</translation>
     </message>
     <message>
-        <source>No answer in time</source>
+        <source>Timed out</source>
         <translation>時間内に応答なし</translation>
     </message>
     <message>
@@ -3268,11 +3323,11 @@
         <translation>取り消し</translation>
     </message>
     <message>
-        <source>Link lost</source>
+        <source>Connection lost</source>
         <translation>リンク切れ</translation>
     </message>
     <message>
-        <source>Not understood</source>
+        <source>Protocol error</source>
         <translation>理解できません</translation>
     </message>
     <message>
@@ -3308,7 +3363,7 @@
         <translation>範囲外</translation>
     </message>
     <message>
-        <source>Not a valid value</source>
+        <source>Invalid value</source>
         <translation>有効な値ではありません</translation>
     </message>
     <message>
@@ -3328,11 +3383,11 @@
         <translation>ロボットのプログラムエラー</translation>
     </message>
     <message>
-        <source>File cannot be read</source>
+        <source>Cannot read the file</source>
         <translation>ファイルを読めません</translation>
     </message>
     <message>
-        <source>File cannot be written</source>
+        <source>Cannot write the file</source>
         <translation>ファイルに書けません</translation>
     </message>
     <message>
@@ -3364,7 +3419,7 @@
         <translation>フォーカスを失った</translation>
     </message>
     <message>
-        <source>window no longer active</source>
+        <source>window lost activation</source>
         <translation>ウィンドウが非アクティブ</translation>
     </message>
     <message>
@@ -3408,7 +3463,7 @@
         <translation>ロボットか安全のモードが変わった</translation>
     </message>
     <message>
-        <source>not refreshed in time</source>
+        <source>input not refreshed in time</source>
         <translation>時間内に更新されなかった</translation>
     </message>
     <message>
@@ -3416,7 +3471,7 @@
         <translation>PC がスリープ</translation>
     </message>
     <message>
-        <source>link lost</source>
+        <source>connection lost</source>
         <translation>リンク切れ</translation>
     </message>
     <message>
@@ -3448,23 +3503,23 @@
         <translation>一度のステップには目標が遠い</translation>
     </message>
     <message>
-        <source>no sign that it was still held</source>
+        <source>no confirmation that the key is still held</source>
         <translation>押し続けている印がない</translation>
     </message>
     <message>
-        <source>held for the longest time; press again</source>
+        <source>maximum hold time reached; press again</source>
         <translation>最長時間押された。もう一度押してください</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
         <translation>10.11 より前の PolyScope X はこの指令をネットワークで受け付けません：タブレットを使ってください。</translation>
     </message>
     <message>
-        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
         <translation>PolyScope X にはネットワークでポップアップを閉じる指令がありません：タブレットを使ってください。</translation>
     </message>
     <message>
-        <source>Only watching. Take control to move the arm.</source>
+        <source>Monitoring. Take control to move the arm.</source>
         <translation>監視のみです。アームを動かすには制御を取得してください。</translation>
     </message>
     <message>
@@ -3480,16 +3535,28 @@
         <translation>制御プログラムがロボットで停止されました。もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>The control program does not answer. Take control again.</source>
+        <source>The control program does not respond. Take control again.</source>
         <translation>制御プログラムが応答しません。もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>The link was lost. Take control again.</source>
+        <source>The connection was lost. Take control again.</source>
         <translation>リンクが切れました。もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>A script of your own is running. Control comes back when it ends.</source>
+        <source>Your script is running. Control returns when it ends.</source>
         <translation>あなたのスクリプトが動いています。終わると制御が戻ります。</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk, then save or record again.</source>
+        <translation>ディスクの空きを増やしてから、もう一度保存または記録してください。</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <translation>監視のみ：このウィンドウはロボットを変更しません。設定または --monitor-only で指定されています。</translation>
+    </message>
+    <message>
+        <source>The control connection does not respond.</source>
+        <translation>制御用の接続が応答しません。</translation>
     </message>
 </context>
 <context>
@@ -3511,11 +3578,11 @@
         <translation>行 %1、%2：%3</translation>
     </message>
     <message>
-        <source>“%1” is neither J nor L</source>
+        <source>“%1” must be J or L</source>
         <translation>「%1」は J でも L でもありません</translation>
     </message>
     <message>
-        <source>“%1” is neither joints nor pose</source>
+        <source>“%1” must be joints or pose</source>
         <translation>「%1」は joints でも pose でもありません</translation>
     </message>
     <message>
@@ -3523,18 +3590,18 @@
         <translation>このプロジェクトに座標系「%1」はありません</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
         <translation>これはウェイポイントの表ではありません。一覧から一つコピーして列を確かめるか、姿勢の六つの数を貼り付けてください。</translation>
     </message>
     <message>
-        <source>“%1” is no colour of a waypoint</source>
+        <source>“%1” is not a waypoint colour</source>
         <translation>「%1」はウェイポイントの色ではありません</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: a quotation mark is not closed</source>
+        <source>Line %1: missing closing quotation mark</source>
         <translation>行 %1：引用符が閉じていません</translation>
     </message>
 </context>
@@ -3551,15 +3618,15 @@
         </translation>
     </message>
     <message>
-        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
         <translation>「通しで移動」でアームが着いたとき、キーを押し続けている間だけ、この順に行われます。</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
         <translation>これらのウェイポイントの動作は異なります。「変更」を押すと、すべてが下の動作になります。</translation>
     </message>
     <message>
-        <source>Actions in their order</source>
+        <source>Actions in order</source>
         <translation>動作の順序</translation>
     </message>
     <message>
@@ -3571,7 +3638,7 @@
         <translation>追加</translation>
     </message>
     <message>
-        <source>Add an action after the chosen one</source>
+        <source>Add an action after the selected one</source>
         <translation>選んだ動作の後に動作を追加</translation>
     </message>
     <message>
@@ -3579,7 +3646,7 @@
         <translation>削除</translation>
     </message>
     <message>
-        <source>Remove the chosen action</source>
+        <source>Remove the selected action</source>
         <translation>選んだ動作を削除</translation>
     </message>
     <message>
@@ -3587,7 +3654,7 @@
         <translation>上へ</translation>
     </message>
     <message>
-        <source>Do the chosen action earlier</source>
+        <source>Move the selected action up</source>
         <translation>選んだ動作を先に行う</translation>
     </message>
     <message>
@@ -3595,15 +3662,15 @@
         <translation>下へ</translation>
     </message>
     <message>
-        <source>Do the chosen action later</source>
+        <source>Move the selected action down</source>
         <translation>選んだ動作を後に行う</translation>
     </message>
     <message>
-        <source>What is done</source>
+        <source>Action</source>
         <translation>何を行うか</translation>
     </message>
     <message>
-        <source>Which terminal</source>
+        <source>Terminal</source>
         <translation>どの端子か</translation>
     </message>
     <message>
@@ -3623,11 +3690,11 @@
         <translation>オン</translation>
     </message>
     <message>
-        <source>At most, seconds</source>
+        <source>Timeout in seconds</source>
         <translation>最大、秒</translation>
     </message>
     <message>
-        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
         <translation>その後は終わり、それを知らせます。0: キーを押し続けている間、最大1時間</translation>
     </message>
 </context>
@@ -3680,7 +3747,7 @@ Right click or F2 to rename and scale.</source>
         <translation>%1 のスケール</translation>
     </message>
     <message>
-        <source>bar; empty: not scaled</source>
+        <source>e.g. bar; empty: not scaled</source>
         <translation>bar。空：スケールなし</translation>
     </message>
     <message>
@@ -3707,12 +3774,289 @@ Right click or F2 to rename and scale.</source>
         <translation>キーボードを有効に</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
         <translation>矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。クリックするか 30 秒待つとキーボードは無効になります。</translation>
     </message>
     <message>
-        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
         <translation>その後、押している間だけ矢印キーがアームを動かし、ウィンドウの周りに枠が出ます。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CellPage</name>
+    <message>
+        <source>Size %1</source>
+        <translation>サイズ %1</translation>
+    </message>
+    <message>
+        <source>Drawn and checked</source>
+        <translation>表示・確認の対象</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>A box or plane needs a name.</source>
+        <translation>箱または平面には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose another name.</source>
+        <translation>セルには既に「%1」があります。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」の名前を「%2」に変更</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>セル</translation>
+    </message>
+    <message>
+        <source>No boxes or planes yet.
+Move the TCP to a corner of an obstacle and press Corner here.</source>
+        <translation>箱も平面もまだありません。
+TCPを障害物の角に移動し、「角をここに」を押してください。</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>確認対象</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <translation>箱の中心です。Enterで適用します。変わるのは箱だけで、ロボットは動きません。</translation>
+    </message>
+    <message>
+        <source>LX</source>
+        <translation>LX</translation>
+    </message>
+    <message>
+        <source>LY</source>
+        <translation>LY</translation>
+    </message>
+    <message>
+        <source>LZ</source>
+        <translation>LZ</translation>
+    </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>ロボットのデータが古くなっています。新しいデータを待ってください。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>ロボットが接続されていません。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>箱</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>「%1」を追加</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>First corner taken.</source>
+        <translation>最初の角を記録しました。</translation>
+    </message>
+    <message>
+        <source>Move the TCP to the opposite corner and press Other corner.</source>
+        <translation>TCPを反対側の角に移動し、「もう一つの角」を押してください。</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
+        <translation>二つの角が同じ平面上にあります。TCPを箱の反対側の角に移動してください。</translation>
+    </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation>「%1」を移動</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>「%1」を複製</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>「%1」を削除</translation>
+    </message>
+    <message>
+        <source>Include “%1”</source>
+        <translation>「%1」を含める</translation>
+    </message>
+    <message>
+        <source>Exclude “%1”</source>
+        <translation>「%1」を除外</translation>
+    </message>
+    <message>
+        <source>Set the floor</source>
+        <translation>床を設定</translation>
+    </message>
+    <message>
+        <source>Remove the floor</source>
+        <translation>床を削除</translation>
+    </message>
+    <message>
+        <source>Change the safety distance</source>
+        <translation>安全距離を変更</translation>
+    </message>
+    <message>
+        <source>Other corner</source>
+        <translation>もう一つの角</translation>
+    </message>
+    <message>
+        <source>Corner here</source>
+        <translation>角をここに</translation>
+    </message>
+    <message>
+        <source>%1 · %2 in %3</source>
+        <translation>%1 · %3の%2</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>Length along X</source>
+        <translation>X方向の長さ</translation>
+    </message>
+    <message>
+        <source>Length along Y</source>
+        <translation>Y方向の長さ</translation>
+    </message>
+    <message>
+        <source>Length along Z</source>
+        <translation>Z方向の長さ</translation>
+    </message>
+    <message>
+        <source>Point on the plane X</source>
+        <translation>平面上の点 X</translation>
+    </message>
+    <message>
+        <source>Point on the plane Y</source>
+        <translation>平面上の点 Y</translation>
+    </message>
+    <message>
+        <source>Point on the plane Z</source>
+        <translation>平面上の点 Z</translation>
+    </message>
+    <message>
+        <source>Normal X, towards the arm</source>
+        <translation>法線 X（アーム側）</translation>
+    </message>
+    <message>
+        <source>Normal Y, towards the arm</source>
+        <translation>法線 Y（アーム側）</translation>
+    </message>
+    <message>
+        <source>Normal Z, towards the arm</source>
+        <translation>法線 Z（アーム側）</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>床</translation>
+    </message>
+    <message>
+        <source>When off, it is not drawn and not checked.</source>
+        <translation>オフの場合は表示も確認もされません。</translation>
+    </message>
+    <message>
+        <source>Horizontal plane in the base frame that the arm must stay above.</source>
+        <translation>アームがその上に留まるべきベース座標系の水平面です。</translation>
+    </message>
+    <message>
+        <source>Height of the floor</source>
+        <translation>床の高さ</translation>
+    </message>
+    <message>
+        <source>Safety distance</source>
+        <translation>安全距離</translation>
+    </message>
+    <message>
+        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
+        <translation>ジョグはアーム自身とセルからこの距離で停止します。それより近づく動作は拒否されます。</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>ここ</translation>
+    </message>
+    <message>
+        <source>Set the floor to the TCP height</source>
+        <translation>床をTCPの高さに設定</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Set a corner of a box to the TCP</source>
+        <translation>箱の角をTCPに設定</translation>
+    </message>
+    <message>
+        <source>Plane here</source>
+        <translation>平面をここに</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP, perpendicular to the tool</source>
+        <translation>TCPを通りツールに垂直な平面を追加</translation>
+    </message>
+    <message>
+        <source>New box</source>
+        <translation>新しい箱</translation>
+    </message>
+    <message>
+        <source>Add a box numerically</source>
+        <translation>数値で箱を追加</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP</source>
+        <translation>TCPを通る平面を追加</translation>
+    </message>
+    <message>
+        <source>Add a plane numerically</source>
+        <translation>数値で平面を追加</translation>
+    </message>
+    <message>
+        <source>Move the box or plane to the TCP</source>
+        <translation>箱または平面をTCPへ移動</translation>
+    </message>
+    <message>
+        <source>Include or exclude the box or plane</source>
+        <translation>箱または平面を含める、または除外する</translation>
+    </message>
+    <message>
+        <source>Rename box or plane</source>
+        <translation>箱または平面の名前を変更</translation>
+    </message>
+    <message>
+        <source>Duplicate box or plane</source>
+        <translation>箱または平面を複製</translation>
+    </message>
+    <message>
+        <source>Delete box or plane</source>
+        <translation>箱または平面を削除</translation>
+    </message>
+    <message>
+        <source>Resize “%1”</source>
+        <translation>「%1」のサイズを変更</translation>
+    </message>
+    <message>
+        <source>The normal must not be zero. Enter a component first.</source>
+        <translation>法線をゼロにはできません。先に成分を入力してください。</translation>
+    </message>
+    <message>
+        <source>Rotate “%1”</source>
+        <translation>「%1」を回転</translation>
     </message>
 </context>
 <context>
@@ -3726,7 +4070,7 @@ Right click or F2 to rename and scale.</source>
         <translation>比較…</translation>
     </message>
     <message>
-        <source>Compare this recording with the model of its arm, with other limits</source>
+        <source>Compare this recording with the arm model, with different limits</source>
         <translation>この記録をアームのモデルと別の限界値で比較します</translation>
     </message>
     <message>
@@ -3738,11 +4082,11 @@ Right click or F2 to rename and scale.</source>
         <translation>そこへ移動</translation>
     </message>
     <message>
-        <source>Compare no further</source>
+        <source>Stop comparing</source>
         <translation>比較を中止します</translation>
     </message>
     <message>
-        <source>Put cursor A where arm and model part</source>
+        <source>Place cursor A where arm and model diverge</source>
         <translation>アームとモデルが分かれる時点にカーソル A を置きます</translation>
     </message>
 </context>
@@ -3753,7 +4097,7 @@ Right click or F2 to rename and scale.</source>
         <translation>アームのモデルと比較</translation>
     </message>
     <message>
-        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
         <translation>関節への指令をシミュレーションのアームに与え、その動きを記録と比較します。シミュレーションのアームには何も触れず、摩擦もありません。</translation>
     </message>
     <message>
@@ -3789,7 +4133,7 @@ Right click or F2 to rename and scale.</source>
         <translation>継続時間の下限</translation>
     </message>
     <message>
-        <source>What has a limit of 0 is not compared.</source>
+        <source>Signals with a limit of 0 are not compared.</source>
         <translation>限界値が 0 のものは比較しません。</translation>
     </message>
     <message>
@@ -3800,11 +4144,11 @@ Right click or F2 to rename and scale.</source>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until the program ends)</source>
+        <source>Moves the arm (until Tiller is closed)</source>
         <translation>アームを動かす（プログラム終了まで）</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>最も大きく倒した軸だけ</translation>
     </message>
     <message>
@@ -3816,7 +4160,7 @@ Right click or F2 to rename and scale.</source>
         <translation>デバイス</translation>
     </message>
     <message>
-        <source>Which way the arm would go</source>
+        <source>Direction in which the arm would move</source>
         <translation>アームが動く向き</translation>
     </message>
     <message>
@@ -3828,7 +4172,7 @@ Right click or F2 to rename and scale.</source>
         <translation>動く向き</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
         <translation>キーボード（有効な間、Ctrl+J）：矢印 X と Y、PgUp と PgDn Z、Alt で回転、1〜6 と + − で関節、Home、End で整列、Backspace で戻る、F フリードライブ。Ctrl 遅く、Shift 速く。Space と Esc で停止。</translation>
     </message>
     <message>
@@ -3836,7 +4180,7 @@ Right click or F2 to rename and scale.</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>ゲームパッドも SpaceMouse もありません。差し込むと自動で現れます。</translation>
     </message>
     <message>
@@ -3855,7 +4199,7 @@ Right click or F2 to rename and scale.</source>
 <context>
     <name>tiller::FigureBox</name>
     <message>
-        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation>「%1」は採用されませんでした：%2〜%3。何も変わっていません。</translation>
     </message>
 </context>
@@ -3901,7 +4245,7 @@ Right click or F2 to rename and scale.</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <source>The list will not appear again. Use the command “First steps” to show it.</source>
         <translation>一覧は自動では戻りません。コマンド「最初のステップ」で戻せます。</translation>
     </message>
     <message>
@@ -3920,11 +4264,11 @@ Right click or F2 to rename and scale.</source>
         <translation>原点</translation>
     </message>
     <message>
-        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation>ベースで。Return で適用します。動くのは座標系だけです。</translation>
     </message>
     <message>
-        <source>no waypoint uses it</source>
+        <source>not used by any waypoint</source>
         <translation>使うウェイポイントなし</translation>
     </message>
     <message numerus="yes">
@@ -3941,7 +4285,7 @@ Right click or F2 to rename and scale.</source>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoint moved with it.</source>
+        <source>No waypoints moved with it.</source>
         <translation>一緒に動いたウェイポイントはありません。</translation>
     </message>
     <message numerus="yes">
@@ -3951,7 +4295,7 @@ Right click or F2 to rename and scale.</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach there.</source>
+        <source>%n of them are now out of reach.</source>
         <translation>
             <numerusform>そのうち %n 個はそこでは到達不可です。</numerusform>
         </translation>
@@ -3965,11 +4309,11 @@ Right click or F2 to rename and scale.</source>
         <translation>「%1」を教示</translation>
     </message>
     <message>
-        <source>It moves by %1 (%2, base frame).</source>
+        <source>The frame moves by %1 (%2, base frame).</source>
         <translation>%1 動きます（%2、ベース座標系）。</translation>
     </message>
     <message>
-        <source>No waypoint is given in it.</source>
+        <source>No waypoint uses this frame.</source>
         <translation>これで与えられたウェイポイントはありません。</translation>
     </message>
     <message numerus="yes">
@@ -3991,15 +4335,15 @@ Right click or F2 to rename and scale.</source>
         <translation>「%1」を修正教示</translation>
     </message>
     <message>
-        <source>“%1” is touched up</source>
+        <source>Touched up “%1”</source>
         <translation>「%1」を修正教示しました</translation>
     </message>
     <message>
-        <source>Set the place of “%1”</source>
+        <source>Set the position of “%1”</source>
         <translation>「%1」の位置を設定</translation>
     </message>
     <message>
-        <source>“%1” is set in figures. %2</source>
+        <source>“%1” was set numerically. %2</source>
         <translation>「%1」を数値で設定しました。%2</translation>
     </message>
     <message>
@@ -4011,7 +4355,7 @@ Right click or F2 to rename and scale.</source>
         <translation>「%1」を削除しますか？</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
             <numerusform>%n 個のウェイポイントがこれで与えられています。位置はそのままで、ベースで与えられます。</numerusform>
         </translation>
@@ -4040,11 +4384,11 @@ Right click or F2 to rename and scale.</source>
         <translation>ビュー</translation>
     </message>
     <message>
-        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <source>“%1” is a built-in frame. Choose another name.</source>
         <translation>「%1」はどのロボットにもある座標系です。別の名前を選んでください。</translation>
     </message>
     <message>
-        <source>“%1” is taken by another frame. Choose another name.</source>
+        <source>Another frame is named “%1”. Choose another name.</source>
         <translation>「%1」は別の座標系の名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -4084,7 +4428,7 @@ Right click or F2 to rename and scale.</source>
         <translation>点数</translation>
     </message>
     <message>
-        <source>Waypoints that move with it</source>
+        <source>Waypoints that move with the frame</source>
         <translation>一緒に動くウェイポイント</translation>
     </message>
     <message>
@@ -4114,7 +4458,7 @@ Right click or F2 to rename and scale.</source>
         <translation>3 点から座標系</translation>
     </message>
     <message>
-        <source>Cancel the frame</source>
+        <source>Cancel frame teaching</source>
         <translation>座標系を取り消す</translation>
     </message>
     <message>
@@ -4146,15 +4490,15 @@ Right click or F2 to rename and scale.</source>
         <translation>取る</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>座標系を作成</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the point again.</source>
+        <source>The robot sent an invalid position. Take the point again.</source>
         <translation>ロボットが有効な位置を送りませんでした。点を取り直してください。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>+X 上の点は原点から %1 しか離れていません。%2 以上離して取り直してください：遠いほど軸が正確です。</translation>
     </message>
     <message>
@@ -4162,23 +4506,23 @@ Right click or F2 to rename and scale.</source>
         <translation>3 点目は原点から %1 しか離れていません。%2 以上離して取り直してください。</translation>
     </message>
     <message>
-        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
         <translation>3 点が一直線上にあります：3 点目は X 軸から %1 だけです。+Y 側に %2 以上離して取り直してください。</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
         <translation>準備完了：+X 上の点は %1、3 点目は X 軸から %2。</translation>
     </message>
     <message>
-        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <source>Jog the tip to the origin of the frame and take the point (P).</source>
         <translation>先端を座標系の原点へジョグして取ってください (P)。</translation>
     </message>
     <message>
-        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
         <translation>次は +X 上の点へ：原点から %1、最小 %2。</translation>
     </message>
     <message>
-        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
         <translation>次は +Y 側へ：X 軸から %1、最小 %2。</translation>
     </message>
     <message>
@@ -4221,12 +4565,12 @@ Right click or F2 to rename and scale.</source>
         <translation>座標系を修正教示</translation>
     </message>
     <message>
-        <source>More about frames</source>
+        <source>More frame commands</source>
         <translation>座標系の他の操作</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
         <translation>座標系はまだありません。
 先端をトレーやテーブルの角へジョグし、「TCP から」、または「3 点」で原点、+X、+Y を取ってください。</translation>
     </message>
@@ -4235,7 +4579,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>新しい座標系</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
     </message>
     <message>
@@ -4243,7 +4587,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
-        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
         <translation>TCP の位置に、ツールの軸で座標系 (Shift+T)</translation>
     </message>
     <message>
@@ -4251,7 +4595,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>原点、+X 上の点、+Y 側の点 (Ctrl+Shift+T)</translation>
     </message>
     <message>
-        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <source>Move the selected frame to the TCP (Shift+U)</source>
         <translation>選んだ座標系を TCP の位置へ (Shift+U)</translation>
     </message>
     <message>
@@ -4271,7 +4615,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>座標系の次の点を取る</translation>
     </message>
     <message>
-        <source>Make the frame of the points taken</source>
+        <source>Create frame from points</source>
         <translation>取った点から座標系を作成</translation>
     </message>
     <message>
@@ -4295,7 +4639,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>座標系の名前を変更</translation>
     </message>
     <message>
-        <source>Set frame in figures</source>
+        <source>Enter frame numerically</source>
         <translation>座標系を数値で設定</translation>
     </message>
     <message>
@@ -4319,22 +4663,22 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>修正教示…</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>座標系を作成</translation>
     </message>
 </context>
 <context>
     <name>tiller::GoThrough</name>
     <message>
-        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation>巡るウェイポイントがありません。教示するか選択してください。</translation>
     </message>
     <message>
-        <source>There is no waypoint before this one.</source>
+        <source>This is the first waypoint.</source>
         <translation>これより前のウェイポイントはありません。</translation>
     </message>
     <message>
-        <source>A waypoint of the way is not in this project any more.</source>
+        <source>A waypoint of the route was deleted from the project.</source>
         <translation>経路のウェイポイントがこのプロジェクトにもうありません。</translation>
     </message>
     <message>
@@ -4342,7 +4686,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>「%1」：%2</translation>
     </message>
     <message>
-        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>ウェイポイントが1つだけの繰り返しではどこにも進みません。ウェイポイントを増やすか、繰り返しなしで進めてください。</translation>
     </message>
 </context>
@@ -4365,31 +4709,31 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>巡る、押し続ける</translation>
     </message>
     <message>
-        <source>One waypoint back, hold</source>
+        <source>Previous waypoint, hold</source>
         <translation>一つ前のウェイポイントへ、押し続ける</translation>
     </message>
     <message>
-        <source>Goes back to the waypoint before while the key is held</source>
+        <source>Moves to the previous waypoint while the key is held</source>
         <translation>押している間、前のウェイポイントへ戻ります</translation>
     </message>
     <message>
-        <source>One waypoint on, hold</source>
+        <source>Next waypoint, hold</source>
         <translation>一つ次のウェイポイントへ、押し続ける</translation>
     </message>
     <message>
-        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the key is held, and stops there</source>
         <translation>押している間、次のウェイポイントへ動き、そこで止まります</translation>
     </message>
     <message>
-        <source>Which waypoints to go through</source>
+        <source>Waypoints of the route</source>
         <translation>巡るウェイポイント</translation>
     </message>
     <message>
-        <source>Which waypoints</source>
+        <source>Waypoints</source>
         <translation>どのウェイポイント</translation>
     </message>
     <message>
-        <source>Which waypoints to go through, in the order of the list</source>
+        <source>Selects the waypoints of the route, in the order of the list</source>
         <translation>巡るウェイポイント、一覧の順</translation>
     </message>
     <message>
@@ -4405,15 +4749,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>すべて</translation>
     </message>
     <message>
-        <source>In a loop</source>
-        <translation>繰り返す</translation>
-    </message>
-    <message>
-        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
         <translation>押している限り、最後の次は再び最初のウェイポイントです</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>アームは制御下にありません。先に制御を取得してください。</translation>
     </message>
     <message>
@@ -4421,7 +4761,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>The coming one: %1 of %2, %3</source>
+        <source>Next: %1 of %2, %3</source>
         <translation>次：%1 / %2、%3</translation>
     </message>
     <message>
@@ -4429,7 +4769,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>済み</translation>
     </message>
     <message>
-        <source>Done. The next press begins at the first.</source>
+        <source>Done. The next press starts at the first waypoint.</source>
         <translation>完了。次に押すと最初から始めます。</translation>
     </message>
     <message numerus="yes">
@@ -4443,7 +4783,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation>キーを押し続けている間、ジョグ速度以下でウェイポイントを順に移動し、それぞれで決められた動作を行います。放すと一時停止し、次に押すと次のウェイポイントへ続きます。</translation>
     </message>
     <message>
@@ -4469,15 +4809,15 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
 <context>
     <name>tiller::GripperPanel</name>
     <message>
-        <source>State of the gripper</source>
+        <source>Gripper state</source>
         <translation>グリッパーの状態</translation>
     </message>
     <message>
-        <source>How far the gripper is open</source>
+        <source>Gripper opening</source>
         <translation>グリッパーの開き</translation>
     </message>
     <message>
-        <source>What the gripper holds</source>
+        <source>Gripped object</source>
         <translation>グリッパーがつかむもの</translation>
     </message>
     <message>
@@ -4529,7 +4869,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>グリッパー：%1 へ</translation>
     </message>
     <message>
-        <source>Which gripper</source>
+        <source>Gripper type</source>
         <translation>グリッパーの種類</translation>
     </message>
     <message>
@@ -4557,19 +4897,19 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>開く出力</translation>
     </message>
     <message>
-        <source>Opening wanted</source>
+        <source>Target opening</source>
         <translation>目標の開き</translation>
     </message>
     <message>
-        <source>Speed of the fingers</source>
+        <source>Finger speed</source>
         <translation>指の速度</translation>
     </message>
     <message>
-        <source>Force of the fingers</source>
+        <source>Finger force</source>
         <translation>指の力</translation>
     </message>
     <message>
-        <source>What to do about the gripper</source>
+        <source>Suggested action</source>
         <translation>グリッパーについてすべきこと</translation>
     </message>
     <message>
@@ -4605,15 +4945,15 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>力</translation>
     </message>
     <message>
-        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
         <translation>指の開き、0〜%1。「動かす」で送ります。</translation>
     </message>
     <message>
-        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
         <translation>次の動作の速度。0 % は約 %1、100 % は約 %2。</translation>
     </message>
     <message>
-        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <source>Force of the next grip. 0 % is about %1, 100 % about %2.</source>
         <translation>次の把持の力。0 % は約 %1、100 % は約 %2。</translation>
     </message>
     <message>
@@ -4637,11 +4977,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>ロボットからのデータなし。</translation>
     </message>
     <message>
-        <source>One moment…</source>
+        <source>Please wait…</source>
         <translation>しばらくお待ちください…</translation>
     </message>
     <message>
-        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <source>Select the mounted gripper. The choice is stored for this robot.</source>
         <translation>手首にあるものを選んでください。このロボットとともに記憶します。</translation>
     </message>
     <message>
@@ -4649,7 +4989,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>不明</translation>
     </message>
     <message>
-        <source>being activated…</source>
+        <source>activating…</source>
         <translation>有効化中…</translation>
     </message>
     <message>
@@ -4669,19 +5009,19 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>動作中</translation>
     </message>
     <message>
-        <source>active, standing</source>
+        <source>active, at standstill</source>
         <translation>有効、静止</translation>
     </message>
     <message>
-        <source>unknown while it moves</source>
+        <source>unknown while moving</source>
         <translation>動作中は不明</translation>
     </message>
     <message>
-        <source>an object, from outside</source>
+        <source>object, outer grip</source>
         <translation>物体、外側から</translation>
     </message>
     <message>
-        <source>an object, from inside</source>
+        <source>object, inner grip</source>
         <translation>物体、内側から</translation>
     </message>
     <message>
@@ -4689,11 +5029,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>なし</translation>
     </message>
     <message>
-        <source>With this port offset no gripper can be reached.</source>
+        <source>The gripper cannot be reached with this port offset.</source>
         <translation>このポートオフセットではグリッパーに届きません。</translation>
     </message>
     <message>
-        <source>Being activated: the fingers open and close once.</source>
+        <source>Activating: the fingers open and close once.</source>
         <translation>有効化中：指が一度開閉します。</translation>
     </message>
     <message>
@@ -4705,31 +5045,31 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>グリッパーは有効です。</translation>
     </message>
     <message>
-        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
         <translation>アームが停止してもグリッパーはそのままです：つかみ続けます。</translation>
     </message>
     <message>
-        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>指が一度開閉し、つかんだものは落ちます。指を入れないでください。</translation>
     </message>
     <message>
-        <source>Opens the gripper; what it holds is let go.</source>
+        <source>Opens the gripper and releases the object.</source>
         <translation>グリッパーを開きます。つかんだものは放されます。</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep fingers out of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of it.</source>
         <translation>グリッパーを閉じます。指を入れないでください。</translation>
     </message>
     <message>
-        <source>Sends the fingers to this opening.</source>
+        <source>Moves the fingers to this opening.</source>
         <translation>指をこの開きへ送ります。</translation>
     </message>
     <message>
-        <source>Its speed or its force is no figure it takes.</source>
+        <source>Speed or force is out of range.</source>
         <translation>速度または力が受け付けられる値ではありません。</translation>
     </message>
     <message>
-        <source>The gripper did not take the command.</source>
+        <source>The gripper did not accept the command.</source>
         <translation>グリッパーが指令を受け付けませんでした。</translation>
     </message>
     <message>
@@ -4780,15 +5120,15 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>データなし</translation>
     </message>
     <message>
-        <source>LAST STOP · no witness</source>
+        <source>LAST STOP · no key check</source>
         <translation>最後の停止 · 証人なし</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not measured</source>
         <translation>見えず</translation>
     </message>
     <message>
-        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
         <translation>動作中にデータが途切れました：どう止まったかは不明です。</translation>
     </message>
     <message>
@@ -4796,7 +5136,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>From the stop to standstill, measured. Cause: %1</source>
+        <source>Measured from stop command to standstill. Cause: %1</source>
         <translation>停止から静止まで、実測。原因：%1</translation>
     </message>
     <message>
@@ -4808,8 +5148,12 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>▲ 速度上限を %1 に引き上げ</translation>
     </message>
     <message>
-        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
         <translation>アームは %1 より速くなることがあります。設定で下げてください。プログラム終了で終わります。</translation>
+    </message>
+    <message>
+        <source>MONITOR ONLY</source>
+        <translation>監視のみ</translation>
     </message>
 </context>
 <context>
@@ -4819,18 +5163,18 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>押す</translation>
     </message>
     <message>
-        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <source>Hold this key: the arm moves only while it is held.</source>
         <translation>このキーを押し続けてください：押している間だけアームが動きます。</translation>
     </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
     <message>
-        <source>The window was not the active one. Press again.</source>
+        <source>The window was not active. Press again.</source>
         <translation>ウィンドウがアクティブではありませんでした。もう一度押してください。</translation>
     </message>
     <message>
-        <source>Click into the window first.</source>
+        <source>Click in the window first.</source>
         <translation>先にウィンドウ内をクリックしてください。</translation>
     </message>
     <message>
@@ -4838,11 +5182,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>ダイアログかメニューが開いています。先に閉じてください。</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>別のキーが押されています。</translation>
     </message>
     <message>
-        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>ディスプレイサーバーが応答しません：キーを離した時が分かりません。</translation>
     </message>
 </context>
@@ -4873,7 +5217,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>インシデントを記録：%1</translation>
     </message>
     <message>
-        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
         <translation>%1 s 前からのすべてが %2 にあります。この行をダブルクリックで開きます。</translation>
     </message>
 </context>
@@ -4896,12 +5240,12 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>保留中…</translation>
     </message>
     <message>
-        <source>%1, old data</source>
+        <source>%1, outdated</source>
         <translation>%1、古いデータ</translation>
     </message>
     <message>
         <source>
-Cannot be switched while no data come from the robot.</source>
+Cannot be switched while the robot sends no data.</source>
         <translation>
 ロボットのデータが届かない間は切り替えられません。</translation>
     </message>
@@ -4910,10 +5254,6 @@ Cannot be switched while no data come from the robot.</source>
 Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>
 クリックで切替：%1。P：パルス。右クリック：パルス、名前変更。</translation>
-    </message>
-    <message>
-        <source>%1 (held by another)</source>
-        <translation>%1（他が使用中）</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -4926,6 +5266,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>Name of %1</source>
         <translation>%1 の名前</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4982,7 +5326,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>ツール入力</translation>
     </message>
     <message>
-        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <source>Select a row of the I/O tab with the Tab key first.</source>
         <translation>先に Tab キーで I/O タブの行に移ってください。</translation>
     </message>
     <message>
@@ -4990,7 +5334,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>ロボットが %1 を確認しませんでした</translation>
     </message>
     <message>
-        <source>Another program or the installation may own it.</source>
+        <source>Another program or the installation may control it.</source>
         <translation>別のプログラムかインストールが使っている可能性があります。</translation>
     </message>
     <message>
@@ -4998,7 +5342,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>アナログ</translation>
     </message>
     <message>
-        <source>Registers of the robot&apos;s programs</source>
+        <source>Registers of robot programs</source>
         <translation>ロボットプログラムのレジスター</translation>
     </message>
     <message>
@@ -5006,8 +5350,20 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>ロボットからのデータなし。</translation>
     </message>
     <message>
-        <source>This is a replay: go back to live first.</source>
+        <source>Replay is active: return to live data first.</source>
         <translation>これは再生です。まずライブに戻ってください。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be pulsed now</source>
+        <translation>今は%1をパルス出力できません</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>ロック中</translation>
+    </message>
+    <message>
+        <source>controlled by another program</source>
+        <translation>別のプログラムが制御中</translation>
     </message>
 </context>
 <context>
@@ -5029,7 +5385,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>関節</translation>
     </message>
     <message>
-        <source>Shown below the pad</source>
+        <source>Frame of the displayed pose</source>
         <translation>パッドの下に表示</translation>
     </message>
     <message>
@@ -5037,7 +5393,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>アームはまだ動いていません。</translation>
     </message>
     <message>
-        <source>let go and press again</source>
+        <source>release and press again</source>
         <translation>離して押し直してください</translation>
     </message>
     <message>
@@ -5065,7 +5421,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>戻る</translation>
     </message>
     <message>
-        <source>Goes back the way the arm came while held</source>
+        <source>Retraces the last motion while held</source>
         <translation>押している間、来た道を戻ります</translation>
     </message>
     <message>
@@ -5081,11 +5437,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>あと %1 s で終了</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>別のキーが押されています。</translation>
     </message>
     <message>
-        <source>Last stop: not seen, data ended while the arm moved</source>
+        <source>Last stop: not measured, data stopped while the arm was moving</source>
         <translation>最後の停止：見えず、動作中にデータが途切れました</translation>
     </message>
     <message>
@@ -5093,7 +5449,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>最後の停止：%1、%2 ms 後に静止、%3</translation>
     </message>
     <message>
-        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
         <translation>押している間アームが手に従います：%1。右クリック：他の軸</translation>
     </message>
     <message>
@@ -5112,7 +5468,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
 <context>
     <name>tiller::JogKey</name>
     <message>
-        <source>%1 left this way</source>
+        <source>%1 left in this direction</source>
         <translation>この向きに残り %1</translation>
     </message>
 </context>
@@ -5158,11 +5514,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>キーを押している間動きます</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>回転</translation>
     </message>
     <message>
-        <source>Turns while the key is held</source>
+        <source>Rotates while the key is held</source>
         <translation>キーを押している間回ります</translation>
     </message>
     <message>
@@ -5170,7 +5526,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <source>Axes of the view: X right, Y away from you, Z up</source>
         <translation>画面の軸：X 右、Y 奥、Z 上</translation>
     </message>
     <message>
@@ -5178,15 +5534,15 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>3D ビューが必要です</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
         <translation>座標系がまだありません。座標系タブで教示してください。</translation>
     </message>
     <message>
-        <source>One step a press: %1</source>
+        <source>One step per press: %1</source>
         <translation>押すたびに一ステップ：%1</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1</source>
+        <source>One rotation step per press, tool or joint: %1</source>
         <translation>押すたびにツールか関節を一回転量：%1</translation>
     </message>
     <message>
@@ -5194,23 +5550,23 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
         <translation>押している間、ツールが %1 N で何かに触れるまでゆっくり。もう一度クリックで他のステップ</translation>
     </message>
     <message>
-        <source>One step a press: %1. Click again for other steps</source>
+        <source>One step per press: %1. Click again for other steps</source>
         <translation>押すたびに一ステップ：%1。もう一度クリックで他のステップ</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
         <translation>押すたびにツールか関節を一回転量：%1。もう一度クリックで他の回転</translation>
     </message>
     <message>
-        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
         <translation>%1 · 回転 %2 · 関節 %3 · Ctrl × 0.1、Shift × 3</translation>
     </message>
     <message>
-        <source>Other turn…</source>
+        <source>Other angle…</source>
         <translation>他の回転…</translation>
     </message>
     <message>
@@ -5234,15 +5590,15 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>ステップ（%1）</translation>
     </message>
     <message>
-        <source>Turn in degrees</source>
+        <source>Angle in degrees</source>
         <translation>回転（度）</translation>
     </message>
     <message>
-        <source>Speed of the TCP in %1</source>
+        <source>TCP speed in %1</source>
         <translation>TCP の速度（%1）</translation>
     </message>
     <message>
-        <source>Force that ends the motion, in N</source>
+        <source>Contact force that ends the motion, in N</source>
         <translation>動作を終える力（N）</translation>
     </message>
 </context>
@@ -5255,6 +5611,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>%1 plus</source>
         <translation>%1 プラス</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -5333,11 +5693,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>開く</translation>
     </message>
     <message>
-        <source>Open the recording of this incident, at the moment of the stop</source>
+        <source>Open the recording of this incident at the time of the stop</source>
         <translation>このインシデントの記録を停止の瞬間で開く</translation>
     </message>
     <message>
-        <source>Open the recording at this moment</source>
+        <source>Open the recording at this time</source>
         <translation>この時点で記録を開きます</translation>
     </message>
 </context>
@@ -5364,7 +5724,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>表示する重大度</translation>
     </message>
     <message>
-        <source>Filter the log by words</source>
+        <source>Filter the log by text</source>
         <translation>ログを語で絞り込む</translation>
     </message>
     <message>
@@ -5376,7 +5736,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>コピー</translation>
     </message>
     <message>
-        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
         <translation>選択した行、または表示中の全行をコピー (Ctrl+C)</translation>
     </message>
     <message>
@@ -5384,11 +5744,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>エクスポート…</translation>
     </message>
     <message>
-        <source>Write the lines that are shown to a file</source>
+        <source>Write the visible entries to a file</source>
         <translation>表示中の行をファイルに書く</translation>
     </message>
     <message>
-        <source>The selected line in full</source>
+        <source>Details of the selected entry</source>
         <translation>選択した行の全文</translation>
     </message>
     <message>
@@ -5412,70 +5772,50 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>記録を開く</translation>
     </message>
     <message>
-        <source>Open the recording of the selected line: incidents have one</source>
+        <source>Open the recording of the selected entry (incidents have a recording)</source>
         <translation>選択した行の記録を開く：インシデントにあります</translation>
     </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
     <message>
-        <source>%1 touches %2 of the arm already here</source>
-        <translation>%1 はここですでにアームの%2に触れています</translation>
-    </message>
-    <message>
-        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <source>%1 collides with %2 after %3 of the path</source>
         <translation>%1 は経路の %3 でアームの%2に当たります</translation>
     </message>
     <message>
-        <source>%1 touches the floor already here</source>
-        <translation>%1 はここですでに床に触れています</translation>
-    </message>
-    <message>
-        <source>%1 meets the floor after %2 of the way</source>
-        <translation>%1 は経路の %2 で床に当たります</translation>
-    </message>
-    <message>
-        <source>%1 touches “%2” already here</source>
-        <translation>%1 はここですでに「%2」に触れています</translation>
-    </message>
-    <message>
-        <source>%1 meets “%2” after %3 of the way</source>
-        <translation>%1 は経路の %3 で「%2」に当たります</translation>
-    </message>
-    <message>
-        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <source>The path enters the wrist singularity after %1 of its length</source>
         <translation>直線は経路の %1 で手首の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the way</source>
+        <source>Slow near the wrist singularity at %1 of the path</source>
         <translation>経路の %1 で手首の特異点近くのため低速</translation>
     </message>
     <message>
-        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <source>The path enters the elbow singularity after %1 of its length</source>
         <translation>直線は経路の %1 で肘が伸び切ります</translation>
     </message>
     <message>
-        <source>Slow near the stretched elbow at %1 of the way</source>
+        <source>Slow near the elbow singularity at %1 of the path</source>
         <translation>経路の %1 で肘が伸び切る近くのため低速</translation>
     </message>
     <message>
-        <source>The line runs into the axis of the base after %1 of the way</source>
+        <source>The path enters the shoulder singularity after %1 of its length</source>
         <translation>直線は経路の %1 でベースの軸に入ります</translation>
     </message>
     <message>
-        <source>Slow near the axis of the base at %1 of the way</source>
+        <source>Slow near the shoulder singularity at %1 of the path</source>
         <translation>経路の %1 でベースの軸近くのため低速</translation>
     </message>
     <message>
-        <source>A joint would have to turn at once after %1 of the way</source>
+        <source>A joint would have to jump after %1 of the path</source>
         <translation>経路の %1 で関節が一度に回る必要があります</translation>
     </message>
     <message>
-        <source>%1 leaves its range after %2 of the way</source>
+        <source>%1 exceeds its range after %2 of the path</source>
         <translation>%1 は経路の %2 で可動範囲を出ます</translation>
     </message>
     <message>
-        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <source>The path leaves the reach of the arm after %1 of its length</source>
         <translation>直線は経路の %1 でアームの到達範囲を出ます</translation>
     </message>
     <message>
@@ -5509,6 +5849,26 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>Tool</source>
         <translation>ツール</translation>
+    </message>
+    <message>
+        <source>%1 is in contact with %2, and the move leads closer</source>
+        <translation>%1は%2に接触しており、この動作でさらに近づきます</translation>
+    </message>
+    <message>
+        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <translation>%1は%3まで%2しかなく、この動作でさらに近づきます</translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 of %3 after %4 of the path</source>
+        <translation>%1が経路の%4で%3まで%2以内に近づきます</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>床</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>「%1」</translation>
     </message>
 </context>
 <context>
@@ -5561,7 +5921,7 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>その他</translation>
     </message>
 </context>
@@ -5584,35 +5944,35 @@ Clear the search to see everything.</source>
         <translation>実演を取り込む (CSV)…</translation>
     </message>
     <message>
-        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
         <translation>経路の記録がひとりでに終わりました：データが途絶えたか、10 分続きました。</translation>
     </message>
     <message>
-        <source>What was recorded until then is kept.</source>
+        <source>The path recorded so far is kept.</source>
         <translation>それまでの記録は残ります。</translation>
     </message>
     <message>
-        <source>End the recording of the path</source>
+        <source>Stop recording path</source>
         <translation>経路の記録を終える</translation>
     </message>
     <message>
-        <source>The path is being thinned.</source>
+        <source>Simplifying the path…</source>
         <translation>経路を間引いています。</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>ロボットからデータが来ません：記録するものがありません。</translation>
     </message>
     <message>
-        <source>Ends the recording and keeps the path as waypoints</source>
+        <source>Stops recording and stores the path as waypoints</source>
         <translation>記録を終え、経路をウェイポイントとして残します</translation>
     </message>
     <message>
-        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
         <translation>もう一度押すまで、フリードライブやジョグでアームが導かれた道を記録し、ウェイポイントとして残します。何も動かしません。</translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>経路のウェイポイントを二つ以上選んでください。</translation>
     </message>
     <message>
@@ -5624,7 +5984,7 @@ Clear the search to see everything.</source>
         <translation>表 (*.csv)</translation>
     </message>
     <message>
-        <source>The path was not written.</source>
+        <source>The path was not exported.</source>
         <translation>経路は書き込まれませんでした。</translation>
     </message>
     <message numerus="yes">
@@ -5645,19 +6005,19 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
         <translation>%1 に列「%2」がありません。timestamp と actual_q_0〜actual_q_5 が必要です。</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>ロボットからデータが来ません：記録するものがありません。</translation>
     </message>
     <message>
-        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <source>Import refused: a path is being recorded. Stop that recording first.</source>
         <translation>読み込みませんでした：経路を記録中です。先に終えてください。</translation>
     </message>
     <message>
-        <source>The demonstration could not be read.</source>
+        <source>The demonstration could not be imported.</source>
         <translation>実演を読めませんでした。</translation>
     </message>
     <message>
@@ -5665,7 +6025,7 @@ Clear the search to see everything.</source>
         <translation>経路 %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was kept.</source>
+        <source>The arm did not move: no path was stored.</source>
         <translation>アームが動きませんでした：経路は残しませんでした。</translation>
     </message>
     <message>
@@ -5673,21 +6033,21 @@ Clear the search to see everything.</source>
         <translation>「%1」を記録</translation>
     </message>
     <message>
-        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
         <translation>「%1」：%2 s を %3 個のウェイポイントに。記録した位置はすべて %4 と %5 以内です。</translation>
     </message>
     <message numerus="yes">
-        <source>%n packets did not arrive.</source>
+        <source>%n packets were lost.</source>
         <translation>
             <numerusform>%n パケットが届きませんでした。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>経路のウェイポイントを二つ以上選んでください。</translation>
     </message>
     <message>
-        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <source>“%1” is out of reach. Touch it up, or remove it.</source>
         <translation>「%1」に到達できません。修正教示するか、除いてください。</translation>
     </message>
 </context>
@@ -5710,7 +6070,7 @@ Clear the search to see everything.</source>
         <translation>名前</translation>
     </message>
     <message>
-        <source>First place</source>
+        <source>First cell</source>
         <translation>最初の場所</translation>
     </message>
     <message>
@@ -5718,19 +6078,19 @@ Clear the search to see everything.</source>
         <translation>最初の行の終わり</translation>
     </message>
     <message>
-        <source>Beginning of the last row</source>
+        <source>Start of the last row</source>
         <translation>最後の行の始め</translation>
     </message>
     <message>
-        <source>choose a waypoint</source>
+        <source>select a waypoint</source>
         <translation>ウェイポイントを選択</translation>
     </message>
     <message>
-        <source>as it was taught</source>
+        <source>as taught</source>
         <translation>教示どおり</translation>
     </message>
     <message>
-        <source>Places in a row</source>
+        <source>Cells per row</source>
         <translation>一行の場所数</translation>
     </message>
     <message>
@@ -5742,11 +6102,11 @@ Clear the search to see everything.</source>
         <translation>層数</translation>
     </message>
     <message>
-        <source>Height of a layer</source>
+        <source>Layer height</source>
         <translation>一層の高さ</translation>
     </message>
     <message>
-        <source>From one layer to the next, against the direction of the tool.</source>
+        <source>Distance between layers, opposite to the tool direction.</source>
         <translation>層から次の層へ、ツールの向きと逆に。</translation>
     </message>
     <message>
@@ -5762,7 +6122,7 @@ Clear the search to see everything.</source>
         <translation>蛇行</translation>
     </message>
     <message>
-        <source>Make pattern</source>
+        <source>Create pattern</source>
         <translation>パターンを作成</translation>
     </message>
     <message>
@@ -5774,31 +6134,31 @@ Clear the search to see everything.</source>
         <translation>パターンには名前が必要です。</translation>
     </message>
     <message>
-        <source>There is a pattern of that name. Choose another one.</source>
+        <source>A pattern with this name exists. Choose another name.</source>
         <translation>その名前のパターンがあります。別の名前を選んでください。</translation>
     </message>
     <message>
-        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <source>Select a waypoint for each corner. Teach the three corners first.</source>
         <translation>各隅のウェイポイントを選んでください。なければ先に三隅を教示してください。</translation>
     </message>
     <message>
-        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <source>Two corners are identical. Select another waypoint for one of them.</source>
         <translation>二つの隅が同じ位置です。一方に別のウェイポイントを選んでください。</translation>
     </message>
     <message>
-        <source>The height of a layer is no figure it can be.</source>
+        <source>Invalid layer height.</source>
         <translation>層の高さがありえない値です。</translation>
     </message>
     <message>
-        <source>Layers need a height.</source>
+        <source>Enter a layer height.</source>
         <translation>層には高さが必要です。</translation>
     </message>
     <message>
-        <source>%1 places are more than the %2 a pattern can have.</source>
+        <source>The pattern has %1 cells; the maximum is %2.</source>
         <translation>%1 か所はパターンの上限 %2 を超えます。</translation>
     </message>
     <message>
-        <source>Every place is left out.</source>
+        <source>All cells are excluded.</source>
         <translation>すべての場所が除かれています。</translation>
     </message>
     <message numerus="yes">
@@ -5808,7 +6168,7 @@ Clear the search to see everything.</source>
         </translation>
     </message>
     <message>
-        <source>%1 All can be reached.</source>
+        <source>%1 All are within reach.</source>
         <translation>%1 すべて到達可能です。</translation>
     </message>
     <message>
@@ -5816,7 +6176,7 @@ Clear the search to see everything.</source>
         <translation>%1 %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach; they are marked.</source>
+        <source>%n of them are out of reach and marked.</source>
         <translation>
             <numerusform>うち %n 個は到達不可で、印を付けました。</numerusform>
         </translation>
@@ -5825,11 +6185,11 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Places of the pattern</source>
+        <source>Cells of the pattern</source>
         <translation>パターンの場所</translation>
     </message>
     <message>
-        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
         <translation>場所をクリックすると除外／復帰します。最初の隅は左下です。</translation>
     </message>
     <message>
@@ -5848,11 +6208,11 @@ Clear the search to see everything.</source>
         <translation>ペイロードを採用</translation>
     </message>
     <message>
-        <source>Find the payload</source>
+        <source>Measure payload</source>
         <translation>ペイロードを求める</translation>
     </message>
     <message>
-        <source>Find the payload by weighing it in several poses</source>
+        <source>Measure the payload in several poses</source>
         <translation>いくつかの姿勢で量ってペイロードを求める</translation>
     </message>
     <message>
@@ -5860,7 +6220,7 @@ Clear the search to see everything.</source>
         <translation>次の姿勢、押し続ける</translation>
     </message>
     <message>
-        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation>押している間、手首を次の姿勢へ回します。ジョグ速度を超えません。ツールが回れる余地を確かめてください。</translation>
     </message>
     <message>
@@ -5868,47 +6228,47 @@ Clear the search to see everything.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Cancel finding the payload</source>
+        <source>Cancel payload measurement</source>
         <translation>ペイロードを求めるのを取り消す</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>アームは制御下にありません。先に制御を取得してください。</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
         <translation>アームが動きました。静止させ、何にも触れず、姿勢を取り直してください。</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
         <translation>ロボットが力を送りません。質量と重心を数値で入力してください。</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>計量中… ツールに何も触れないでください。</translation>
     </message>
     <message>
-        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <source>%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.</source>
         <translation>%1 kg、重心はフランジから %2。姿勢は %3 と %4 以内で一致。</translation>
     </message>
     <message>
-        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
         <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を取ってください。</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
         <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ取ってください。</translation>
     </message>
     <message>
-        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
         <translation>%1 kg：軽すぎてセンサーが重心を示せません。数値で入力してください。</translation>
     </message>
     <message>
-        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
         <translation>アームを静止させ、何にも触れず、姿勢を取ります。次にジョグか「次の姿勢」で手首を回し、さらに三つ取ります。</translation>
     </message>
     <message numerus="yes">
-        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>手首を別の側に回して姿勢を取ってください。残り：%n</numerusform>
         </translation>
@@ -5918,11 +6278,11 @@ Clear the search to see everything.</source>
         <translation>姿勢 %1 を取る</translation>
     </message>
     <message>
-        <source>Remove the worst</source>
+        <source>Remove least accurate pose</source>
         <translation>最悪のものを除く</translation>
     </message>
     <message>
-        <source>Remove the last</source>
+        <source>Remove last pose</source>
         <translation>最後のものを除く</translation>
     </message>
     <message>
@@ -5930,7 +6290,7 @@ Clear the search to see everything.</source>
         <translation>姿勢 %1  %2</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ 最も合わない</translation>
     </message>
 </context>
@@ -5961,7 +6321,7 @@ Clear the search to see everything.</source>
         <translation>ペイロードには名前が必要です。</translation>
     </message>
     <message>
-        <source>“%1” is taken by another payload. Choose another name.</source>
+        <source>Another payload is named “%1”. Choose another name.</source>
         <translation>「%1」は別のペイロードの名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -5985,8 +6345,8 @@ Clear the search to see everything.</source>
         <translation>ペイロード</translation>
     </message>
     <message>
-        <source>No payload yet.
-Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <source>No payloads yet.
+Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
         <translation>ペイロードはまだありません。
 「ロボットから」で現在のものを採用するか、「計量…」でアームで求めてください。</translation>
     </message>
@@ -6023,7 +6383,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>重心 Z</translation>
     </message>
     <message>
-        <source>Return applies it to the project; the robot keeps its own.</source>
+        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
         <translation>Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
     </message>
     <message>
@@ -6035,27 +6395,27 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>このペイロードを使い、ロボットに設定する</translation>
     </message>
     <message>
-        <source>Weigh…</source>
+        <source>Measure…</source>
         <translation>計量…</translation>
     </message>
     <message>
-        <source>Find the payload with the arm</source>
+        <source>Measure the payload with the arm</source>
         <translation>アームでペイロードを求める</translation>
     </message>
     <message>
-        <source>Is it true?</source>
+        <source>Verify</source>
         <translation>正しいか？</translation>
     </message>
     <message>
-        <source>Check whether the payload is true</source>
+        <source>Verify the payload</source>
         <translation>ペイロードが正しいか確認する</translation>
     </message>
     <message>
-        <source>Keep the payload the robot has</source>
+        <source>Store the active payload of the robot</source>
         <translation>ロボットのペイロードを採用</translation>
     </message>
     <message>
-        <source>New payload in figures</source>
+        <source>Enter new payload</source>
         <translation>数値で新しいペイロード</translation>
     </message>
     <message>
@@ -6091,7 +6451,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
-        <source>Select a payload to set.</source>
+        <source>Select the payload to set.</source>
         <translation>設定するペイロードを選んでください。</translation>
     </message>
     <message>
@@ -6099,7 +6459,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>ペイロード「%1」を使う</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>アームは制御下にありません。先に制御を取得してください。</translation>
     </message>
     <message>
@@ -6107,67 +6467,67 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>ペイロード「%1」を削除</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>計量中… ツールに何も触れないでください。</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
         <translation>アームが動きました。静止させ、何にも触れず、もう一度確認してください。</translation>
     </message>
     <message>
-        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <source>The robot sends no forces: the payload cannot be verified.</source>
         <translation>ロボットが力を送りません：ペイロードを確認できません。</translation>
     </message>
     <message>
-        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
         <translation>%1 kg でアームは静止時に %2 と %3 を受けています。</translation>
     </message>
     <message>
-        <source>The payload is true. %1</source>
+        <source>The payload is correct. %1</source>
         <translation>ペイロードは正しいです。%1</translation>
     </message>
     <message>
-        <source>The payload is true</source>
+        <source>The payload is correct</source>
         <translation>ペイロードは正しい</translation>
     </message>
     <message>
-        <source>About %1 kg more hang there than it was told of.</source>
+        <source>The load is about %1 kg heavier than the configured payload.</source>
         <translation>伝えられた値より約 %1 kg 重いです。</translation>
     </message>
     <message>
-        <source>About %1 kg less hang there than it was told of.</source>
+        <source>The load is about %1 kg lighter than the configured payload.</source>
         <translation>伝えられた値より約 %1 kg 軽いです。</translation>
     </message>
     <message>
-        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <source>The centre of gravity differs, or something is touching the tool.</source>
         <translation>重心が別の所にあるか、何かがツールに触れています。</translation>
     </message>
     <message>
-        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 計量するか、別のペイロードを選んでください。力センサーをゼロにしても、ツールが回るまで誤りが隠れるだけです。</translation>
     </message>
     <message>
-        <source>The payload is not true. %1 %2</source>
+        <source>The payload is wrong. %1 %2</source>
         <translation>ペイロードが正しくありません。%1 %2</translation>
     </message>
     <message>
-        <source>The payload is not true</source>
+        <source>The payload is wrong</source>
         <translation>ペイロードが正しくない</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1、ロボットと同じ</translation>
     </message>
     <message>
-        <source>%1; the robot was told %2 kg, centre %3</source>
+        <source>%1; the robot has %2 kg, centre of gravity %3</source>
         <translation>%1。ロボットには %2 kg、重心 %3</translation>
     </message>
     <message>
-        <source>The robot has another payload than “%1”</source>
+        <source>The robot&apos;s payload differs from “%1”</source>
         <translation>ロボットのペイロードは「%1」と異なります</translation>
     </message>
     <message>
-        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <source>On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing was changed.</source>
         <translation>ロボット：%1 kg、重心 %2。プロジェクト：%3 kg、重心 %4。何も変わっていません。</translation>
     </message>
     <message>
@@ -6194,7 +6554,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>スペクトルとXY</translation>
     </message>
     <message>
-        <source>Kind of analysis</source>
+        <source>Type of analysis</source>
         <translation>解析の種類</translation>
     </message>
     <message>
@@ -6202,11 +6562,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>信号</translation>
     </message>
     <message>
-        <source>Over this signal</source>
+        <source>X-axis signal</source>
         <translation>この信号に対して</translation>
     </message>
     <message>
-        <source>Put a signal onto the plots first.</source>
+        <source>Add a signal to the plots first.</source>
         <translation>まずグラフに信号を置いてください。</translation>
     </message>
     <message>
@@ -6214,11 +6574,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>この範囲にサンプルはありません。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
         <translation>この範囲ではサンプルが欠けています。間に欠けがないようにカーソルAとBを置いてください。</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
         <translation>%1サンプルのハン窓 · 1線%2 Hz · %3個の平均 · %4 … %5 s</translation>
     </message>
     <message>
@@ -6236,7 +6596,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), one in %1</source>
+        <source>%n sample(s), every %1th shown</source>
         <translation>
             <numerusform>%nサンプル、%1個に1個</numerusform>
         </translation>
@@ -6246,7 +6606,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
         <translation>この2つは同じ記録のものではありません。カーソル A と B をより短い範囲に置いてください。</translation>
     </message>
     <message>
@@ -6257,11 +6617,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <source>Not compared with the arm model: the recording does not state the robot model.</source>
         <translation>アームのモデルとは比較していません：どのアームの記録か分かりません。</translation>
     </message>
     <message>
-        <source>Arm and model part: %1</source>
+        <source>Arm and model diverge: %1</source>
         <translation>アームとモデルが分かれます：%1</translation>
     </message>
     <message>
@@ -6304,7 +6664,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>カーソルの読み</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
         <translation>グラフをクリックしてカーソル A と B を置きます。ドラッグするか、A、B と矢印キーを使います。凡例の名前をクリックで曲線を隠し、Ctrl でその信号を読みます。</translation>
     </message>
     <message>
@@ -6312,7 +6672,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>時間の幅</translation>
     </message>
     <message>
-        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
         <translation>グラフが表示する時間。グラフ上のホイールで拡大します。左の値の上、または Ctrl で値を拡大し、そこでダブルクリックすると曲線に任せます。</translation>
     </message>
     <message>
@@ -6328,7 +6688,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>ゼロ</translation>
     </message>
     <message>
-        <source>Export the shown range</source>
+        <source>Export the visible range</source>
         <translation>表示範囲をエクスポート</translation>
     </message>
     <message>
@@ -6336,7 +6696,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>エクスポート…</translation>
     </message>
     <message>
-        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
         <translation>表示中のものを画像 (PNG) か値 (CSV) で保存</translation>
     </message>
     <message>
@@ -6344,11 +6704,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>CSV ファイルに記録</translation>
     </message>
     <message>
-        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
         <translation>ロボットが送るものを CSV ファイルに記録。隣のキーが内容と場所を示します</translation>
     </message>
     <message>
-        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>力をゼロにできませんでした：グラフにサンプルがありません。ロボットに接続するか、サンプルのある時刻に移ってください。</translation>
     </message>
     <message>
@@ -6376,7 +6736,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>再開</translation>
     </message>
     <message>
-        <source>Hold the plots still; data and recording go on</source>
+        <source>Freeze the plots; data and recording continue</source>
         <translation>グラフを止める。データと記録は続きます</translation>
     </message>
     <message>
@@ -6384,11 +6744,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>最新のサンプルに戻る</translation>
     </message>
     <message>
-        <source>Show the force as the robot measures it again. %1</source>
+        <source>Show the force as measured by the robot. %1</source>
         <translation>力を再びロボットの測定どおりに表示。%1</translation>
     </message>
     <message>
-        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
         <translation>力を今の値から数えます。グラフの表示だけです：ロボット、記録、エクスポートの値は測定どおりです。</translation>
     </message>
     <message>
@@ -6412,11 +6772,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>シミュレーション</translation>
     </message>
     <message>
-        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>エクスポートしませんでした：グラフにサンプルがありません。ロボットに接続するか、サンプルのある時刻に移ってください。</translation>
     </message>
     <message>
-        <source>Exported the shown range to %1</source>
+        <source>Exported the visible range to %1</source>
         <translation>表示範囲を %1 にエクスポートしました</translation>
     </message>
     <message>
@@ -6436,7 +6796,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>値 (*.csv)</translation>
     </message>
     <message>
-        <source>What is recorded</source>
+        <source>Recording options</source>
         <translation>記録するもの</translation>
     </message>
     <message>
@@ -6444,11 +6804,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>次の記録の行、信号、フォルダー、ファイル名</translation>
     </message>
     <message>
-        <source>A row for every packet</source>
+        <source>One row per packet</source>
         <translation>全パケットに一行</translation>
     </message>
     <message numerus="yes">
-        <source>A row for every %n packet(s)</source>
+        <source>One row every %n packet(s)</source>
         <translation>
             <numerusform>%n パケットごとに一行</numerusform>
         </translation>
@@ -6472,7 +6832,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>フォルダー %1…</translation>
     </message>
     <message>
-        <source>Show the folder</source>
+        <source>Open folder</source>
         <translation>フォルダーを表示</translation>
     </message>
     <message>
@@ -6488,11 +6848,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>エクスポート：この範囲にサンプルがありません</translation>
     </message>
     <message>
-        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
         <translation>画像は .png、.svg、.pdf、値は .csv の名前にしてください</translation>
     </message>
     <message>
-        <source>%1, at %2 s of the plots&apos; time</source>
+        <source>%1, at %2 s on the time axis</source>
         <translation>%1、グラフ時刻 %2 s</translation>
     </message>
     <message>
@@ -6504,11 +6864,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>メモ</translation>
     </message>
     <message>
-        <source>What happened at this moment?</source>
+        <source>What happened at this time?</source>
         <translation>この時何が起きましたか？</translation>
     </message>
     <message>
-        <source>The plots are in the clipboard as a picture.</source>
+        <source>The plots were copied to the clipboard as an image.</source>
         <translation>グラフを画像としてクリップボードに入れました。</translation>
     </message>
     <message>
@@ -6524,7 +6884,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>新しいページ</translation>
     </message>
     <message>
-        <source>Take this page away</source>
+        <source>Remove this page</source>
         <translation>このページを外す</translation>
     </message>
     <message>
@@ -6536,19 +6896,19 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>記録を開く…</translation>
     </message>
     <message>
-        <source>Close the recordings</source>
+        <source>Close recordings</source>
         <translation>記録を閉じる</translation>
     </message>
     <message>
-        <source>Copy the plots as a picture</source>
+        <source>Copy plots as image</source>
         <translation>グラフを画像としてコピー</translation>
     </message>
     <message>
-        <source>Save this arrangement…</source>
+        <source>Save layout…</source>
         <translation>この配置を保存…</translation>
     </message>
     <message>
-        <source>Open an arrangement…</source>
+        <source>Open layout…</source>
         <translation>配置を開く…</translation>
     </message>
     <message>
@@ -6556,12 +6916,8 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>履歴用メモリー</translation>
     </message>
     <message>
-        <source>save the arrangement to %1</source>
+        <source>save the layout to %1</source>
         <translation>配置を %1 に保存する</translation>
-    </message>
-    <message>
-        <source>open the arrangement %1</source>
-        <translation>配置 %1 を開く</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -6576,15 +6932,15 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>記録 (*.mcap *.csv *.h5 *.hdf5);;すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>Save the arrangement of the plots</source>
+        <source>Save plot layout</source>
         <translation>グラフの配置を保存</translation>
     </message>
     <message>
-        <source>Arrangement of plots (*.json)</source>
+        <source>Plot layouts (*.json)</source>
         <translation>グラフの配置 (*.json)</translation>
     </message>
     <message>
-        <source>Open an arrangement of plots</source>
+        <source>Open plot layout</source>
         <translation>グラフの配置を開く</translation>
     </message>
     <message>
@@ -6600,7 +6956,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>信号</translation>
     </message>
     <message>
-        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
         <translation>ロボットが伝えるすべて：グラフへドラッグ、端へなら独立したグラフ、またはダブルクリック</translation>
     </message>
     <message>
@@ -6612,11 +6968,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>値</translation>
     </message>
     <message>
-        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>カーソル A と B での各信号の値と、その間の最小、最大、平均、RMS、偏差、傾き</translation>
     </message>
     <message>
-        <source>Pages and arrangement of the plots</source>
+        <source>Pages and layout of the plots</source>
         <translation>グラフのページと配置</translation>
     </message>
     <message>
@@ -6624,7 +6980,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>配置 ▾</translation>
     </message>
     <message>
-        <source>read an arrangement of plots</source>
+        <source>read a plot layout</source>
         <translation>グラフの配置を読む</translation>
     </message>
     <message>
@@ -6632,7 +6988,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>スペクトルとXY</translation>
     </message>
     <message>
-        <source>Export the shown range…</source>
+        <source>Export the visible range…</source>
         <translation>表示範囲をエクスポート…</translation>
     </message>
     <message>
@@ -6640,7 +6996,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>時間軸</translation>
     </message>
     <message>
-        <source>Before the newest sample</source>
+        <source>Relative to the newest sample</source>
         <translation>最新サンプルからの時間</translation>
     </message>
     <message>
@@ -6648,11 +7004,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>コントローラー時刻</translation>
     </message>
     <message>
-        <source>Time of the day</source>
+        <source>Time of day</source>
         <translation>時刻</translation>
     </message>
     <message>
-        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <source>The maximum number of plot pages is reached: remove a page first.</source>
         <translation>グラフのページが上限に達しています。まず1つ取り除いてください。</translation>
     </message>
     <message>
@@ -6660,11 +7016,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>MCAPファイルに記録</translation>
     </message>
     <message>
-        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
         <translation>ロボットが送るものをMCAPファイルに記録します。隣のキーで内容と場所を選べます</translation>
     </message>
     <message numerus="yes">
-        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
             <numerusform>%1 · 毎秒%2 · 空き%3 · 欠落%nパケット</numerusform>
         </translation>
@@ -6712,7 +7068,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>ページ %1</translation>
     </message>
     <message>
-        <source>Double click: another name</source>
+        <source>Double-click to rename</source>
         <translation>ダブルクリック：別の名前</translation>
     </message>
 </context>
@@ -6775,15 +7131,15 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
         <translation>グラフをクリックして A、次に B を置くと、その間がここにまとまります。</translation>
     </message>
     <message>
-        <source>%1 · summing up: %2</source>
+        <source>%1 · calculating: %2</source>
         <translation>%1 · 集計中: %2</translation>
     </message>
     <message>
-        <source>Not all of the range could be summed up: %1</source>
+        <source>Statistics are incomplete: %1</source>
         <translation>範囲の一部を集計できませんでした: %1</translation>
     </message>
 </context>
@@ -6810,7 +7166,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>%1 %2 s · %3 %4</translation>
     </message>
     <message>
-        <source>Scale held · double click the axis to let it go</source>
+        <source>Fixed scale · double-click the axis to scale automatically</source>
         <translation>目盛り固定 · 軸をダブルクリックで解除</translation>
     </message>
     <message>
@@ -6818,7 +7174,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>サンプルがまだありません：ロボットに接続してください</translation>
     </message>
     <message>
-        <source>Zeroed: %1 %2 taken off</source>
+        <source>Zeroed (offset %1 %2)</source>
         <translation>ゼロ：%1 %2 を差し引き</translation>
     </message>
     <message>
@@ -6826,7 +7182,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>時間に対するグラフ</translation>
     </message>
     <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation>A と B でカーソルを置き、矢印キーで動かし、上下で読む信号を選びます。H で曲線を隠し、Ctrl+Delete で外します。プラスとマイナスで時間の幅、Ctrl で値の目盛り、Ctrl+0 で曲線に任せます。N でメモ、F で全体、End で最新のサンプルに戻ります</translation>
     </message>
     <message>
@@ -6888,11 +7244,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>%1 での TCP 姿勢</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
         <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリック：押してからの移動</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
         <translation>姿勢の表記は設定どおり。Δ：押してからの移動。クリック：ここをゼロに</translation>
     </message>
     <message>
@@ -6915,7 +7271,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>位置には名前が必要です。</translation>
     </message>
     <message>
-        <source>“%1” is taken by another position. Choose another name.</source>
+        <source>Another position is named “%1”. Choose another name.</source>
         <translation>「%1」は別の位置の名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -6928,7 +7284,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a place and press Set home here, or Add here.</source>
+Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>位置はまだありません。
 アームをジョグし、「ここをホームに」か「ここを追加」を押してください。</translation>
     </message>
@@ -6937,11 +7293,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>安全高さ</translation>
     </message>
     <message>
-        <source>%1. Return applies it; nothing moves but the position.</source>
+        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
         <translation>%1。Return で適用します。動くのは位置だけです。</translation>
     </message>
     <message>
-        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
         <translation>ベース座標系でこれより上には何もありません：TCP は横に動けます。</translation>
     </message>
     <message>
@@ -6949,7 +7305,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>ここ</translation>
     </message>
     <message>
-        <source>The safe height is where the TCP is now</source>
+        <source>Set the safe height to the current TCP height</source>
         <translation>安全高さを今の TCP の高さにする</translation>
     </message>
     <message>
@@ -6961,7 +7317,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>ここを追加</translation>
     </message>
     <message>
-        <source>Keep the position the arm has</source>
+        <source>Store the current position of the arm</source>
         <translation>アームの位置を採用</translation>
     </message>
     <message>
@@ -6977,12 +7333,8 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>位置を修正教示</translation>
     </message>
     <message>
-        <source>Use the usual home again</source>
+        <source>Reset to default home</source>
         <translation>通常のホームに戻す</translation>
-    </message>
-    <message>
-        <source>Use the usual home</source>
-        <translation>通常のホームを使う</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -6993,7 +7345,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>位置を削除</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
     </message>
     <message>
@@ -7001,11 +7353,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
-        <source>Set “%1” to where the arm stands?</source>
+        <source>Set “%1” to the current position of the arm?</source>
         <translation>「%1」をアームの位置に設定しますか？</translation>
     </message>
     <message>
-        <source>The key Home goes there from now on.</source>
+        <source>The Home key will move the arm there.</source>
         <translation>今後ホームキーはそこへ動きます。</translation>
     </message>
     <message>
@@ -7065,11 +7417,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>安全高さなし</translation>
     </message>
     <message>
-        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
         <translation>ホームキーは通常のホームへ動きます：直立し、自身に触れません。</translation>
     </message>
     <message>
-        <source>%1: the key Home goes there</source>
+        <source>%1: target of the Home key</source>
         <translation>%1：ホームキーはそこへ動きます</translation>
     </message>
     <message>
@@ -7080,7 +7432,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <source>Start the simulated robot first (robot menu).</source>
         <translation>先にシミュレートされたロボットを起動してください：ロボットメニューにあります。</translation>
     </message>
     <message>
@@ -7088,11 +7440,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>先にアームの電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
-        <source>The arm is in a stop. Recover from it first.</source>
+        <source>The arm is stopped by the safety system. Recover first.</source>
         <translation>アームは停止中です。先に復旧してください。</translation>
     </message>
     <message>
-        <source>Done. Start does it once more.</source>
+        <source>Done. Press Start to repeat the task.</source>
         <translation>完了。開始でもう一度行えます。</translation>
     </message>
     <message>
@@ -7119,7 +7471,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>力 Fz（ニュートン）</translation>
     </message>
     <message>
-        <source>figure, then Return</source>
+        <source>enter value, press Return</source>
         <translation>数値、次に Return</translation>
     </message>
     <message>
@@ -7127,11 +7479,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>Fz [N]</translation>
     </message>
     <message>
-        <source>The task before</source>
+        <source>Previous task</source>
         <translation>前の課題</translation>
     </message>
     <message>
-        <source>The next task</source>
+        <source>Next task</source>
         <translation>次の課題</translation>
     </message>
     <message>
@@ -7139,15 +7491,15 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>練習 · %1 / %2</translation>
     </message>
     <message>
-        <source>Begins the task, or begins it anew</source>
+        <source>Starts or restarts the task</source>
         <translation>課題を始める、または始め直す</translation>
     </message>
     <message>
-        <source>Goes on to the next task</source>
+        <source>Continues with the next task</source>
         <translation>次の課題へ進む</translation>
     </message>
     <message>
-        <source>Possible once the check above says so</source>
+        <source>Available after the check above has passed</source>
         <translation>上の確認が認めると可能になります</translation>
     </message>
 </context>
@@ -7158,15 +7510,15 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>良好</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Check</source>
         <translation>要確認</translation>
     </message>
     <message>
-        <source>Bad</source>
+        <source>Failed</source>
         <translation>不良</translation>
     </message>
     <message>
-        <source>Not looked at</source>
+        <source>Not checked</source>
         <translation>未確認</translation>
     </message>
     <message>
@@ -7178,11 +7530,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>条件</translation>
     </message>
     <message>
-        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
         <translation>それでも接続すると、ある限りのデータを表示します。上の赤い項目は制御の取得を妨げたり、動作を途中で終えることがあります。</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Check again</source>
         <translation>もう一度確認</translation>
     </message>
     <message>
@@ -7194,11 +7546,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>接続</translation>
     </message>
     <message>
-        <source>Keep everybody out of the arm&apos;s reach.
+        <source>Keep everyone out of reach of the arm.
 Keep the emergency stop at hand: STOP in this window is a software stop.
-Begin slowly: the first speed is %1.
-Watch the arm, not the screen, while a key is held.
-Let go of the key and the arm stops.</source>
+Start slowly: the initial speed is %1.
+Watch the arm, not the screen, while you hold a key.
+Release the key to stop the arm.</source>
         <translation>アームの届く範囲に人を入れないでください。
 非常停止を手元に置いてください：このウィンドウの STOP はソフトウェア停止です。
 ゆっくり始めてください：最初の速度は %1 です。
@@ -7206,11 +7558,11 @@ Let go of the key and the arm stops.</source>
 キーを離すとアームは止まります。</translation>
     </message>
     <message>
-        <source>Looking at %1…</source>
+        <source>Checking %1…</source>
         <translation>%1 を確認中…</translation>
     </message>
     <message>
-        <source>Something is in the way</source>
+        <source>Problems found</source>
         <translation>妨げがあります</translation>
     </message>
     <message>
@@ -7239,7 +7591,7 @@ Let go of the key and the arm stops.</source>
         </translation>
     </message>
     <message>
-        <source>Change the order</source>
+        <source>Change order</source>
         <translation>順序を変更</translation>
     </message>
 </context>
@@ -7254,7 +7606,7 @@ Let go of the key and the arm stops.</source>
         <translation>プロジェクトを保存できませんでした</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <source>%1. Update Tiller to open it. The file was not changed.</source>
         <translation>%1。開くには Tiller を更新してください。ファイルはそのままです。</translation>
     </message>
     <message>
@@ -7278,7 +7630,7 @@ Let go of the key and the arm stops.</source>
         <translation>「%1」の写しを開きました。変更を残すにはファイルに保存してください。</translation>
     </message>
     <message>
-        <source>“%1” is a copy and has changes that are in no file.</source>
+        <source>“%1” is a copy with unsaved changes.</source>
         <translation>「%1」は写しで、どのファイルにもない変更があります。</translation>
     </message>
     <message>
@@ -7286,7 +7638,7 @@ Let go of the key and the arm stops.</source>
         <translation>名前を付けて保存…</translation>
     </message>
     <message>
-        <source>Drop the changes</source>
+        <source>Discard changes</source>
         <translation>変更を破棄</translation>
     </message>
     <message>
@@ -7298,7 +7650,7 @@ Let go of the key and the arm stops.</source>
         <translation>%1 は壊れています</translation>
     </message>
     <message>
-        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <source>%1. Readable waypoints: %2, unreadable: %3. The damaged file is kept.</source>
         <translation>%1。読めるウェイポイント：%2、読めないもの：%3。壊れたファイルは残します。</translation>
     </message>
     <message numerus="yes">
@@ -7306,6 +7658,187 @@ Let go of the key and the arm stops.</source>
         <translation>
             <numerusform>%n 個のウェイポイントを開く</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 is saved again</source>
+        <translation>%1の保存を再開しました</translation>
+    </message>
+    <message>
+        <source>The other window closed %1. Changes in this window are saved again.</source>
+        <translation>もう一方のウィンドウが%1を閉じました。このウィンドウの変更は再び保存されます。</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window</source>
+        <translation>%1は別のウィンドウで開かれています</translation>
+    </message>
+    <message>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <translation>%1が開いています。プロジェクトを引き継ぐまで、このウィンドウの変更はファイルに保存されません。</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>引き継ぐ</translation>
+    </message>
+    <message>
+        <source>Save as a copy</source>
+        <translation>コピーとして保存</translation>
+    </message>
+    <message>
+        <source>View only</source>
+        <translation>表示のみ</translation>
+    </message>
+    <message>
+        <source>Another window or program has changed %1</source>
+        <translation>別のウィンドウまたはプログラムが%1を変更しました</translation>
+    </message>
+    <message>
+        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
+        <translation>このウィンドウには未保存の変更があります。再読み込みすると破棄されます。両方を残すと、このウィンドウのプロジェクトを別のファイルに保存します。</translation>
+    </message>
+    <message>
+        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>再読み込みすると新しい内容を表示します。両方を残すと、このウィンドウのプロジェクトを別のファイルに保存します。決定するまで変更は保存されません。</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>再読み込み</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>両方を残す</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>後で決める</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>プロジェクトを引き継げませんでした</translation>
+    </message>
+    <message>
+        <source>Reloaded %1</source>
+        <translation>%1を再読み込みしました</translation>
+    </message>
+    <message>
+        <source>This window&apos;s project is now %1</source>
+        <translation>このウィンドウのプロジェクトは%1になりました</translation>
+    </message>
+    <message>
+        <source>A project without a file</source>
+        <translation>ファイルのないプロジェクト</translation>
+    </message>
+    <message>
+        <source>Unsaved work is available</source>
+        <translation>未保存の作業があります</translation>
+    </message>
+    <message>
+        <source>“%1” was changed on %2 and not saved to a file.</source>
+        <translation>「%1」は%2に変更されましたが、ファイルに保存されていません。</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Ask again next time</source>
+        <translation>次回また確認する</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved. %2</source>
+        <translation>%1には未保存の変更があります。%2</translation>
+    </message>
+    <message>
+        <source>The project has unsaved changes.</source>
+        <translation>プロジェクトに未保存の変更があります。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFit</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1ほか%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>TCP of %1</source>
+        <translation>%1のTCP</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, but a %2 is connected. The same joint positions lead to different poses.</source>
+        <translation>プロジェクトは%1で教示されましたが、%2が接続されています。同じ関節位置でも姿勢が異なります。</translation>
+    </message>
+    <message>
+        <source>The project uses the TCP “%1”. The active TCP of the robot differs by %2.</source>
+        <translation>プロジェクトはTCP「%1」を使います。ロボットの有効なTCPは%2ずれています。</translation>
+    </message>
+    <message>
+        <source>The project fits the connected robot.</source>
+        <translation>プロジェクトは接続中のロボットに適合しています。</translation>
+    </message>
+    <message>
+        <source>Connect the robot for this project.</source>
+        <translation>このプロジェクト用のロボットを接続してください。</translation>
+    </message>
+    <message>
+        <source>Project of another robot model</source>
+        <translation>別のロボットモデルのプロジェクト</translation>
+    </message>
+    <message>
+        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>姿勢を維持：関節位置を再計算し、ツールは同じ姿勢に到達します。関節を維持：アームの構成を保ち、ツールは別の姿勢に到達します。決定するまで、プロジェクトの位置への動作はできません。</translation>
+    </message>
+    <message>
+        <source>Keep poses</source>
+        <translation>姿勢を維持</translation>
+    </message>
+    <message>
+        <source>Keep joints</source>
+        <translation>関節を維持</translation>
+    </message>
+    <message>
+        <source>TCP differs from the project</source>
+        <translation>TCPがプロジェクトと異なります</translation>
+    </message>
+    <message>
+        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>ロボットのTCPでは、フランジが教示位置へ移動します。決定するまで、プロジェクトの位置への動作はできません。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>「%1」をロボットに設定</translation>
+    </message>
+    <message>
+        <source>Keep the robot’s TCP</source>
+        <translation>ロボットのTCPを維持</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the poses</source>
+        <translation>%1から%2へ変換（姿勢を維持）</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the joints</source>
+        <translation>%1から%2へ変換（関節を維持）</translation>
+    </message>
+    <message>
+        <source>Out of reach: %1.</source>
+        <translation>到達不可：%1。</translation>
+    </message>
+    <message>
+        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <translation>到達できないため削除しました：%1。元に戻すで復元できます。</translation>
+    </message>
+    <message>
+        <source>Some positions are out of reach</source>
+        <translation>到達できない位置があります</translation>
+    </message>
+    <message>
+        <source>Moves to positions of this project are blocked</source>
+        <translation>このプロジェクトの位置への動作はできません</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
     </message>
 </context>
 <context>
@@ -7338,6 +7871,34 @@ Let go of the key and the arm stops.</source>
         <source>no file chosen</source>
         <translation>ファイル未選択</translation>
     </message>
+    <message>
+        <source>%1 — open in another window, changes here are not saved</source>
+        <translation>%1 — 別のウィンドウで開かれているため、ここでの変更は保存されません</translation>
+    </message>
+    <message>
+        <source>%1 — changed by another program, changes here are not saved</source>
+        <translation>%1 — 別のプログラムが変更したため、ここでの変更は保存されません</translation>
+    </message>
+    <message>
+        <source>Unsaved project</source>
+        <translation>未保存のプロジェクト</translation>
+    </message>
+    <message>
+        <source>save %1</source>
+        <translation>%1を保存</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>別のウィンドウで開かれています（%1）</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>別のプログラム</translation>
+    </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>別のプログラムが変更しました</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -7346,7 +7907,7 @@ Let go of the key and the arm stops.</source>
         <translation>復旧</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>TCP の力</translation>
     </message>
     <message>
@@ -7354,7 +7915,7 @@ Let go of the key and the arm stops.</source>
         <translation>関節電流</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>TCP の速度</translation>
     </message>
     <message>
@@ -7366,7 +7927,7 @@ Let go of the key and the arm stops.</source>
         <translation>位置 X %1、Y %2、Z %3。</translation>
     </message>
     <message>
-        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <source>Suspected joint: %1 (largest deviation from its target current).</source>
         <translation>疑わしい関節：%1（電流が目標から最も外れた）。</translation>
     </message>
     <message>
@@ -7374,11 +7935,11 @@ Let go of the key and the arm stops.</source>
         <translation> (%1 s)</translation>
     </message>
     <message>
-        <source>Tick what you have looked at.</source>
+        <source>Tick the items that you have checked.</source>
         <translation>確認した項目に印を付けてください。</translation>
     </message>
     <message>
-        <source>Asked; waiting for the robot…</source>
+        <source>Requested; waiting for the robot…</source>
         <translation>要求済み。ロボットを待っています…</translation>
     </message>
 </context>
@@ -7409,15 +7970,15 @@ Let go of the key and the arm stops.</source>
         <translation>ビット</translation>
     </message>
     <message>
-        <source>Kind of input register</source>
+        <source>Input register type</source>
         <translation>入力レジスターの種類</translation>
     </message>
     <message>
-        <source>Number of the input register</source>
+        <source>Input register number</source>
         <translation>入力レジスターの番号</translation>
     </message>
     <message>
-        <source>Value for the input register</source>
+        <source>Input register value</source>
         <translation>入力レジスターの値</translation>
     </message>
     <message>
@@ -7436,7 +7997,7 @@ Let go of the key and the arm stops.</source>
         <translation>ライブに戻る</translation>
     </message>
     <message>
-        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <source>Show the current state of the robot. The recording stays open in the plots</source>
         <translation>ロボットの現在の動きを表示します。記録はグラフに開いたまま残ります</translation>
     </message>
 </context>
@@ -7459,7 +8020,7 @@ Let go of the key and the arm stops.</source>
         <translation>ロボットのポップアップ</translation>
     </message>
     <message>
-        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <source>The popup could not be closed from here: close it on the teach pendant.</source>
         <translation>ここからは閉じられませんでした：ティーチペンダントで閉じてください。</translation>
     </message>
     <message>
@@ -7473,7 +8034,7 @@ Let go of the key and the arm stops.</source>
         </translation>
     </message>
     <message>
-        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <source>A waiting program continues when the popup is closed: keep clear of the arm.</source>
         <translation>待っているプログラムは閉じると続きます：アームから離れてください。</translation>
     </message>
     <message>
@@ -7512,7 +8073,7 @@ Let go of the key and the arm stops.</source>
         <translation>制御中</translation>
     </message>
     <message>
-        <source>Taking control was ended by a stop</source>
+        <source>Taking control was cancelled by a stop</source>
         <translation>停止により制御の取得が終わりました</translation>
     </message>
     <message>
@@ -7536,7 +8097,7 @@ Let go of the key and the arm stops.</source>
         <translation>ロボットのポップアップ：%1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
         <translation>ロボットのプログラムがティーチペンダントでの応答を待っています：%1</translation>
     </message>
     <message>
@@ -7552,16 +8113,42 @@ Let go of the key and the arm stops.</source>
         <translation>%1 に接続中…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <source>No data from the robot. Reconnecting automatically; motion does not resume.</source>
         <translation>ロボットからのデータなし。自動で再接続します。動作は再開しません。</translation>
     </message>
     <message>
-        <source>Data from the robot are late.</source>
+        <source>Robot data are late.</source>
         <translation>ロボットのデータが遅れています。</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>制御を取得中…</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <translation>監視のみ：このウィンドウはロボットを変更しません。STOPは使えます。</translation>
+    </message>
+    <message>
+        <source>Monitor only is off</source>
+        <translation>監視のみはオフです</translation>
+    </message>
+    <message>
+        <source>%1: refused. %2</source>
+        <translation>%1：拒否されました。%2</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>制御を取得</translation>
+    </message>
+    <message>
+        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>制御を返しました：制御用の接続が0.5秒間応答しなかったか、閉じられました。STOP、Space、Escでロボットを停止できます。もう一度制御を取得してください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The robot sends too many messages: %n were not shown</source>
+        <translation>
+            <numerusform>ロボットからのメッセージが多すぎます：%n件は表示されませんでした</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7571,7 +8158,7 @@ Let go of the key and the arm stops.</source>
         <translation>グリッパーに接続中…</translation>
     </message>
     <message>
-        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
         <translation>グリッパーの値がありません。アームの電源を入れてください。直らなければ手首のグリッパーのケーブルを確認してください。</translation>
     </message>
     <message>
@@ -7583,7 +8170,7 @@ Let go of the key and the arm stops.</source>
         <translation>グリッパーは有効です</translation>
     </message>
     <message>
-        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
         <translation>グリッパーが有効になりませんでした。指を妨げるものがないか見て、もう一度「有効化」を押してください。</translation>
     </message>
     <message>
@@ -7603,27 +8190,27 @@ Let go of the key and the arm stops.</source>
         <translation>%1 に失敗しました。%2</translation>
     </message>
     <message>
-        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>%1:%2 でグリッパーの応答がありません。ロボットに Robotiq の URCap を入れ、インストールでグリッパーを選んでください。</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>グリッパーが応答しません。手首のケーブルとロボットのインストールのページを確認してください。直らなければロボットを再起動してください。</translation>
     </message>
     <message>
-        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>ロボットがグリッパーとの接続を終えました。再起動中かもしれません。自動で戻ります。グリッパーはつかみ続けます。</translation>
     </message>
     <message>
-        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
         <translation>グリッパーが受け付けませんでした。有効化してください。有効なら、ロボットのインストールのページを見てください。</translation>
     </message>
     <message>
-        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <source>The gripper is activating; the command runs afterwards.</source>
         <translation>グリッパーを有効化中です：頼んだことはその後に行われます。</translation>
     </message>
     <message>
-        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press Activate.</source>
         <translation>有効になる前にグリッパーが動かされました。「有効化」を押してください。</translation>
     </message>
     <message>
@@ -7631,35 +8218,35 @@ Let go of the key and the arm stops.</source>
         <translation>グリッパーが熱すぎます。冷ましてから「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
         <translation>グリッパーに 1 秒間何も届きませんでした。手首のケーブルを確認し、「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
         <translation>グリッパーの電圧が低すぎます。ツール電圧を 24 V にして「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
         <translation>グリッパーの自動解放中です。終わるのを待って「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press Activate.</source>
         <translation>グリッパーの自動解放が終わりました。「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
         <translation>グリッパーの内部故障です。「有効化」を押してください。再発したら Robotiq に問い合わせてください。</translation>
     </message>
     <message>
-        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>有効化に失敗しました。指を妨げるものがないか見て「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>グリッパーの電流が大きすぎます。指を妨げるものがないか見て「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>グリッパーが故障 %1 を報告しています。「有効化」を押してください。再発したら説明書を見てください。</translation>
     </message>
 </context>
@@ -7677,7 +8264,7 @@ Let go of the key and the arm stops.</source>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>最初の向きから透視で見る</translation>
     </message>
     <message>
@@ -7709,7 +8296,7 @@ Let go of the key and the arm stops.</source>
         <translation>全体</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture</source>
+        <source>Fit the arm, target and waypoints in the view</source>
         <translation>アーム、目標、ウェイポイントを収める</translation>
     </message>
 </context>
@@ -7720,7 +8307,7 @@ Let go of the key and the arm stops.</source>
         <translation>アームのビュー</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
         <translation>ドラッグか矢印キーで別の向きから見ます。Shift か右ボタンで画面を動かし、ホイールかプラスとマイナスで近づき、ダブルクリックか Home で最初の向きに戻ります。ここでロボットは動きません。</translation>
     </message>
     <message>
@@ -7736,15 +8323,15 @@ Let go of the key and the arm stops.</source>
         <translation>ゴースト「%1」 · 到達不可</translation>
     </message>
     <message>
-        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <source>ghost “%1” · reachable · largest rotation %2 %3 · %4 s at %5</source>
         <translation>ゴースト「%1」 · 到達可能 · 最大回転 %2 %3 · %5 で %4 s</translation>
     </message>
     <message>
-        <source>1 name hidden: come nearer</source>
+        <source>1 name hidden: zoom in</source>
         <translation>名前 1 件を隠しています：近づいてください</translation>
     </message>
     <message numerus="yes">
-        <source>%n names hidden: come nearer</source>
+        <source>%n names hidden: zoom in</source>
         <translation>
             <numerusform>名前 %n 件を隠しています：近づいてください</numerusform>
         </translation>
@@ -7754,15 +8341,15 @@ Let go of the key and the arm stops.</source>
         <translation>ゴースト「%1」 · 到達可能</translation>
     </message>
     <message>
-        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <source>ghost “%1” · %2 · largest rotation %3 %4 · %5 s at %6</source>
         <translation>ゴースト「%1」 · %2 · 最大回転 %3 %4 · %6 で %5 s</translation>
     </message>
     <message>
-        <source>“%1” as it will be</source>
+        <source>“%1” after the change</source>
         <translation>「%1」変更後</translation>
     </message>
     <message>
-        <source>“%1” as it was</source>
+        <source>“%1” before the change</source>
         <translation>「%1」変更前</translation>
     </message>
     <message>
@@ -7777,7 +8364,7 @@ Let go of the key and the arm stops.</source>
         <translation>信号を計算する</translation>
     </message>
     <message>
-        <source>%1 does not come in the same packets as the others.</source>
+        <source>%1 is not part of the same RTDE packets as the other signals.</source>
         <translation>%1 は他と同じパケットで届きません。</translation>
     </message>
     <message>
@@ -7785,7 +8372,7 @@ Let go of the key and the arm stops.</source>
         <translation>派生</translation>
     </message>
     <message>
-        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <source>The robot cannot send so many signals at once: remove other signals first.</source>
         <translation>ロボットが一度に送れる信号を超えます：先に他を外してください。</translation>
     </message>
     <message>
@@ -7793,7 +8380,7 @@ Let go of the key and the arm stops.</source>
         <translation>%1 を開く</translation>
     </message>
     <message>
-        <source>There is no row in this recording.</source>
+        <source>The recording is empty.</source>
         <translation>この記録に行がありません。</translation>
     </message>
     <message>
@@ -7801,11 +8388,11 @@ Let go of the key and the arm stops.</source>
         <translation>%2 の %1</translation>
     </message>
     <message>
-        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
         <translation>%1 を表示する履歴メモリーが足りません：メニュー「配置」で増やしてください。</translation>
     </message>
     <message>
-        <source>%1 could not be computed to its end: %2</source>
+        <source>%1 could not be computed completely: %2</source>
         <translation>%1 を最後まで計算できませんでした: %2</translation>
     </message>
 </context>
@@ -7828,11 +8415,11 @@ Let go of the key and the arm stops.</source>
         <translation>他から計算した信号</translation>
     </message>
     <message>
-        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
         <translation>名前、必要なら角括弧の単位、信号の式：ここへドラッグすると名前が入ります。norm(a, b, …)、deriv(a, 0.02)、mean(a, 0.5)、+ − * / ^ と通常の関数。Return で作成します。</translation>
     </message>
     <message>
-        <source>%1: this robot does not send it.</source>
+        <source>%1: not sent by this robot.</source>
         <translation>%1：このロボットは送りません。</translation>
     </message>
 </context>
@@ -7843,7 +8430,7 @@ Let go of the key and the arm stops.</source>
         <translation>シミュレーション</translation>
     </message>
     <message>
-        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <source>This robot is simulated. No real robot moves.</source>
         <translation>このロボットはシミュレーションです。動くのは画素だけです。</translation>
     </message>
     <message>
@@ -7869,20 +8456,8 @@ Let go of the key and the arm stops.</source>
 <context>
     <name>tiller::StatusLine</name>
     <message>
-        <source>Recording, session and last message</source>
+        <source>Recording, project and last message</source>
         <translation>記録、セッション、最後のメッセージ</translation>
-    </message>
-    <message>
-        <source>%1 — %2</source>
-        <translation>%1 — %2</translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation>保存済み</translation>
-    </message>
-    <message>
-        <source>not saved</source>
-        <translation>未保存</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -7893,7 +8468,7 @@ Let go of the key and the arm stops.</source>
         <translation>%1 サンプル · %2 · 空き %3</translation>
     </message>
     <message>
-        <source>Recording ended</source>
+        <source>Recording stopped</source>
         <translation>記録が終わりました</translation>
     </message>
     <message>
@@ -7916,10 +8491,24 @@ Let go of the key and the arm stops.</source>
         <translation>ソフトウェア停止。非常停止ではありません。電源は入ったままです。</translation>
     </message>
     <message>
-        <source>Space / Esc
-not an e-stop</source>
-        <translation>Space / Esc
-非常停止ではない</translation>
+        <source>Space and Esc stop as well.</source>
+        <translation>SpaceとEscでも停止します。</translation>
+    </message>
+    <message>
+        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <translation>クリックで停止します。SpaceとEscは、このウィンドウが制御中のときだけ停止します。</translation>
+    </message>
+    <message>
+        <source>Space / Esc</source>
+        <translation>Space / Esc</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>クリック</translation>
+    </message>
+    <message>
+        <source>not an e-stop</source>
+        <translation>非常停止ではない</translation>
     </message>
 </context>
 <context>
@@ -7944,7 +8533,7 @@ not an e-stop</source>
         <translation>TCP には名前が必要です。</translation>
     </message>
     <message>
-        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <source>Another TCP is named “%1”. Choose another name.</source>
         <translation>「%1」は別の TCP の名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -7956,8 +8545,8 @@ not an e-stop</source>
         <translation>TCP</translation>
     </message>
     <message>
-        <source>No TCP yet.
-Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <source>No TCPs yet.
+Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>TCP はまだありません。
 「ロボットから」で現在のものを採用するか、「教示…」でアームで求めてください。</translation>
     </message>
@@ -7966,7 +8555,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>TCP</translation>
     </message>
     <message>
-        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
         <translation>フランジから。Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
     </message>
     <message>
@@ -7990,7 +8579,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>ロボットから</translation>
     </message>
     <message>
-        <source>Keep the TCP the robot has</source>
+        <source>Store the active TCP of the robot</source>
         <translation>ロボットの TCP を採用</translation>
     </message>
     <message>
@@ -7998,7 +8587,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>選んだ TCP を教示し直す…</translation>
     </message>
     <message>
-        <source>New TCP in figures</source>
+        <source>Enter new TCP</source>
         <translation>数値で新しい TCP</translation>
     </message>
     <message>
@@ -8034,7 +8623,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
-        <source>“%1” is the TCP the robot has.</source>
+        <source>“%1” is the active TCP of the robot.</source>
         <translation>「%1」はロボットの TCP です。</translation>
     </message>
     <message>
@@ -8046,7 +8635,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>新しい TCP を教示</translation>
     </message>
     <message>
-        <source>Select a TCP to set.</source>
+        <source>Select the TCP to set.</source>
         <translation>設定する TCP を選んでください。</translation>
     </message>
     <message>
@@ -8054,7 +8643,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>TCP「%1」を使う</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>アームは制御下にありません。先に制御を取得してください。</translation>
     </message>
     <message>
@@ -8066,19 +8655,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>%1、フランジから</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1、ロボットと同じ</translation>
     </message>
     <message>
-        <source>%1, %2 from the one the robot has</source>
+        <source>%1, %2 from the robot&apos;s TCP</source>
         <translation>%1、ロボットのものから %2</translation>
     </message>
     <message>
-        <source>The robot has another TCP than “%1”</source>
+        <source>The robot&apos;s TCP differs from “%1”</source>
         <translation>ロボットの TCP は「%1」と異なります</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
         <translation>ロボット：%1。プロジェクト：%2。差は %3。何も変わっていません。</translation>
     </message>
     <message>
@@ -8093,7 +8682,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>姿勢を取る</translation>
     </message>
     <message>
-        <source>Take the worst again</source>
+        <source>Retake least accurate pose</source>
         <translation>最悪のものを取り直す</translation>
     </message>
     <message>
@@ -8117,7 +8706,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>ツールの回転</translation>
     </message>
     <message>
-        <source>Rotation as it is</source>
+        <source>Keep current rotation</source>
         <translation>回転はそのまま</translation>
     </message>
     <message>
@@ -8133,33 +8722,33 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>取消</translation>
     </message>
     <message>
-        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
         <translation>先端は %1。姿勢は %2 (rms) で一致。姿勢 %3 が最も合わず、%4。</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
         <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ取ってください。</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the poses again.</source>
+        <source>The robot sent an invalid position. Take the poses again.</source>
         <translation>ロボットが有効な位置を送りませんでした。姿勢を取り直してください。</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>先端を固定された尖った点へジョグし、姿勢を取ります。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を取ってください。残り：%n</numerusform>
         </translation>
     </message>
     <message>
-        <source>The tool keeps the rotation it has now.</source>
+        <source>The tool keeps its current rotation.</source>
         <translation>ツールは今の回転を保ちます。</translation>
     </message>
     <message>
-        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
         <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、取ってください。</translation>
     </message>
     <message>
@@ -8167,43 +8756,43 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>回転を取りました。取り直すと置き換わります。</translation>
     </message>
     <message>
-        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>今の位置でツールを取ります。以後回してはいけません：X、Y、Z だけジョグしてください。</translation>
     </message>
     <message>
-        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
         <translation>ツールを自身の +Z に沿ってフランジから %1 以上離し、取ってください。</translation>
     </message>
     <message>
-        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
         <translation>次に +X 側へ %1 以上動かし、取ってください。</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>回転を取りました：+Z に %1、横に %2。その間フランジは %3 回り、姿勢 %4 で最大。</translation>
     </message>
     <message>
-        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
         <translation>フランジが途中で %1 回り、姿勢 %2 で最大でした。ツールを回さずに三つを取り直してください。</translation>
     </message>
     <message>
-        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>+Z に沿った距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
     </message>
     <message>
-        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>+X 側への距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
     </message>
     <message>
-        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
         <translation>三つの姿勢が一直線上にあります：三つ目は %1 だけです。三つを取り直してください。</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the three again.</source>
+        <source>The robot sent an invalid position. Take the three poses again.</source>
         <translation>ロボットが有効な位置を送りませんでした。三つを取り直してください。</translation>
     </message>
     <message>
-        <source>Take the last again</source>
+        <source>Retake last pose</source>
         <translation>最後のものを取り直す</translation>
     </message>
     <message>
@@ -8215,11 +8804,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>姿勢 %1</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ 最も合わない</translation>
     </message>
     <message>
-        <source>Poses can be taken while the robot sends data.</source>
+        <source>Poses can be taken only while the robot sends data.</source>
         <translation>ロボットがデータを送っている間に姿勢を取れます。</translation>
     </message>
 </context>
@@ -8253,29 +8842,40 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>ツール</translation>
     </message>
     <message>
-        <source>TCP, payload or positions</source>
-        <translation>TCP、ペイロード、位置</translation>
+        <source>Cell</source>
+        <translation>セル</translation>
+    </message>
+    <message>
+        <source>TCP, payload, positions or cell</source>
+        <translation>TCP、ペイロード、位置、セル</translation>
     </message>
 </context>
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left, then %3 is at its limit</source>
+        <source>%1: %2 left to the limit of %3</source>
         <translation>%1：残り %2、その先は %3 が限界</translation>
     </message>
     <message>
-        <source>%1: %2 left to the plane the base stands on</source>
-        <translation>%1：ベースの立つ平面まで残り %2</translation>
+        <source>%1: %2 left to the end of reach or a singularity</source>
+        <translation>%1：残り %2、その先は到達限界か特異点</translation>
     </message>
     <message>
-        <source>%1: %2 left, then the end of the reach or a singularity</source>
-        <translation>%1：残り %2、その先は到達限界か特異点</translation>
+        <source>%1: %2 left, then %3 is %4 from %5</source>
+        <translation>%1：残り%2、その後%3は%5まで%4</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VectorEditor</name>
+    <message>
+        <source>%1. Press Return to apply. The robot does not move.</source>
+        <translation>%1。Enterで適用します。ロボットは動きません。</translation>
     </message>
 </context>
 <context>
     <name>tiller::ViewCard</name>
     <message>
-        <source>Fold</source>
+        <source>Collapse</source>
         <translation>たたむ</translation>
     </message>
     <message>
@@ -8283,11 +8883,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>The view is too small to unfold this</source>
+        <source>The view is too small to expand this</source>
         <translation>ビューが小さすぎて広げられません</translation>
     </message>
     <message>
-        <source>Unfold</source>
+        <source>Expand</source>
         <translation>広げる</translation>
     </message>
 </context>
@@ -8298,7 +8898,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
         <translation>ウェイポイントの座標系で。Return で適用します。動くのはウェイポイントだけです。</translation>
     </message>
     <message>
@@ -8314,7 +8914,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>座標系</translation>
     </message>
     <message>
-        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
         <translation>与えられ、一緒に動く座標系。位置はそのままです。—：関節が優先</translation>
     </message>
     <message numerus="yes">
@@ -8328,15 +8928,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>現在の姿勢から %1</translation>
     </message>
     <message>
-        <source>joints rule</source>
+        <source>joints have priority</source>
         <translation>関節が優先</translation>
     </message>
     <message>
-        <source>pose rules</source>
+        <source>pose has priority</source>
         <translation>姿勢が優先</translation>
     </message>
     <message>
-        <source>place of “%1”</source>
+        <source>cell of “%1”</source>
         <translation>「%1」の場所</translation>
     </message>
     <message>
@@ -8356,15 +8956,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>通しで移動</translation>
     </message>
     <message>
-        <source>Shows the keys of Go through in place of the figures.</source>
+        <source>Shows the Go through controls instead of the values.</source>
         <translation>数値の代わりに「通しで移動」のキーを表示します。</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Values</source>
         <translation>数値</translation>
     </message>
     <message>
-        <source>Shows the figures in place of the keys of Go through.</source>
+        <source>Shows the values instead of the Go through controls.</source>
         <translation>「通しで移動」のキーの代わりに数値を表示します。</translation>
     </message>
 </context>
@@ -8395,19 +8995,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>パターン「%1」を変更</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern first, and select them.</source>
+        <source>Teach the three corners of the pattern and select them first.</source>
         <translation>先にパターンの三隅を教示し、選択してください。</translation>
     </message>
     <message>
-        <source>Make the pattern “%1”</source>
+        <source>Create the pattern “%1”</source>
         <translation>パターン「%1」を作成</translation>
     </message>
     <message>
-        <source>Dissolve the pattern “%1”</source>
+        <source>Convert the pattern “%1” to waypoints</source>
         <translation>パターン「%1」を解消</translation>
     </message>
     <message>
-        <source>Select a place of a pattern.</source>
+        <source>Select a cell of a pattern.</source>
         <translation>パターンの場所を選んでください。</translation>
     </message>
     <message>
@@ -8419,11 +9019,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>履歴を見るウェイポイントを選んでください。</translation>
     </message>
     <message>
-        <source>The frame it was given in then is not in the project any more.</source>
+        <source>The frame of the earlier version was deleted from the project.</source>
         <translation>当時与えられていた座標系がプロジェクトにもうありません。</translation>
     </message>
     <message>
-        <source>Take an earlier “%1” back</source>
+        <source>Restore an earlier version of “%1”</source>
         <translation>以前の「%1」に戻す</translation>
     </message>
     <message>
@@ -8443,11 +9043,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>コンマ区切り (*.csv);;JSON (*.json)</translation>
     </message>
     <message>
-        <source>Nothing was imported</source>
+        <source>Import failed</source>
         <translation>何も取り込みませんでした</translation>
     </message>
     <message>
-        <source>%1 is too large for a list of waypoints.</source>
+        <source>%1 is too large for a waypoint file.</source>
         <translation>%1 はウェイポイントの一覧としては大きすぎます。</translation>
     </message>
     <message>
@@ -8473,7 +9073,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>エクスポートするウェイポイントがありません。</translation>
     </message>
     <message>
-        <source>Nothing was exported</source>
+        <source>Export failed</source>
         <translation>何もエクスポートしませんでした</translation>
     </message>
     <message numerus="yes">
@@ -8483,7 +9083,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         </translation>
     </message>
     <message>
-        <source>Select waypoints where something is to be done.</source>
+        <source>Select the waypoints to add actions to.</source>
         <translation>動作を行うウェイポイントを選んでください。</translation>
     </message>
     <message numerus="yes">
@@ -8506,7 +9106,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         </translation>
     </message>
     <message>
-        <source>Nothing was pasted</source>
+        <source>Paste failed</source>
         <translation>何も貼り付けませんでした</translation>
     </message>
     <message>
@@ -8531,7 +9131,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>「%1」の履歴</translation>
     </message>
     <message>
-        <source>Changes, the newest first</source>
+        <source>Changes, newest first</source>
         <translation>変更、新しい順</translation>
     </message>
     <message>
@@ -8543,7 +9143,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>%1  %2  (%3)</translation>
     </message>
     <message>
-        <source>Go back to before this</source>
+        <source>Restore the version before this change</source>
         <translation>これより前に戻す</translation>
     </message>
     <message>
@@ -8551,15 +9151,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>名前：「%1」、今は「%2」</translation>
     </message>
     <message>
-        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <source>Position: moved by %1 (%2, base frame)</source>
         <translation>位置：%1 動いた（%2、ベース座標系）</translation>
     </message>
     <message>
-        <source>Joints: %1 turned most, by %2</source>
+        <source>Joints: largest change %2 (%1)</source>
         <translation>関節：%1 が最大で %2 回った</translation>
     </message>
     <message>
-        <source>the joints rule</source>
+        <source>joints have priority</source>
         <translation>関節が優先</translation>
     </message>
     <message>
@@ -8567,7 +9167,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>ベース</translation>
     </message>
     <message>
-        <source>a frame that is no more</source>
+        <source>a deleted frame</source>
         <translation>もうない座標系</translation>
     </message>
     <message>
@@ -8595,7 +9195,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>ブレンド：%1、今は %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another one</source>
+        <source>TCP: taught with another TCP</source>
         <translation>TCP：別のもので教示</translation>
     </message>
     <message>
@@ -8611,19 +9211,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>メモ：「%1」、今は「%2」</translation>
     </message>
     <message>
-        <source>Actions: others than now</source>
+        <source>Actions: changed</source>
         <translation>アクション：今と異なる</translation>
     </message>
     <message>
-        <source>It was not changed since it was taught.</source>
+        <source>Not changed since it was taught.</source>
         <translation>教示以来変更されていません。</translation>
     </message>
     <message>
-        <source>Before this it was as it is now.</source>
+        <source>The version before this change equals the current version.</source>
         <translation>それ以前は今と同じでした。</translation>
     </message>
     <message>
-        <source>Before this it was:</source>
+        <source>Before this change:</source>
         <translation>それ以前は：</translation>
     </message>
 </context>
@@ -8646,7 +9246,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>✕ 到達</translation>
     </message>
     <message>
-        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
         <translation>関節が可動範囲を出ます。別のアーム姿勢からウェイポイントを修正教示してください。</translation>
     </message>
     <message>
@@ -8654,11 +9254,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>その座標系がこのプロジェクトにありません。別の座標系を選んでください。</translation>
     </message>
     <message>
-        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
         <translation>ここからの直線がアームの到達範囲を出ます。MoveJ を使うか、別の場所から始めてください。</translation>
     </message>
     <message>
-        <source>Out of reach. Touch it up nearer to the base.</source>
+        <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>到達不可。ベースの近くで修正教示してください。</translation>
     </message>
     <message>
@@ -8674,19 +9274,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>MoveJ：全関節が同時に始まり同時に止まる</translation>
     </message>
     <message>
-        <source>MoveL: the TCP goes along a straight line</source>
+        <source>MoveL: the TCP moves along a straight line</source>
         <translation>MoveL：TCP が直線に沿って動く</translation>
     </message>
     <message>
-        <source>The joints rule: the arm comes back in the same posture</source>
+        <source>Joints have priority: the arm returns to the same configuration</source>
         <translation>関節が優先：アームは同じ姿勢で戻る</translation>
     </message>
     <message>
-        <source>The pose rules: it moves with its frame</source>
+        <source>The pose has priority: the waypoint moves with its frame</source>
         <translation>姿勢が優先：座標系とともに動く</translation>
     </message>
     <message>
-        <source>Can be reached</source>
+        <source>Within reach</source>
         <translation>到達可能</translation>
     </message>
     <message>
@@ -8718,7 +9318,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>ウェイポイントには名前が必要です。</translation>
     </message>
     <message>
-        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <source>Waypoint %2 is named “%1”. Choose another name.</source>
         <translation>「%1」はウェイポイント %2 の名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -8726,15 +9326,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>「%1」を「%2」に名前変更</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveJ</source>
+        <source>Change “%1” to MoveJ</source>
         <translation>「%1」を MoveJ にする</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveL</source>
+        <source>Change “%1” to MoveL</source>
         <translation>「%1」を MoveL にする</translation>
     </message>
     <message>
-        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <source>The arm cannot reach this pose. “%1” was not changed.</source>
         <translation>アームはそこへ行けません。「%1」はそのままです。</translation>
     </message>
     <message>
@@ -8750,7 +9350,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>このプロジェクトに座標系「%1」はありません。</translation>
     </message>
     <message>
-        <source>Give “%1” in %2</source>
+        <source>Change the frame of “%1” to %2</source>
         <translation>「%1」を %2 で与える</translation>
     </message>
     <message>
@@ -8778,11 +9378,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>色：%1</translation>
     </message>
     <message>
-        <source>Name %1, the coming one</source>
+        <source>Name %1, next waypoint</source>
         <translation>名前 %1、次</translation>
     </message>
     <message>
-        <source>Done there: %1</source>
+        <source>Actions: %1</source>
         <translation>そこで行う動作: %1</translation>
     </message>
     <message>
@@ -8794,6 +9394,18 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>
             <numerusform>動作%n個</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>✕ arm</source>
+        <translation>✕ アーム</translation>
+    </message>
+    <message>
+        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>プロジェクトは別のロボットモデルで教示されました。先に「プロジェクトをこのロボットに合わせる…」を使ってください。</translation>
+    </message>
+    <message>
+        <source>✕ path</source>
+        <translation>✕ 経路</translation>
     </message>
 </context>
 <context>
@@ -8827,7 +9439,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>空色</translation>
     </message>
     <message>
-        <source>Only what is ticked is changed.</source>
+        <source>Only the selected properties are changed.</source>
         <translation>印を付けたものだけ変更します。</translation>
     </message>
     <message>
@@ -8919,7 +9531,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>オフセット</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>回転</translation>
     </message>
     <message>
@@ -8935,7 +9547,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>ベース</translation>
     </message>
     <message>
-        <source>Tool, each its own</source>
+        <source>Tool of each waypoint</source>
         <translation>ツール、それぞれ</translation>
     </message>
     <message>
@@ -8955,7 +9567,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>オフセット %1</translation>
     </message>
     <message>
-        <source>About or along</source>
+        <source>Axis of rotation or mirroring</source>
         <translation>周りまたは沿う軸</translation>
     </message>
     <message>
@@ -8963,7 +9575,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>角度</translation>
     </message>
     <message>
-        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
         <translation>アームが届きません：%1。何も動かしません。</translation>
     </message>
     <message>
@@ -8971,17 +9583,17 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>座標系がありません。別のものを選んでください。</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <source>%n of them would be out of reach. They are kept and marked.</source>
         <translation>
             <numerusform>うち %n 個は到達不可になります。残して印を付けます。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>原点を通り軸に垂直な平面で鏡像にします。ツールは鏡像側から近づきます。</translation>
     </message>
     <message>
-        <source>All stay in reach.</source>
+        <source>All remain within reach.</source>
         <translation>すべて到達可能です。</translation>
     </message>
 </context>
@@ -9015,17 +9627,17 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>修正教示</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>その他</translation>
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a place and press Teach here (T).</source>
+Jog the arm to a position and press Teach here (T).</source>
         <translation>ウェイポイントはまだありません。
 アームをジョグし、「ここを教示」(T) を押してください。</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
     </message>
     <message>
@@ -9037,15 +9649,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>移動先のウェイポイントを選んでください。</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>アームは制御下にありません。先に制御を取得してください。</translation>
     </message>
     <message>
-        <source>Add the place where the arm stands, after the selection (T)</source>
+        <source>Add the current position after the selection (T)</source>
         <translation>アームの現在位置を選択の後に追加 (T)</translation>
     </message>
     <message>
-        <source>Replace the selected place by where the arm stands (U)</source>
+        <source>Replace the selected waypoint with the current position (U)</source>
         <translation>選んだ位置をアームの現在位置で置き換え (U)</translation>
     </message>
     <message>
@@ -9101,7 +9713,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>「%1」の座標系がこのプロジェクトにありません。先に別の座標系を選んでください。</translation>
     </message>
     <message>
-        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>現在の位置は %1 離れています（%2、ベース座標系）。最大の関節変化：%3 %4。</translation>
     </message>
     <message>
@@ -9133,7 +9745,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>グループ、色、メモ、速度…</translation>
     </message>
     <message>
-        <source>Offset, turn or mirror…</source>
+        <source>Offset, rotate or mirror…</source>
         <translation>オフセット、回転、鏡像…</translation>
     </message>
     <message>
@@ -9145,7 +9757,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>パターン…</translation>
     </message>
     <message>
-        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <source>Convert pattern to waypoints</source>
         <translation>パターンの場所を普通のウェイポイントにする</translation>
     </message>
     <message>
@@ -9153,7 +9765,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>パターンとそのウェイポイントを削除</translation>
     </message>
     <message>
-        <source>Actions there…</source>
+        <source>Actions…</source>
         <translation>そこでの動作…</translation>
     </message>
     <message>
@@ -9180,11 +9792,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>コマンド</translation>
     </message>
     <message>
-        <source>Search a command</source>
+        <source>Search commands</source>
         <translation>コマンドを検索</translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
+        <source>Type a command or keyword</source>
         <translation>したいことを入力してください</translation>
     </message>
     <message>
@@ -9192,7 +9804,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>見つかったコマンド</translation>
     </message>
     <message>
-        <source>not possible now</source>
+        <source>not available now</source>
         <translation>今は不可</translation>
     </message>
 </context>
@@ -9203,11 +9815,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>ティーチペンダントの「情報」に表示されるロボットのアドレスを入力してください。</translation>
     </message>
     <message>
-        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
         <translation>アドレスは 192.168.0.10 のような 0〜255 の四つの数です。</translation>
     </message>
     <message>
-        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <source>A host name contains only letters, digits, dots and hyphens.</source>
         <translation>ホスト名は英字、数字、点、ハイフンだけです。</translation>
     </message>
     <message>
@@ -9227,7 +9839,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>接続</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>実機を動かす前に：届く範囲に人を入れず、非常停止を手元に置き、ペイロードと TCP を確認し、ゆっくり始めてください。このウィンドウの STOP は非常停止ではありません。</translation>
     </message>
     <message>
@@ -9239,7 +9851,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <source>Waypoints from a file, without a robot: everything works except motion.</source>
         <translation>ロボットなしでファイルのウェイポイント：動かす以外はすべてできます。</translation>
     </message>
     <message>
@@ -9247,11 +9859,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>シミュレーターを試す</translation>
     </message>
     <message>
-        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <source>A simulated UR5e in this program. All functions are available without risk.</source>
         <translation>このプログラム内のシミュレートされた UR5e。すべて動き、何も傷つきません。</translation>
     </message>
     <message>
-        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <source>Starts the simulated robot and opens a project with taught waypoints.</source>
         <translation>シミュレートされたロボットを起動し、教示済みのプロジェクトを開きます。</translation>
     </message>
     <message>
@@ -9283,14 +9895,14 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>以前に接続したロボット</translation>
     </message>
     <message>
-        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
         <translation>選んだロボットを一覧から外します (Delete)。ロボットは変わりません。</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>make the folder %1: choose one that may be written to</source>
+        <source>create the folder %1: choose a folder that you have permission to write to</source>
         <translation>フォルダー %1 を作る：書き込める場所を選んでください</translation>
     </message>
     <message>
@@ -9322,7 +9934,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>ベースで X+ に 50 mm ジョグ</translation>
     </message>
     <message>
-        <source>let go</source>
+        <source>release</source>
         <translation>離す</translation>
     </message>
     <message>
@@ -9334,7 +9946,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>最初のウェイポイントへ移動（押し続け）</translation>
     </message>
     <message>
-        <source>let go of Go to</source>
+        <source>release Go to</source>
         <translation>移動を離す</translation>
     </message>
     <message>
@@ -9362,11 +9974,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1：%2 s 以内に起きませんでした（%3）</translation>
     </message>
     <message>
-        <source>the robot reports no reason</source>
+        <source>the robot reported no reason</source>
         <translation>ロボットは理由を報告していません</translation>
     </message>
     <message>
-        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
         <translation>押し直し             %1 回：離す前に動作が止まっていました</translation>
     </message>
     <message>
@@ -9423,7 +10035,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>試す…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>各デバイスの現在の値と、動く向き。</translation>
     </message>
     <message>
@@ -9447,7 +10059,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation> %</translation>
     </message>
     <message>
-        <source>So far a stick may be out without moving anything.</source>
+        <source>Deflection below which the device does not move the arm.</source>
         <translation>ここまではスティックを倒しても何も動きません。</translation>
     </message>
     <message>
@@ -9459,15 +10071,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>指数 </translation>
     </message>
     <message>
-        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
         <translation>1：均一。大きいほど中央付近は緩やか、端で速くなります。</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>最も大きく倒した軸だけ</translation>
     </message>
     <message>
-        <source>%1: only the axis that is out furthest</source>
+        <source>%1: dominant axis only</source>
         <translation>%1：最も大きく倒した軸だけ</translation>
     </message>
     <message>
@@ -9483,18 +10095,18 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>なし</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>ゲームパッドも SpaceMouse もありません。差し込むと自動で現れます。</translation>
     </message>
     <message>
-        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
         <translation>デッドマンを押している間だけです。記憶されません：起動後はどのデバイスもアームを動かしません。</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
         <translation>パネルがありません。右下でパースペクティブを選ぶか、メニュー「ビュー」でパネルを表示してください。</translation>
     </message>
 </context>
@@ -9503,10 +10115,6 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>Help</source>
         <translation>ヘルプ</translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;パッドのキーを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがキーから外れる、第二ボタンが押される、別の手が加わる；&lt;/li&gt;&lt;li&gt;押しているキーボードのキーの横で修飾キーや矛盾するキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、何かが上に開く、別の座標系、速度、ステップ、タブが選ばれる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが固まる、ロボットが「稼働中」、その安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、デバイスが抜かれるか黙る；&lt;/li&gt;&lt;li&gt;キーがまだ押されていると誰も証明できない：X11 ではボタンやキーが押されているかを毎秒 100 回ディスプレイサーバーに尋ね、「いいえ」または 100 ms の無応答で動作を終えます。尋ねる相手がいない場合はヘッダーと設定に示されます；&lt;/li&gt;&lt;li&gt;長く押された：ジョグは %1 s（設定）、フリードライブは 5 分、ある場所への移動は所要時間より 5 s。最後の 3 s は秒読みします。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;止まった動作には新しく押すことが必要です。&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; はどこからでも止め、他者のプログラムも止めます。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; は十倍細かく、&lt;b&gt;Shift&lt;/b&gt; は三倍速くしますが、上限を超えません。ラテン文字のないキーボードでは、下の文字は US 配列でのその位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
     </message>
     <message>
         <source>Practice tasks</source>
@@ -9532,6 +10140,10 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;このコンピューターにはマニュアルがありません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドした Tiller には、パッケージ python3-sphinx がインストールされていれば付きます。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。それまでは、ソースのフォルダー packaging/manual でテキストとして読めます。ジョグの決まりと全キーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;パッドのキーを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがキーから外れる、第二ボタンが押される、別の手が加わる；&lt;/li&gt;&lt;li&gt;押しているキーボードのキーの横で修飾キーや矛盾するキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、何かが上に開く、別の座標系、速度、ステップ、タブが選ばれる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが固まる、ロボットが「稼働中」、その安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、デバイスが抜かれるか黙る；&lt;/li&gt;&lt;li&gt;キーがまだ押されていると誰も証明できない：X11 ではボタンやキーが押されているかを毎秒 100 回ディスプレイサーバーに尋ね、「いいえ」または 100 ms の無応答で動作を終えます。尋ねる相手がいない場合はヘッダーと設定に示されます；&lt;/li&gt;&lt;li&gt;長く押された：ジョグは %1 s（設定）、フリードライブは 5 分、ある場所への移動は所要時間より 5 s。最後の 3 s は秒読みします。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;止まった動作には新しく押すことが必要です。制御中は、&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; でどのウィンドウ、ダイアログ、入力欄からでも停止します。制御していないときはフォーカスのある部品のキーになります。他のクライアントのプログラムは &lt;b&gt;STOP&lt;/b&gt; をクリックして停止してください。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; は十倍細かく、&lt;b&gt;Shift&lt;/b&gt; は三倍速くしますが、上限を超えません。ラテン文字のないキーボードでは、下の文字は US 配列でのその位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9540,11 +10152,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>色、大きさ、単位</translation>
     </message>
     <message>
-        <source>Speed cap and longest hold</source>
+        <source>Speed cap and maximum hold time</source>
         <translation>速度上限と最長の押下</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>コマンドのキー</translation>
     </message>
     <message>
@@ -9588,19 +10200,19 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 は取り込まれませんでした。何も変わっていません。</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1 holds:</source>
+        <source>The selected settings are replaced by those in %1:</source>
         <translation>印の付いたものは %1 の内容で置き換えられます：</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
         <translation>印の付いたものは %1（Tiller %2 が作成）の内容で置き換えられます：</translation>
     </message>
     <message>
-        <source>%1: the same already</source>
+        <source>%1: identical</source>
         <translation>%1：すでに同じ</translation>
     </message>
     <message>
-        <source>%1: none in the file</source>
+        <source>%1: not in the file</source>
         <translation>%1：ファイルにありません</translation>
     </message>
     <message>
@@ -9608,11 +10220,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1：ここ %2、ファイル %3</translation>
     </message>
     <message>
-        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <source>The replaced settings are saved to a separate file, which can be imported again.</source>
         <translation>置き換えられるものは別のファイルに残り、再び取り込めます。</translation>
     </message>
     <message>
-        <source>There is nothing in the file that is not here already.</source>
+        <source>All settings in the file match the current settings.</source>
         <translation>ファイルにはここにないものがありません。</translation>
     </message>
 </context>
@@ -9623,7 +10235,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>最初のステップ</translation>
     </message>
     <message>
-        <source>A checklist in the view: from power on to a recording.</source>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
         <translation>ビュー内の一覧：電源オンから記録まで。</translation>
     </message>
     <message>
@@ -9635,11 +10247,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>シミュレートされたロボットでの五つの課題、それぞれ確認付き。</translation>
     </message>
     <message>
-        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
         <translation>練習はこのプログラムのシミュレートされたロボット専用です。これは「%1」です。</translation>
     </message>
     <message>
-        <source>Practice: put “%1”</source>
+        <source>Practice: place “%1”</source>
         <translation>練習：「%1」を置く</translation>
     </message>
 </context>
@@ -9650,7 +10262,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>キーボードジョグ有効：矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。</translation>
     </message>
     <message>
@@ -9690,7 +10302,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 が切断されました。アームを止めました。</translation>
     </message>
     <message>
-        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 がアームを動かしている間に黙ったため、止めました。離してください。黙ったままなら差し直してください。</translation>
     </message>
     <message>
@@ -9714,7 +10326,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>見本プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
         <translation>三つのプロジェクトのうち一つの写しをシミュレートされたロボットで試します。</translation>
     </message>
     <message>
@@ -9722,7 +10334,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>プロジェクトに名前を付けて保存…</translation>
     </message>
     <message>
-        <source>Saves to this file now, and every change from now on.</source>
+        <source>Saves to this file now and saves all further changes automatically.</source>
         <translation>今このファイルに保存し、以後の変更も保存します。</translation>
     </message>
     <message>
@@ -9742,7 +10354,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>ログを表示</translation>
     </message>
     <message>
-        <source>Brings this tab to the front.</source>
+        <source>Shows this tab.</source>
         <translation>このタブを手前に出します。</translation>
     </message>
     <message>
@@ -9750,7 +10362,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>グリッパーを表示</translation>
     </message>
     <message>
-        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <source>Shows the Gripper page of the I/O tab.</source>
         <translation>I/O のグリッパーのページを手前に出します。</translation>
     </message>
     <message>
@@ -9758,7 +10370,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>配置を初期化</translation>
     </message>
     <message>
-        <source>All panels back to where the current perspective has them.</source>
+        <source>Restores the panel layout of the current perspective.</source>
         <translation>全パネルを現在のパースペクティブの配置に戻します。</translation>
     </message>
     <message>
@@ -9770,7 +10382,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>暗い色</translation>
     </message>
     <message>
-        <source>Changes the colours at once and remembers it.</source>
+        <source>Changes the colour theme now and for the next start.</source>
         <translation>色をすぐに変えて記憶します。</translation>
     </message>
     <message>
@@ -9778,7 +10390,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>グラフの力をゼロにする、または測定どおりに表示</translation>
     </message>
     <message>
-        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
         <translation>TCP の力を今の値から数えます。もう一度でロボットの測定どおり。</translation>
     </message>
     <message>
@@ -9794,7 +10406,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>設定…</translation>
     </message>
     <message>
-        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
         <translation>色、大きさ、単位、速度上限、デバイス、各コマンドのキー。</translation>
     </message>
     <message>
@@ -9802,7 +10414,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>設定をエクスポート…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <source>Saves all settings to one file, for another computer or as a backup.</source>
         <translation>記憶しているすべてを一つのファイルに。別のコンピューター用、または写しとして。</translation>
     </message>
     <message>
@@ -9810,7 +10422,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>設定を取り込む…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <source>Imports settings from a file after showing what will be replaced.</source>
         <translation>そのファイルの内容を引き継ぎます。置き換えるものを先に示します。</translation>
     </message>
     <message>
@@ -9834,11 +10446,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 を切り離す</translation>
     </message>
     <message>
-        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
         <translation>第二画面用に独立したウィンドウにする、または戻します。</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the others.</source>
+        <source>Moves this panel to that side of the main window.</source>
         <translation>このパネルを他のパネルのその側へ動かします。</translation>
     </message>
     <message>
@@ -9862,11 +10474,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>プログラムを読み込む</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as the tablet shows it</source>
+        <source>Name of the program on the robot, as shown on the teach pendant</source>
         <translation>タブレットに表示されるロボットのプログラム名</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as in pick.urp</source>
+        <source>Name of the program on the robot, e.g. pick.urp</source>
         <translation>ロボットのプログラム名（例：pick.urp）</translation>
     </message>
     <message>
@@ -9874,7 +10486,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>速度上限 %1</translation>
     </message>
     <message>
-        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <source>A recording is running. Stop it first.</source>
         <translation>記録中です。先に終えてください：欠けが出ないように。</translation>
     </message>
     <message>
@@ -9886,7 +10498,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>ツール</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
             <numerusform>セルの%n個の箱または平面はシミュレートされたロボットに伝わっていません。これ以上入りません。</numerusform>
         </translation>
@@ -9896,7 +10508,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>問題を報告…</translation>
     </message>
     <message>
-        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
         <translation>バージョン、ログ、設定を1つのファイルにまとめます。先に内容を表示します。</translation>
     </message>
     <message>
@@ -9904,26 +10516,78 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>レポートを保存しました: %1</translation>
     </message>
     <message>
-        <source>Tiller ended unexpectedly the last time</source>
+        <source>Tiller closed unexpectedly</source>
         <translation>前回、Tillerが予期せず終了しました</translation>
     </message>
     <message>
-        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <source>Tiller saved a crash log. You can attach it to a problem report.</source>
         <translation>そのときの内容は残されています。助けてくれる人のためにレポートとして保存してください。</translation>
     </message>
     <message>
-        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
         <translation>フォーカスのある部分のマニュアルのページ、全コマンドとキー、ジョグの決まり。</translation>
+    </message>
+    <message>
+        <source>The settings could not be saved. %1</source>
+        <translation>設定を保存できませんでした。%1</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>元に戻しました：%1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>やり直しました：%1</translation>
+    </message>
+    <message>
+        <source>Adapt project to this robot…</source>
+        <translation>プロジェクトをこのロボットに合わせる…</translation>
+    </message>
+    <message>
+        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <translation>別のロボットモデルのプロジェクトを変換します：姿勢または関節を維持します。</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>制御を取得</translation>
+    </message>
+    <message>
+        <source>A program is paused on the robot.</source>
+        <translation>ロボットでプログラムが一時停止中です。</translation>
+    </message>
+    <message>
+        <source>A program is running on the robot.</source>
+        <translation>ロボットでプログラムが実行中です。</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <translation>プログラム「%1」がロボットで一時停止中です。</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <translation>プログラム「%1」がロボットで実行中です。</translation>
+    </message>
+    <message>
+        <source>Taking control stops it. It cannot be resumed, only started again.</source>
+        <translation>制御を取得すると停止します。再開はできず、最初から開始するだけになります。</translation>
+    </message>
+    <message>
+        <source>Stop it and take control</source>
+        <translation>停止して制御を取得</translation>
+    </message>
+    <message>
+        <source>Keep it running</source>
+        <translation>そのまま続ける</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
     <message>
-        <source>Put back</source>
+        <source>Dock</source>
         <translation>戻す</translation>
     </message>
     <message>
-        <source>Back into the main window</source>
+        <source>Move the panel back to the main window</source>
         <translation>メインウィンドウに戻す</translation>
     </message>
     <message>
@@ -9931,7 +10595,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>Closes this panel. The menu View brings it back.</source>
+        <source>Closes this panel. Use the View menu to show it again.</source>
         <translation>このパネルを閉じます。メニュー「ビュー」で戻せます。</translation>
     </message>
     <message>
@@ -9939,7 +10603,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 を移動、切り離し、閉じる</translation>
     </message>
     <message>
-        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <source>Click to move, float or close this panel. Drag to move it.</source>
         <translation>クリック：このパネルを移動、切り離し、閉じる。ドラッグ：別の場所へ。</translation>
     </message>
 </context>
@@ -9950,11 +10614,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>パースペクティブを保存</translation>
     </message>
     <message>
-        <source>The panels as they stand now, into the current perspective.</source>
+        <source>Saves the current panel layout to the current perspective.</source>
         <translation>今のパネルの配置を現在のパースペクティブに。</translation>
     </message>
     <message>
-        <source>This perspective is built in. Save it under a name of your own.</source>
+        <source>This perspective is built in. Save it under another name.</source>
         <translation>このパースペクティブは組み込みです。自分の名前で保存してください。</translation>
     </message>
     <message>
@@ -9962,7 +10626,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>パースペクティブに名前を付けて保存…</translation>
     </message>
     <message>
-        <source>The panels as they stand now, under a name of your own.</source>
+        <source>Saves the current panel layout under a new name.</source>
         <translation>今のパネルの配置を自分の名前で。</translation>
     </message>
     <message>
@@ -9974,7 +10638,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>パースペクティブの名前を変更…</translation>
     </message>
     <message>
-        <source>Gives the current perspective another name.</source>
+        <source>Renames the current perspective.</source>
         <translation>現在のパースペクティブに別の名前を付けます。</translation>
     </message>
     <message>
@@ -9982,7 +10646,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>パースペクティブの名前を変更</translation>
     </message>
     <message>
-        <source>This perspective is built in and keeps its name.</source>
+        <source>This perspective is built in and cannot be renamed.</source>
         <translation>このパースペクティブは組み込みで、名前は変わりません。</translation>
     </message>
     <message>
@@ -9990,11 +10654,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>パースペクティブを削除…</translation>
     </message>
     <message>
-        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <source>Deletes the current perspective. The panel layout does not change.</source>
         <translation>現在のパースペクティブを忘れます。パネルはそのままです。</translation>
     </message>
     <message>
-        <source>This perspective is built in and stays.</source>
+        <source>This perspective is built in and cannot be deleted.</source>
         <translation>このパースペクティブは組み込みで、残ります。</translation>
     </message>
     <message>
@@ -10002,7 +10666,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>パースペクティブ %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <source>Perspective %1. Select a panel layout, or save the current one.</source>
         <translation>パースペクティブ %1。パネルの配置を選ぶか、今の配置を保存します。</translation>
     </message>
     <message>
@@ -10034,7 +10698,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>削除</translation>
     </message>
     <message>
-        <source>Keep it</source>
+        <source>Keep</source>
         <translation>残す</translation>
     </message>
 </context>
@@ -10045,7 +10709,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>教示</translation>
     </message>
     <message>
-        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <source>Shows the view, the waypoints next to it and the plots below.</source>
         <translation>ビュー、隣にウェイポイント、下にグラフを表示します。</translation>
     </message>
     <message>
@@ -10053,7 +10717,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>監視</translation>
     </message>
     <message>
-        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <source>Shows inputs and outputs, a smaller view next to them and taller plots below.</source>
         <translation>入出力、隣に小さなビュー、下に高いグラフを表示します。</translation>
     </message>
     <message>
@@ -10061,7 +10725,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>グラフ</translation>
     </message>
     <message>
-        <source>Shows the plots alone, as large as the window allows.</source>
+        <source>Shows only the plots, as large as possible.</source>
         <translation>グラフだけをウィンドウ一杯に表示します。</translation>
     </message>
     <message>
@@ -10069,7 +10733,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>保存したときのパネル配置を表示します。</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
         <translation>パースペクティブ「%1」を表示できません：設定の配置が壊れています。パネルを並べて保存し直してください。</translation>
     </message>
     <message>
@@ -10081,19 +10745,19 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>名前が長すぎます。</translation>
     </message>
     <message>
-        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
         <translation>これ以上のパースペクティブは保存できません。先に一つ削除してください。</translation>
     </message>
     <message>
-        <source>There is a perspective of this name. Choose another name.</source>
+        <source>A perspective with this name exists. Choose another name.</source>
         <translation>この名前のパースペクティブがあります。別の名前を選んでください。</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
         <translation>パネルはパースペクティブ「%1」の配置です：前のバージョンの配置はこのバージョンに合いません。並べ直してください。記憶されます。</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
         <translation>パネルはパースペクティブ「%1」の配置です：設定の配置が壊れているか別のバージョンのものです。並べ直してください。記憶されます。</translation>
     </message>
 </context>
@@ -10112,15 +10776,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>記録用フォルダーを選ぶ</translation>
     </message>
     <message>
-        <source>Pattern of the file name</source>
+        <source>File name pattern</source>
         <translation>ファイル名の型</translation>
     </message>
     <message>
-        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <source>{date}, {time}, {robot} and {number} are replaced when a recording starts.</source>
         <translation>{date}、{time}、{robot}、{number} は記録開始時に埋められます。</translation>
     </message>
     <message>
-        <source>One row every so many packets</source>
+        <source>Packets per row</source>
         <translation>何パケットごとに一行か</translation>
     </message>
     <message>
@@ -10160,17 +10824,17 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>実験室の UR5e</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
         <translation>例：%1。{date}、{time}、{robot}、{number} は埋められます。既存のファイルは置き換えません。</translation>
     </message>
     <message numerus="yes">
-        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
         <translation>
             <numerusform>一行 %n パケット：毎秒 500 パケットを送るロボットで毎秒 %1 行。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Format of a recording</source>
+        <source>Recording format</source>
         <translation>記録の形式</translation>
     </message>
     <message>
@@ -10182,7 +10846,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>MCAP: すべてのフィールド、ログ、プロジェクト。ROSツール用</translation>
     </message>
     <message>
-        <source>Megabytes of the disk that stay free</source>
+        <source>Free disk space to keep, in megabytes</source>
         <translation>ディスクに残しておくメガバイト数</translation>
     </message>
     <message>
@@ -10190,7 +10854,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation> MB</translation>
     </message>
     <message>
-        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <source>A recording stops and is completed before the free disk space falls below this value.</source>
         <translation>空きがこれより少なくなる前に、記録は正しく終わり、完全に残ります。</translation>
     </message>
     <message>
@@ -10205,7 +10869,7 @@ Jog the arm to a place and press Teach here (T).</source>
 <context>
     <name>tiller::app::ReportDialog</name>
     <message>
-        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <source>Include names and addresses of robots, inputs, outputs and files</source>
         <translation>ロボット、入力、出力、ファイルの名前とアドレスを含める</translation>
     </message>
     <message>
@@ -10225,7 +10889,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>レポートのファイル</translation>
     </message>
     <message>
-        <source>What this file says</source>
+        <source>Content of this file</source>
         <translation>このファイルの内容</translation>
     </message>
     <message>
@@ -10237,7 +10901,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
         <translation>助けてくれる人に必要な情報をまとめた1つのファイルです。含まれるものはすべて下に表示されます。選んだ場所に保存され、Tillerがどこかへ送ることはありません。</translation>
     </message>
     <message>
@@ -10260,7 +10924,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>見本プロジェクトを開く</translation>
     </message>
     <message>
-        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
         <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで通せます。写しで作業します：保存時に自分のファイルを尋ねます。</translation>
     </message>
     <message>
@@ -10279,7 +10943,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>設定</translation>
     </message>
     <message>
-        <source>Look and motion</source>
+        <source>Appearance and motion</source>
         <translation>外観と動作</translation>
     </message>
     <message>
@@ -10291,7 +10955,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>記録</translation>
     </message>
     <message>
-        <source>Keys</source>
+        <source>Shortcuts</source>
         <translation>キー</translation>
     </message>
     <message>
@@ -10303,7 +10967,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>設定をエクスポート…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <source>Save all settings to one file, for another computer or as a backup</source>
         <translation>記憶しているすべてを一つのファイルに。別のコンピューター用、または写しとして</translation>
     </message>
     <message>
@@ -10311,7 +10975,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>設定を取り込む…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces</source>
+        <source>Import settings from a file after showing what will be replaced</source>
         <translation>そのファイルの内容を引き継ぎます。置き換えるものを先に示します</translation>
     </message>
     <message>
@@ -10327,7 +10991,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>暗</translation>
     </message>
     <message>
-        <source>Size of keys and rows</source>
+        <source>Size of controls</source>
         <translation>キーと行の大きさ</translation>
     </message>
     <message>
@@ -10347,7 +11011,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Size of everything</source>
+        <source>Interface size</source>
         <translation>全体の大きさ</translation>
     </message>
     <message>
@@ -10379,7 +11043,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>このプログラムの速度上限</translation>
     </message>
     <message>
-        <source>Longest hold</source>
+        <source>Maximum hold time</source>
         <translation>最長の押下</translation>
     </message>
     <message>
@@ -10387,15 +11051,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation>この時間でジョグは終わり、キーを押し直す必要があります。フリードライブは 5 分、ある場所への移動は所要時間と 5 s です。</translation>
     </message>
     <message>
-        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
         <translation>タッチ：指に必要な高さ。高さ %1 px 未満のウィンドウでは関節、タブ、タイトルバーのキーは小さいままです。</translation>
     </message>
     <message>
-        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
         <translation>長さ、TCP の速度、姿勢の表示と入力の方法。グラフとファイルはメートル、ミリメートル、度のままです。</translation>
     </message>
     <message>
@@ -10403,27 +11067,27 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>速度上限</translation>
     </message>
     <message>
-        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <source>Scales text, controls, plots and the view.</source>
         <translation>文字、キー、行、グラフ、ビュー、すべて同じ割合。</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
         <translation>Tiller の次の起動から有効です。画面には %1 % 分の余裕しかなく、その大きさになります。</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller.</source>
+        <source>Takes effect at the next start of Tiller.</source>
         <translation>Tiller の次の起動から有効です。</translation>
     </message>
     <message>
-        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
         <translation>▲ %1 を超えています。PC からのジョグを制限するものは他にありません：手動モードもペンダントのイネーブル装置も効きません。ヘッダーに示され、プログラム終了で終わります。</translation>
     </message>
     <message>
-        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
         <translation>このプログラムの動作は TCP でも肘でもこれを超えません。すぐに有効になり、動いているものを止めます。</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>コマンドのキー</translation>
     </message>
     <message>
@@ -10431,7 +11095,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>コマンド</translation>
     </message>
     <message>
-        <source>Key</source>
+        <source>Shortcut</source>
         <translation>キー</translation>
     </message>
     <message>
@@ -10439,19 +11103,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>既定のキーに戻す</translation>
     </message>
     <message>
-        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
-        <translation>欄で新しいキーを押してください。Backspace で消します。Space と Esc は常にアームを止めます。</translation>
-    </message>
-    <message>
-        <source>Key for %1</source>
+        <source>Shortcut for %1</source>
         <translation>%1 のキー</translation>
     </message>
     <message>
-        <source>%1 stops the arm and nothing else.</source>
+        <source>%1 is reserved for stopping the arm.</source>
         <translation>%1 はアームを止めるだけのキーです。</translation>
     </message>
     <message>
-        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
         <translation>%1 は &quot;%2&quot; のキーです。先にそちらから外してください。</translation>
     </message>
     <message>
@@ -10459,24 +11119,44 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>言語</translation>
     </message>
     <message>
-        <source>As the system: %1</source>
+        <source>System language: %1</source>
         <translation>システムに合わせる：%1</translation>
     </message>
     <message>
-        <source>Open the window anew</source>
+        <source>Reopen window</source>
         <translation>ウィンドウを開き直す</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
         <translation>アームを止め、制御を返却して接続し直します。グラフの表示は新しく始まります。プロジェクトは保存されます。</translation>
     </message>
     <message>
-        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
         <translation>ウィンドウと確認の言語です。ファイルとスクリプトはどの言語でも同じです。</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
         <translation>Tiller の次の起動から、またはウィンドウを開き直すと有効です。</translation>
+    </message>
+    <message>
+        <source>Monitor only</source>
+        <translation>監視のみ</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>For PCs that only monitor: this window does not take control, set outputs or start programs. STOP still works.</source>
+        <translation>監視専用のPC向け：このウィンドウは制御の取得、出力の設定、プログラムの開始を行いません。STOPは使えます。</translation>
+    </message>
+    <message>
+        <source>Monitor only (set on the command line)</source>
+        <translation>監視のみ（コマンドラインで指定）</translation>
+    </message>
+    <message>
+        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
+        <translation>欄で新しいショートカットを押します。Backspaceで削除します。制御中はSpaceとEscで必ずアームが停止します。</translation>
     </message>
 </context>
 <context>
@@ -10502,7 +11182,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 は取り込まれませんでした。何も変わっていません。%2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. What was here before is in %2</source>
+        <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>%1 から設定を取り込みました。以前の設定は %2 にあります</translation>
     </message>
 </context>

@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>This robot has no gripper here. Choose it in I/O, Gripper.</source>
+        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
         <translation>此处该机器人没有夹爪。请在 I/O 的夹爪页中选择。</translation>
     </message>
     <message>
@@ -12,19 +12,19 @@
         <translation>依次通过</translation>
     </message>
     <message>
-        <source>%1 did not go on within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
         <translation>%1 未在 %2 s 内接通。请检查所等待的对象，然后再次按下。</translation>
     </message>
     <message>
-        <source>%1 did not go off within %2 s. Look at what it waits for, and press again.</source>
+        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
         <translation>%1 未在 %2 s 内断开。请检查所等待的对象，然后再次按下。</translation>
     </message>
     <message>
-        <source>%1 was not done. %2</source>
+        <source>%1 was not completed. %2</source>
         <translation>未执行 %1。%2</translation>
     </message>
     <message>
-        <source>The gripper did not come to rest within %1 s.</source>
+        <source>The gripper did not stop moving within %1 s.</source>
         <translation>夹爪未在 %1 s 内停下。</translation>
     </message>
 </context>
@@ -110,19 +110,19 @@
         <translation>%1 断开 %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 on, at most %2 s</source>
+        <source>Wait until %1 is on, %2 s at most</source>
         <translation>等待 %1 接通，最长 %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 off, at most %2 s</source>
+        <source>Wait until %1 is off, %2 s at most</source>
         <translation>等待 %1 断开，最长 %2 s</translation>
     </message>
     <message>
-        <source>Wait for %1 on</source>
+        <source>Wait until %1 is on</source>
         <translation>等待 %1 接通</translation>
     </message>
     <message>
-        <source>Wait for %1 off</source>
+        <source>Wait until %1 is off</source>
         <translation>等待 %1 断开</translation>
     </message>
     <message>
@@ -150,14 +150,14 @@
         <translation>等待输入</translation>
     </message>
     <message>
-        <source>Wait a while</source>
+        <source>Wait</source>
         <translation>等待一段时间</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
-        <source>go back: nothing left to undo</source>
+        <source>go back: no recorded motion left</source>
         <translation>返回：没有可撤销的动作了</translation>
     </message>
 </context>
@@ -176,7 +176,7 @@
         <translation>连接此地址或主机名的机器人。</translation>
     </message>
     <message>
-        <source>Run the scripted demonstration on the simulated robot, leave its files in this folder, exit.</source>
+        <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
         <translation>在模拟机器人上运行演示脚本，把文件留在此文件夹中，然后退出。</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>见 tiller --help</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not expected</source>
+        <source>unexpected argument &quot;%1&quot;</source>
         <translation>未预期 &quot;%1&quot;</translation>
     </message>
     <message>
@@ -200,11 +200,11 @@
         <translation>--theme 只接受 light 或 dark，而不是 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--robot and --simulator exclude each other</source>
+        <source>--robot and --simulator cannot be combined</source>
         <translation>--robot 与 --simulator 不能同时使用</translation>
     </message>
     <message>
-        <source>--demo runs on the simulated robot only, not with --robot</source>
+        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
         <translation>--demo 只能在模拟机器人上运行，不能与 --robot 一起使用</translation>
     </message>
     <message>
@@ -212,12 +212,20 @@
         <translation>--demo 需要一个文件夹</translation>
     </message>
     <message>
-        <source>--robot needs an address, as in --robot 192.168.0.10</source>
+        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot 需要一个地址，例如 --robot 192.168.0.10</translation>
     </message>
     <message>
-        <source>only one project can be opened, not &quot;%1&quot; too</source>
+        <source>only one project can be opened; remove &quot;%1&quot;</source>
         <translation>只能打开一个项目，不能再打开 &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
+        <translation>仅监视：除 STOP 外不更改机器人的任何状态。无法在设置中关闭。</translation>
+    </message>
+    <message>
+        <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
+        <translation>--demo 会移动模拟机器人，不能与 --monitor-only 同时使用</translation>
     </message>
 </context>
 <context>
@@ -243,7 +251,7 @@
         <translation>%1：未比较</translation>
     </message>
     <message>
-        <source>%1: not compared, the recording has no %2; record all signals, to MCAP</source>
+        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
         <translation>%1：未比较，记录中没有 %2；请将所有信号记录为 MCAP</translation>
     </message>
     <message>
@@ -251,11 +259,11 @@
         <translation>%1：没有数值</translation>
     </message>
     <message>
-        <source>%1: never beyond %2, at most %3 at %4 s</source>
+        <source>%1: within %2 at all times, maximum %3 at %4 s</source>
         <translation>%1：从未超过 %2，最大 %3（%4 s）</translation>
     </message>
     <message>
-        <source>%1: beyond %2 from %3 s on (%4), at most %5 at %6 s</source>
+        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
         <translation>%1：自 %3 s 起超过 %2（%4），最大 %5（%6 s）</translation>
     </message>
     <message>
@@ -268,43 +276,43 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 is %3 off</source>
+        <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
         <translation>机械臂与模型在 %1 s 分离：%2 偏差 %3</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: the TCP is %2 off</source>
+        <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
         <translation>机械臂与模型在 %1 s 分离：TCP 偏差 %2</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: %2 needs %3 more or less than it should</source>
+        <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
         <translation>机械臂与模型在 %1 s 分离：%2 的电流与应有值相差 %3</translation>
     </message>
     <message>
-        <source>Arm and model part at %1 s: a force of %2 pushes the TCP</source>
+        <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
         <translation>机械臂与模型在 %1 s 分离：有 %2 的力作用在 TCP 上</translation>
     </message>
     <message>
-        <source>The arm did what the model of a %1 does</source>
+        <source>The arm moved as the model of a %1 does</source>
         <translation>机械臂的表现与 %1 的模型一致</translation>
     </message>
     <message>
-        <source>Nothing could be compared: the arm had no power all the time, or was led by hand.</source>
+        <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>无法比较：机械臂一直没有上电，或被手动引导。</translation>
     </message>
     <message>
-        <source>They never were together: check the payload that the robot was told of, the model, and what touches the arm.</source>
+        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
         <translation>从一开始就不一致：请检查告知机器人的有效载荷、型号以及接触机械臂的物体。</translation>
     </message>
     <message>
-        <source>From there on something pushed or held the arm, its load was another one, or a joint did not follow.</source>
+        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
         <translation>从那时起，有物体推动或挡住机械臂，负载不同，或某个关节没有跟随。</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: it lacks what the joints were told, or where they were. Record all signals, to MCAP.</source>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
         <translation>此记录无法与模型比较：缺少关节的指令或位置。请将所有信号记录为 MCAP。</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: its rows are too far apart. Record every packet.</source>
+        <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>此记录无法与模型比较：行间隔过大。请记录每个数据包。</translation>
     </message>
     <message>
@@ -355,11 +363,11 @@
         <translation>位置偏离路径</translation>
     </message>
     <message>
-        <source>The arm is not where the controller sent it.</source>
+        <source>The arm is not at the commanded position.</source>
         <translation>机械臂不在控制器指令的位置。</translation>
     </message>
     <message>
-        <source>Look for an obstacle; check payload, centre of gravity and mounting; lower the acceleration.</source>
+        <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
         <translation>检查是否有障碍物；检查有效负载、重心和安装；降低加速度。</translation>
     </message>
     <message>
@@ -367,11 +375,11 @@
         <translation>奇异点</translation>
     </message>
     <message>
-        <source>The straight move leads through a singular position of the arm.</source>
+        <source>The linear move passes through a singularity of the arm.</source>
         <translation>直线动作经过机械臂的奇异位置。</translation>
     </message>
     <message>
-        <source>Jog single joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints out of it; use MoveJ through this region.</source>
         <translation>单个关节点动离开；在此区域使用 MoveJ。</translation>
     </message>
     <message>
@@ -379,7 +387,7 @@
         <translation>无法保持位置</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed while it stood.</source>
+        <source>The arm sagged or was pushed at standstill.</source>
         <translation>机械臂静止时下沉或被推动。</translation>
     </message>
     <message>
@@ -391,19 +399,19 @@
         <translation>有效负载或安装错误</translation>
     </message>
     <message>
-        <source>The forces do not fit the payload, or something pushed the arm when Freedrive began.</source>
+        <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
         <translation>力与有效负载不符，或自由驱动开始时有东西推动机械臂。</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, let go of the arm, and try again.</source>
+        <source>Correct payload and mounting, release the arm, and try again.</source>
         <translation>更正有效负载和安装，松开机械臂，然后重试。</translation>
     </message>
     <message>
-        <source>Collision noticed by a joint</source>
+        <source>Collision detected by a joint</source>
         <translation>关节检测到碰撞</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion explains.</source>
+        <source>A joint needed more torque than the motion requires.</source>
         <translation>某个关节需要的力矩超出动作所能解释的范围。</translation>
     </message>
     <message>
@@ -411,11 +419,11 @@
         <translation>移除障碍物；若没有障碍物，检查有效负载。</translation>
     </message>
     <message>
-        <source>Collision noticed by the tool force</source>
+        <source>Collision detected by the tool force</source>
         <translation>工具力检测到碰撞</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded what is allowed.</source>
+        <source>The force at the tool exceeded its limit.</source>
         <translation>工具处的力超过允许值。</translation>
     </message>
     <message>
@@ -427,7 +435,7 @@
         <translation>某个关节离开了指令位置。</translation>
     </message>
     <message>
-        <source>Look for an obstacle and check payload and mounting.</source>
+        <source>Check for obstacles, and check payload and mounting.</source>
         <translation>检查障碍物，并检查有效负载和安装。</translation>
     </message>
     <message>
@@ -439,7 +447,7 @@
         <translation>一个关节在八小时内发生了五十次以上的保护性停止。</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before going on; then restart the controller.</source>
+        <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>继续之前先找出停止的原因，然后重启控制器。</translation>
     </message>
     <message>
@@ -447,11 +455,11 @@
         <translation>目标位置突变</translation>
     </message>
     <message>
-        <source>A program asked for a jump in position.</source>
+        <source>A program commanded a step in position.</source>
         <translation>某个程序要求位置跳变。</translation>
     </message>
     <message>
-        <source>Let the program begin where the arm is, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
         <translation>让程序从机械臂所在处开始，并保持较小的伺服步长。</translation>
     </message>
     <message>
@@ -459,23 +467,23 @@
         <translation>目标速度突变</translation>
     </message>
     <message>
-        <source>A program asked for a jump in speed.</source>
+        <source>A program commanded a step in speed.</source>
         <translation>某个程序要求速度跳变。</translation>
     </message>
     <message>
-        <source>Lower the acceleration, or smooth the path.</source>
+        <source>Reduce the acceleration, or smooth the path.</source>
         <translation>降低加速度，或使路径平滑。</translation>
     </message>
     <message>
-        <source>Protective stop by a program</source>
+        <source>Protective stop requested by a program</source>
         <translation>程序引发的保护性停止</translation>
     </message>
     <message>
-        <source>The running program itself asked for the stop.</source>
+        <source>The running program requested the stop.</source>
         <translation>正在运行的程序自己要求停止。</translation>
     </message>
     <message>
-        <source>See the program&apos;s own messages before it.</source>
+        <source>See the messages of the program before this one.</source>
         <translation>查看程序此前的消息。</translation>
     </message>
     <message>
@@ -483,7 +491,7 @@
         <translation>机器人处于本地控制</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot listens to its pendant only.</source>
+        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
         <translation>已发送脚本，但机器人只听从示教器。</translation>
     </message>
     <message>
@@ -499,7 +507,7 @@
         <translation>控制器报告了此编号。</translation>
     </message>
     <message>
-        <source>Look C%1 up in the manufacturer&apos;s error code directory.</source>
+        <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>在制造商的错误代码目录中查找 C%1。</translation>
     </message>
 </context>
@@ -510,19 +518,19 @@
         <translation>计算信号</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. The list of signals shows the names.</source>
+        <source>There is no signal “%1”. See the signal list for the names.</source>
         <translation>没有信号“%1”。信号列表显示名称。</translation>
     </message>
     <message>
-        <source>There is no signal in it.</source>
+        <source>The expression contains no signal.</source>
         <translation>其中没有信号。</translation>
     </message>
     <message>
-        <source>There are too many signals in it.</source>
+        <source>The expression contains too many signals.</source>
         <translation>其中信号太多。</translation>
     </message>
     <message>
-        <source>It must give one number.</source>
+        <source>The expression must evaluate to one number.</source>
         <translation>结果必须是一个数。</translation>
     </message>
     <message>
@@ -530,15 +538,15 @@
         <translation>文本太长。</translation>
     </message>
     <message>
-        <source>Write it as a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>写成名称、等号和表达式：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many; a comparison has two: ==</source>
+        <source>There is one equals sign too many. For a comparison, use ==</source>
         <translation>多了一个等号；比较用两个：==</translation>
     </message>
     <message>
-        <source>The stretch of time is between 0.001 and 60 seconds.</source>
+        <source>The time window must be between 0.001 and 60 seconds.</source>
         <translation>时间段在 0.001 至 60 秒之间。</translation>
     </message>
 </context>
@@ -568,27 +576,27 @@
         <translation>缺少一些数值和用于控制的寄存器。请将机器人更新到 %1.%2 或更新版本。</translation>
     </message>
     <message>
-        <source>Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
         <translation>查看机械臂，消除原因，然后恢复：页眉中的“恢复…”，或在示教器上操作。</translation>
     </message>
     <message>
-        <source>Power on and release the brakes: the header&apos;s button leads the way.</source>
+        <source>Power on and release the brakes with the button in the header.</source>
         <translation>上电并松开制动器：页眉中的按钮会引导您。</translation>
     </message>
     <message>
-        <source>the RTDE port takes connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not answer</source>
         <translation>RTDE 端口接受连接但不应答</translation>
     </message>
     <message>
-        <source>what answers on port %1 does not speak RTDE</source>
+        <source>the service on port %1 does not use RTDE</source>
         <translation>端口 %1 上应答的不是 RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or a controller that hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>RTDE 客户端过多，或控制器卡住：关闭其他程序，然后重启控制器。</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program took the port.</source>
+        <source>Check the address: this is another device, or another program uses the port.</source>
         <translation>检查地址：这是另一台设备，或端口被其他程序占用。</translation>
     </message>
     <message>
@@ -596,11 +604,11 @@
         <translation>协议版本 %1</translation>
     </message>
     <message>
-        <source>another program holds %1</source>
+        <source>another program uses %1</source>
         <translation>另一个程序占用 %1</translation>
     </message>
     <message>
-        <source>End the other program that controls this robot (another window, ROS, ur_rtde).</source>
+        <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
         <translation>结束控制此机器人的另一个程序（另一个窗口、ROS、ur_rtde）。</translation>
     </message>
     <message>
@@ -612,23 +620,23 @@
         <translation>将机器人软件更新到 3.9 或 5.3。</translation>
     </message>
     <message>
-        <source>24 to 47 are free</source>
+        <source>registers 24 to 47 are free</source>
         <translation>24 至 47 空闲</translation>
     </message>
     <message>
-        <source>a fieldbus adapter or another program holds %1</source>
+        <source>a fieldbus adapter or another program uses %1</source>
         <translation>现场总线适配器或另一个程序占用 %1</translation>
     </message>
     <message>
-        <source>Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS off in the robot&apos;s installation.</source>
+        <source>No action needed for jogging. To use these registers, disable EtherNet/IP, PROFINET or MODBUS in the robot&apos;s installation.</source>
         <translation>点动无需处理。要使用这些寄存器，请在机器人的安装设置中关闭 EtherNet/IP、PROFINET 或 MODBUS。</translation>
     </message>
     <message>
-        <source>0 to 23 are free</source>
+        <source>registers 0 to 23 are free</source>
         <translation>0 至 23 空闲</translation>
     </message>
     <message>
-        <source>the robot takes the subscription but sends no data</source>
+        <source>the robot accepts the subscription but sends no data</source>
         <translation>机器人接受订阅但不发送数据</translation>
     </message>
     <message>
@@ -636,11 +644,11 @@
         <translation>关闭其他 RTDE 程序，然后重启机器人的控制器。</translation>
     </message>
     <message>
-        <source>%1 of %2 packages a second</source>
+        <source>%1 of %2 packets per second</source>
         <translation>每秒 %1 / %2 个数据包</translation>
     </message>
     <message>
-        <source>Packages are missing: use a cable, not a radio link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
         <translation>缺少数据包：使用网线而不是无线；关闭给机器人或本 PC 造成负载的其他程序。</translation>
     </message>
     <message>
@@ -648,15 +656,15 @@
         <translation>优先级 %1</translation>
     </message>
     <message>
-        <source>the system grants this user no real-time priority</source>
+        <source>the system does not grant this user real-time priority</source>
         <translation>系统未授予此用户实时优先级</translation>
     </message>
     <message>
-        <source>permitted, and asked for by loops with priority</source>
+        <source>permitted, and requested by real-time loops</source>
         <translation>已允许，由有优先级的循环请求</translation>
     </message>
     <message>
-        <source>processors may sleep deeply, loops begin later</source>
+        <source>CPUs may enter deep sleep states, which delays loops</source>
         <translation>处理器可能深度休眠，循环会延后开始</translation>
     </message>
     <message>
@@ -668,11 +676,11 @@
         <translation>如果装有工具，请在机器人的安装设置中设定 TCP 和有效负载：错误的有效负载会引起保护性停止，并使机械臂在自由驱动时下沉。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address, and no host of that name is known</source>
+        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
         <translation>&quot;%1&quot; 不是地址，也没有已知的同名主机</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask who runs the network for the name.</source>
+        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
         <translation>输入示教器“关于”中显示的四个数字，或向网络管理员询问名称。</translation>
     </message>
     <message>
@@ -680,11 +688,11 @@
         <translation>%1 不应答</translation>
     </message>
     <message>
-        <source>There is no way to %1</source>
+        <source>There is no route to %1</source>
         <translation>没有到 %1 的路由</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on and the cable is plugged in, and that no firewall stands between.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>检查机器人是否已开机、网线是否插好、中间是否有防火墙。</translation>
     </message>
     <message>
@@ -692,11 +700,11 @@
         <translation>给本 PC 设置机器人网络中的地址（前三个数字相同），并检查网线。</translation>
     </message>
     <message>
-        <source>%1 answers, but none of a robot&apos;s services is there</source>
+        <source>%1 answers, but offers none of a robot&apos;s services</source>
         <translation>%1 应答，但没有机器人的任何服务</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
         <translation>检查这是否为机器人自己的地址。刚开机的机器人还需要一分钟。</translation>
     </message>
     <message>
@@ -720,31 +728,31 @@
         <translation>端口 %1 不应答</translation>
     </message>
     <message>
-        <source>Switch this interface on at the robot: Settings, Security, Services.</source>
+        <source>Enable this interface on the robot: Settings, Security, Services.</source>
         <translation>在机器人上打开此接口：设置、安全、服务。</translation>
     </message>
     <message>
-        <source>A firewall swallows this port: allow TCP port %1 to the robot.</source>
+        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
         <translation>防火墙吞掉了此端口：允许到机器人的 TCP 端口 %1。</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller only watches.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
         <translation>在示教器右上角把机器人切换到远程控制。否则 Tiller 只能监视。</translation>
     </message>
     <message>
-        <source>the dashboard takes connections but does not answer</source>
+        <source>the dashboard accepts connections but does not answer</source>
         <translation>仪表板接受连接但不应答</translation>
     </message>
     <message>
-        <source>what answers on port %1 is not a dashboard</source>
+        <source>the service on port %1 is not a dashboard server</source>
         <translation>端口 %1 上应答的不是仪表板</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if it stays like this, see its log.</source>
+        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
         <translation>重启机器人的控制器；若仍如此，查看其日志。</translation>
     </message>
     <message>
-        <source>Check the address, and that no other program uses this port.</source>
+        <source>Check the address, and check that no other program uses this port.</source>
         <translation>检查地址，并确认没有其他程序使用此端口。</translation>
     </message>
     <message>
@@ -760,15 +768,15 @@
         <translation>本地</translation>
     </message>
     <message>
-        <source>neither the dashboard (port %1) nor the Robot API (port %2) is there</source>
+        <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
         <translation>仪表板（端口 %1）和 Robot API（端口 %2）都不存在</translation>
     </message>
     <message>
-        <source>Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
         <translation>在机器人上打开 Dashboard Server：设置、安全、服务。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
     </message>
     <message>
-        <source>Robot API %1, port %2; popups are closed on the tablet</source>
+        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
         <translation>Robot API %1，端口 %2；弹窗在平板上关闭</translation>
     </message>
     <message>
@@ -776,15 +784,15 @@
         <translation>主接口没有描述机械臂</translation>
     </message>
     <message>
-        <source>Check that this is the robot&apos;s own address, and restart its controller.</source>
+        <source>Check that this is the address of the robot, and restart its controller.</source>
         <translation>检查这是否为机器人自己的地址，并重启其控制器。</translation>
     </message>
     <message>
-        <source>robot type %1 is newer than this program</source>
+        <source>robot type %1 is not known to this version of Tiller</source>
         <translation>机器人型号 %1 比本程序更新</translation>
     </message>
     <message>
-        <source>Watching works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
         <translation>可以监视。极限和预览使用机器人报告的尺寸；开始时请慢速点动。</translation>
     </message>
     <message>
@@ -816,7 +824,7 @@
         <translation>仪表板或 Robot API</translation>
     </message>
     <message>
-        <source>RTDE is understood</source>
+        <source>RTDE protocol</source>
         <translation>能理解 RTDE</translation>
     </message>
     <message>
@@ -844,7 +852,7 @@
         <translation>控制寄存器空闲</translation>
     </message>
     <message>
-        <source>No fieldbus holds registers</source>
+        <source>No fieldbus uses registers</source>
         <translation>没有现场总线占用寄存器</translation>
     </message>
     <message>
@@ -852,11 +860,11 @@
         <translation>数据速率</translation>
     </message>
     <message>
-        <source>Real-time privilege of this PC</source>
+        <source>Real-time priority on this PC</source>
         <translation>本 PC 的实时权限</translation>
     </message>
     <message>
-        <source>Fast wake-ups of this PC</source>
+        <source>Timer wake-ups of this PC</source>
         <translation>本 PC 的快速唤醒</translation>
     </message>
     <message>
@@ -887,11 +895,11 @@
         <translation>直线 Z</translation>
     </message>
     <message>
-        <source>Let the arm come to rest before freedrive.</source>
+        <source>Wait until the arm is at standstill before Freedrive.</source>
         <translation>自由驱动前请让机械臂静止。</translation>
     </message>
     <message>
-        <source>The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or correct payload and TCP.</source>
+        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
         <translation>有效负载为 %2 kg 时机械臂感受到 %1：它会自行移动。松开工具，或更正有效负载和 TCP。</translation>
     </message>
 </context>
@@ -902,29 +910,29 @@
         <translation>左肩键</translation>
     </message>
     <message>
-        <source>Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
         <translation>左摇杆 X 和 Y，右摇杆 Z 和旋转。右肩键：摇杆旋转。</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
-        <source>No second witness on this screen (%1): whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
         <translation>此屏幕没有第二见证者（%1）：按键是否仍被按住只能从窗口事件得知。</translation>
     </message>
     <message>
-        <source>The display server is asked every 10 ms whether the button or key is still down.</source>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>每 10 ms 询问一次显示服务器按钮或按键是否仍被按下。</translation>
     </message>
     <message>
-        <source>The display server cannot be asked a second time: whether a key is still held is known from the window&apos;s events alone.</source>
+        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
         <translation>无法再次询问显示服务器：按键是否仍被按住只能从窗口事件得知。</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has small pixels. &quot;Size of everything&quot; in Settings makes text, keys and plots larger.</source>
+        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
         <translation>此屏幕像素很小。设置中的“整体大小”可放大文字、按键和曲线图。</translation>
     </message>
 </context>
@@ -943,7 +951,7 @@
         <translation>启用或停用键盘</translation>
     </message>
     <message>
-        <source>Armed, the arrow keys move the arm; a frame stands around the window. Ends by itself after half a minute.</source>
+        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
         <translation>启用后方向键移动机械臂，窗口四周出现边框。半分钟后自动结束。</translation>
     </message>
     <message>
@@ -951,7 +959,7 @@
         <translation>手柄与 SpaceMouse…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>各设备当前的数值，以及将移动的方向。</translation>
     </message>
     <message>
@@ -959,27 +967,27 @@
         <translation>此处归零</translation>
     </message>
     <message>
-        <source>Counts the way of the TCP from where it is now; once more: since the press again.</source>
+        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
         <translation>从当前位置起计 TCP 的行程；再次：恢复为自按下以来。</translation>
     </message>
     <message>
-        <source>Stops the arm; the next press has this speed.</source>
+        <source>Stops the arm. The next press uses this speed.</source>
         <translation>停止机械臂；下次按下使用此速度。</translation>
     </message>
     <message>
-        <source>Moves by this much, only while the key is held.</source>
+        <source>Moves by this distance, only while the key is held.</source>
         <translation>仅在按住按键时移动这么多。</translation>
     </message>
     <message>
-        <source>Moves by this much at each press.</source>
+        <source>Moves by this distance at each press.</source>
         <translation>每次按下移动这么多。</translation>
     </message>
     <message>
-        <source>Jog until contact, %1 N</source>
+        <source>Jog until contact (%1 N)</source>
         <translation>点动直到接触，%1 N</translation>
     </message>
     <message>
-        <source>A held key moves slowly and ends when the tool meets this force.</source>
+        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
         <translation>按住时缓慢移动，工具遇到此力时结束。</translation>
     </message>
     <message>
@@ -987,7 +995,7 @@
         <translation>其他点动速度…</translation>
     </message>
     <message>
-        <source>Asks for the speed of the TCP; turns and joints in proportion.</source>
+        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
         <translation>询问 TCP 的速度；旋转和关节按比例。</translation>
     </message>
     <message>
@@ -995,7 +1003,7 @@
         <translation>其他点动步长…</translation>
     </message>
     <message>
-        <source>Asks for the length of a step; the angle of turns stays.</source>
+        <source>Asks for the step length. The step angle does not change.</source>
         <translation>询问步长的长度；旋转角度不变。</translation>
     </message>
     <message>
@@ -1003,7 +1011,7 @@
         <translation>其他旋转步长…</translation>
     </message>
     <message>
-        <source>Asks for the angle of a step that turns the tool or a joint; the length stays.</source>
+        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
         <translation>询问转动工具或关节的角度；长度不变。</translation>
     </message>
     <message>
@@ -1011,7 +1019,7 @@
         <translation>点动直到接触，其他力…</translation>
     </message>
     <message>
-        <source>Asks for the force in N at which the motion ends.</source>
+        <source>Asks for the contact force in N that ends the motion.</source>
         <translation>询问结束动作的力（N）。</translation>
     </message>
     <message>
@@ -1019,7 +1027,7 @@
         <translation>自由驱动：%1</translation>
     </message>
     <message>
-        <source>What the hand can move while Freedrive is held.</source>
+        <source>Selects the axes that can be moved by hand during Freedrive.</source>
         <translation>按住自由驱动时手可以移动的方向。</translation>
     </message>
 </context>
@@ -1096,7 +1104,7 @@
         <translation>向外移动</translation>
     </message>
     <message>
-        <source>jog %1 or turn the base</source>
+        <source>jog %1 or rotate the base</source>
         <translation>点动 %1 或转动基座</translation>
     </message>
     <message>
@@ -1108,11 +1116,11 @@
         <translation>手腕 2 接近 0° 或 180°：速度的 %1</translation>
     </message>
     <message>
-        <source>turn wrist 2</source>
+        <source>rotate wrist 2</source>
         <translation>转动手腕 2</translation>
     </message>
     <message>
-        <source>jog %1 or turn wrist 2</source>
+        <source>jog %1 or rotate wrist 2</source>
         <translation>点动 %1 或转动手腕 2</translation>
     </message>
     <message>
@@ -1120,23 +1128,23 @@
         <translation>%1 距极限 %2°</translation>
     </message>
     <message>
-        <source>turn %1 %2</source>
+        <source>rotate %1 %2</source>
         <translation>转动 %1 %2</translation>
     </message>
     <message>
-        <source>jog %1 or turn %2 %3</source>
+        <source>jog %1 or rotate %2 %3</source>
         <translation>点动 %1 或转动 %2 %3</translation>
     </message>
     <message>
-        <source>TCP at its speed cap: %1</source>
+        <source>TCP at the speed cap of %1</source>
         <translation>TCP 达到速度上限：%1</translation>
     </message>
     <message>
-        <source>the cap is in the settings</source>
+        <source>change the cap in Settings</source>
         <translation>上限在设置中</translation>
     </message>
     <message>
-        <source>Elbow at its speed cap: %1</source>
+        <source>Elbow at the speed cap of %1</source>
         <translation>肘部达到速度上限：%1</translation>
     </message>
     <message>
@@ -1144,16 +1152,32 @@
         <translation>减少侧向移动</translation>
     </message>
     <message>
-        <source>Turning at its cap: %1</source>
+        <source>Rotation at its cap of %1</source>
         <translation>旋转达到上限：%1</translation>
     </message>
     <message>
-        <source>%1 at its top speed: %2</source>
+        <source>%1 at its maximum speed of %2</source>
         <translation>%1 达到最高速度：%2</translation>
     </message>
     <message>
-        <source>choose a slower class</source>
+        <source>choose a lower speed</source>
         <translation>选择较慢的速度</translation>
+    </message>
+    <message>
+        <source>move away from it</source>
+        <translation>远离它</translation>
+    </message>
+    <message>
+        <source>jog %1</source>
+        <translation>点动 %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3: %4 of the speed</source>
+        <translation>%1 距 %3 %2：速度的 %4</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3</source>
+        <translation>%1 距 %3 %2</translation>
     </message>
 </context>
 <context>
@@ -1170,7 +1194,7 @@
         <translation>自由驱动</translation>
     </message>
     <message>
-        <source>The arm follows the hand that moves it.</source>
+        <source>The arm can be moved by hand.</source>
         <translation>机械臂跟随移动它的手。</translation>
     </message>
     <message>
@@ -1238,15 +1262,15 @@
         <translation>监视中</translation>
     </message>
     <message>
-        <source>Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, not a radio link, and close other programs.</source>
+        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>数据包迟到或没有到：点动可能自行停止，曲线图会有空缺。使用网线而不是无线，并关闭其他程序。</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.</source>
+        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
         <translation>指令耗时超过 20 ms：机械臂明显滞后于按键。请慢速点动。</translation>
     </message>
     <message>
-        <source>Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.</source>
+        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
         <translation>良好：机械臂立即跟随按键，连接断开会在四分之一秒内停止。</translation>
     </message>
     <message>
@@ -1258,7 +1282,7 @@
         <translation>连接以来：%1 个数据包，%2 迟到，%3 丢失</translation>
     </message>
     <message>
-        <source>Late is a packet that comes more than half a period after its time.</source>
+        <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
         <translation>迟到指数据包比其时刻晚半个周期以上。</translation>
     </message>
     <message>
@@ -1326,7 +1350,7 @@
         <translation>获取控制</translation>
     </message>
     <message>
-        <source>Choose the simulator or the address of a robot</source>
+        <source>Select the simulator or enter the address of a robot</source>
         <translation>选择模拟器或机器人的地址</translation>
     </message>
     <message>
@@ -1338,12 +1362,16 @@
         <translation>机械臂可能下沉几毫米。请保持距离。</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.</source>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
         <translation>显示是什么停止了机械臂、最后五秒和返回的方法。不会有任何移动。</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>在机器人上启动控制程序，其他程序会停止。</translation>
+        <source>Data late</source>
+        <translation>数据延迟</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>在机器人上启动控制程序。停止其他程序前会先询问。</translation>
     </message>
 </context>
 <context>
@@ -1357,7 +1385,7 @@
         <translation>机器人的控制器没有运行。请重启控制箱。</translation>
     </message>
     <message>
-        <source>Arm off line</source>
+        <source>Arm disconnected</source>
         <translation>机械臂离线</translation>
     </message>
     <message>
@@ -1385,7 +1413,7 @@
         <translation>断电</translation>
     </message>
     <message>
-        <source>The arm is off. Power it on.</source>
+        <source>The arm is powered off. Power it on.</source>
         <translation>机械臂已断电。请上电。</translation>
     </message>
     <message>
@@ -1393,7 +1421,7 @@
         <translation>上电</translation>
     </message>
     <message>
-        <source>The arm has power and is getting ready. Wait a moment.</source>
+        <source>The arm is powered and initializing. Wait a moment.</source>
         <translation>机械臂已上电，正在准备。请稍候。</translation>
     </message>
     <message>
@@ -1409,7 +1437,7 @@
         <translation>反向驱动</translation>
     </message>
     <message>
-        <source>The arm is moved by hand past its brakes. Let go of the Freedrive button.</source>
+        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
         <translation>机械臂正被手推过制动器。松开自由驱动按钮。</translation>
     </message>
     <message>
@@ -1417,7 +1445,7 @@
         <translation>运行</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm stands still.</source>
+        <source>Brakes are released. The arm is at standstill.</source>
         <translation>制动器已松开。机械臂静止。</translation>
     </message>
     <message>
@@ -1441,7 +1469,7 @@
         <translation>缩减</translation>
     </message>
     <message>
-        <source>The robot keeps to its reduced limits.</source>
+        <source>The reduced safety limits are active.</source>
         <translation>机器人遵守缩减的极限。</translation>
     </message>
     <message>
@@ -1465,7 +1493,7 @@
         <translation>防护停止</translation>
     </message>
     <message>
-        <source>A safeguard is open. Close it; where a reset is configured, press it.</source>
+        <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
         <translation>防护装置打开。请关闭；若配置了复位，请按下。</translation>
     </message>
     <message>
@@ -1505,7 +1533,7 @@
         <translation>验证关节</translation>
     </message>
     <message>
-        <source>A joint was exchanged. Validate the joints on the teach pendant.</source>
+        <source>A joint was replaced. Validate the joints on the teach pendant.</source>
         <translation>更换了关节。请在示教器上验证关节。</translation>
     </message>
     <message>
@@ -1513,7 +1541,7 @@
         <translation>未定义</translation>
     </message>
     <message>
-        <source>The controller does not tell its safety mode. Look at the teach pendant.</source>
+        <source>The controller does not report its safety mode. Check the teach pendant.</source>
         <translation>控制器没有报告其安全模式。请查看示教器。</translation>
     </message>
     <message>
@@ -1561,7 +1589,7 @@
         <translation>PROFIsafe 等待中</translation>
     </message>
     <message>
-        <source>The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
         <translation>机器人在等待 PROFIsafe 控制器。检查现场总线及其参数。</translation>
     </message>
     <message>
@@ -1585,7 +1613,7 @@
         <translation>PROFIsafe 紧急停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller asks for an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
         <translation>PROFIsafe 控制器要求紧急停止。在那里松开，然后上电并松开制动器。</translation>
     </message>
     <message>
@@ -1601,7 +1629,7 @@
         <translation>I/O 平面停止</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
         <translation>工具越过了由输入打开的安全平面。用示教器移出，或关闭该输入。</translation>
     </message>
     <message>
@@ -1621,7 +1649,7 @@
         <translation>机器人上没有程序运行。</translation>
     </message>
     <message>
-        <source>Program plays</source>
+        <source>Program running</source>
         <translation>程序运行</translation>
     </message>
     <message>
@@ -1633,7 +1661,7 @@
         <translation>程序暂停中</translation>
     </message>
     <message>
-        <source>The program is coming to a halt.</source>
+        <source>The program is pausing.</source>
         <translation>程序正在停下。</translation>
     </message>
     <message>
@@ -1641,7 +1669,7 @@
         <translation>程序已暂停</translation>
     </message>
     <message>
-        <source>Play goes on with the interrupted motion; stop the program to drop it.</source>
+        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
         <translation>播放会继续被中断的动作；停止程序则放弃它。</translation>
     </message>
     <message>
@@ -1649,7 +1677,7 @@
         <translation>程序恢复中</translation>
     </message>
     <message>
-        <source>The program is going on: the arm may move.</source>
+        <source>The program is resuming: the arm may move.</source>
         <translation>程序继续：机械臂可能移动。</translation>
     </message>
     <message>
@@ -1668,7 +1696,7 @@
 <context>
     <name>OutputGripper</name>
     <message>
-        <source>The robot did not confirm the outputs. Another program or the installation may own them.</source>
+        <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
         <translation>机器人没有确认输出。可能由另一个程序或安装设置占用。</translation>
     </message>
     <message>
@@ -1688,11 +1716,11 @@
         <translation>未知</translation>
     </message>
     <message>
-        <source>told to open</source>
+        <source>open requested</source>
         <translation>已指令打开</translation>
     </message>
     <message>
-        <source>told to close</source>
+        <source>close requested</source>
         <translation>已指令关闭</translation>
     </message>
     <message>
@@ -1715,11 +1743,11 @@
         <translation>录制</translation>
     </message>
     <message>
-        <source>Writes every packet of the robot to a CSV file, until it is stopped.</source>
+        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
         <translation>把机器人的每个数据包写入 CSV 文件，直到停止。</translation>
     </message>
     <message>
-        <source>A recording runs already.</source>
+        <source>A recording is already running.</source>
         <translation>已在录制。</translation>
     </message>
     <message>
@@ -1731,11 +1759,11 @@
         <translation>停止录制</translation>
     </message>
     <message>
-        <source>Ends the recording; its file is complete.</source>
+        <source>Stops the recording and completes its file.</source>
         <translation>结束录制；文件完整。</translation>
     </message>
     <message>
-        <source>Nothing is recorded.</source>
+        <source>No recording is running.</source>
         <translation>没有录制。</translation>
     </message>
     <message>
@@ -1743,7 +1771,7 @@
         <translation>暂停或继续曲线图</translation>
     </message>
     <message>
-        <source>Holds the plots still; data and recording go on. Once more: back to the newest samples.</source>
+        <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
         <translation>冻结曲线图；数据和录制继续。再次：回到最新样本。</translation>
     </message>
     <message>
@@ -1751,7 +1779,7 @@
         <translation>导出曲线图…</translation>
     </message>
     <message>
-        <source>Saves the shown range as a picture, a drawing, a page or values.</source>
+        <source>Saves the visible range as an image, a drawing, a page or values.</source>
         <translation>将显示的范围保存为图片、矢量图、页面或数值。</translation>
     </message>
     <message>
@@ -1759,7 +1787,7 @@
         <translation>曲线图显示 %1</translation>
     </message>
     <message>
-        <source>How much time the plots show.</source>
+        <source>Sets the time range of the plots.</source>
         <translation>曲线图显示多长时间。</translation>
     </message>
     <message>
@@ -1771,27 +1799,27 @@
         <translation>按编号或名称查找端子或寄存器。</translation>
     </message>
     <message>
-        <source>Rename the chosen input or output</source>
+        <source>Rename selected input or output</source>
         <translation>重命名所选输入或输出</translation>
     </message>
     <message>
-        <source>The row of the tab I/O that has the focus.</source>
+        <source>Applies to the focused row of the I/O tab.</source>
         <translation>具有焦点的 I/O 选项卡行。</translation>
     </message>
     <message>
-        <source>Switch the chosen output</source>
+        <source>Switch selected output</source>
         <translation>切换所选输出</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on, or off again.</source>
+        <source>Switches the focused output of the I/O tab on or off.</source>
         <translation>具有焦点的 I/O 选项卡输出：打开，或再关闭。</translation>
     </message>
     <message>
-        <source>Pulse the chosen output</source>
+        <source>Pulse selected output</source>
         <translation>所选输出脉冲</translation>
     </message>
     <message>
-        <source>The output of the tab I/O that has the focus: on for half a second, then off.</source>
+        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
         <translation>具有焦点的 I/O 选项卡输出：打开半秒，然后关闭。</translation>
     </message>
     <message>
@@ -1799,7 +1827,7 @@
         <translation>搜索日志</translation>
     </message>
     <message>
-        <source>Shows only the lines with these words.</source>
+        <source>Shows only entries that contain these words.</source>
         <translation>只显示含有这些词的行。</translation>
     </message>
     <message>
@@ -1807,7 +1835,7 @@
         <translation>日志：全部显示</translation>
     </message>
     <message>
-        <source>Log: show warnings and worse</source>
+        <source>Log: show warnings and errors</source>
         <translation>日志：显示警告及更严重</translation>
     </message>
     <message>
@@ -1815,7 +1843,7 @@
         <translation>日志：显示错误</translation>
     </message>
     <message>
-        <source>Chooses which lines of the log are shown.</source>
+        <source>Selects which log entries are shown.</source>
         <translation>选择显示日志的哪些行。</translation>
     </message>
     <message>
@@ -1823,7 +1851,7 @@
         <translation>复制日志</translation>
     </message>
     <message>
-        <source>Copies the selected lines, or all that are shown.</source>
+        <source>Copies the selected entries, or all visible entries.</source>
         <translation>复制所选行，或所有显示的行。</translation>
     </message>
     <message>
@@ -1831,7 +1859,7 @@
         <translation>导出日志…</translation>
     </message>
     <message>
-        <source>Writes the lines that are shown to a file.</source>
+        <source>Writes the visible entries to a file.</source>
         <translation>把显示的行写入文件。</translation>
     </message>
     <message>
@@ -1839,7 +1867,7 @@
         <translation>搜索曲线图的信号</translation>
     </message>
     <message>
-        <source>Opens the list of everything the robot tells: onto a plot by dragging, double click or Return.</source>
+        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
         <translation>打开机器人所报告一切的列表：用拖动、双击或回车加到曲线图。</translation>
     </message>
     <message>
@@ -1847,26 +1875,26 @@
         <translation>新建曲线图页</translation>
     </message>
     <message>
-        <source>An empty page behind the others; all pages show the same time.</source>
+        <source>Adds an empty page after the others. All pages share the time axis.</source>
         <translation>在其他页之后的空白页；所有页显示相同时间。</translation>
     </message>
     <message>
-        <source>Show all of the plots&apos; history</source>
+        <source>Show the entire history</source>
         <translation>显示曲线图的全部历史</translation>
     </message>
     <message>
-        <source>All that is in memory, each plot at its best scale.</source>
+        <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>内存中的全部，每个图用最佳刻度。</translation>
     </message>
 </context>
 <context>
     <name>PlotMenu</name>
     <message>
-        <source>Take the lane %1 away</source>
+        <source>Remove lane %1</source>
         <translation>去除通道 %1</translation>
     </message>
     <message>
-        <source>Note here…</source>
+        <source>Add note here…</source>
         <translation>在此记录…</translation>
     </message>
     <message>
@@ -1878,7 +1906,7 @@
         <translation>隐藏 %1</translation>
     </message>
     <message>
-        <source>Let the cursors read %1</source>
+        <source>Read %1 at the cursors</source>
         <translation>让游标读取 %1</translation>
     </message>
     <message>
@@ -1886,15 +1914,15 @@
         <translation>把 %1 移到单独的图</translation>
     </message>
     <message>
-        <source>Take %1 away</source>
+        <source>Remove %1</source>
         <translation>去除 %1</translation>
     </message>
     <message>
-        <source>Alarm when %1</source>
+        <source>Warn when %1</source>
         <translation>当 %1 时报警</translation>
     </message>
     <message>
-        <source>No alarm when %1</source>
+        <source>Do not warn when %1</source>
         <translation>当 %1 时不报警</translation>
     </message>
     <message>
@@ -1902,7 +1930,7 @@
         <translation>%1 的变化率</translation>
     </message>
     <message>
-        <source>Moving mean of %1 over half a second</source>
+        <source>Moving mean of %1 over 0.5 s</source>
         <translation>%1 的半秒滑动平均</translation>
     </message>
     <message>
@@ -1918,15 +1946,15 @@
         <translation>在下方新建图</translation>
     </message>
     <message>
-        <source>New plot beside</source>
+        <source>New plot to the right</source>
         <translation>在旁边新建图</translation>
     </message>
     <message>
-        <source>Take this plot away</source>
+        <source>Remove this plot</source>
         <translation>去除此图</translation>
     </message>
     <message>
-        <source>Let the curves decide about the scale</source>
+        <source>Scale to the curves</source>
         <translation>由曲线决定刻度</translation>
     </message>
     <message>
@@ -1941,11 +1969,11 @@
         <translation>等待停止。</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover in the header.</source>
+        <source>The arm is in a protective stop. Press Recover… in the header.</source>
         <translation>机械臂处于保护性停止。按页眉中的“恢复”。</translation>
     </message>
     <message>
-        <source>Unlocked. The arm does not run yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
         <translation>已解锁。机械臂尚未运行：按恢复页面操作。</translation>
     </message>
     <message>
@@ -1953,43 +1981,43 @@
         <translation>已解锁。请再次获取控制。</translation>
     </message>
     <message>
-        <source>The arm runs and is under your control again.</source>
+        <source>The arm is running and under your control again.</source>
         <translation>机械臂在运行，并再次受您控制。</translation>
     </message>
     <message>
-        <source>No new frame yet. Three points is in the tab Frames.</source>
+        <source>No new frame yet. Use 3 points in the Frames tab.</source>
         <translation>还没有新坐标系。“三点”在坐标系选项卡中。</translation>
     </message>
     <message>
-        <source>“%1” lies as it was asked for.</source>
+        <source>“%1” meets the requirements.</source>
         <translation>“%1”的位置符合要求。</translation>
     </message>
     <message>
-        <source>“%1”: its Z is %2° off the base&apos;s. The third point lies on the side of +Y.</source>
+        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
         <translation>“%1”：其 Z 与基座的 Z 偏差 %2°。第三点位于 +Y 一侧。</translation>
     </message>
     <message>
-        <source>“%1”: its X is %2° off the base&apos;s Y.</source>
+        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
         <translation>“%1”：其 X 与基座的 Y 偏差 %2°。</translation>
     </message>
     <message>
-        <source>“%1” was not taken with the arm: the TCP has not been at its origin.</source>
+        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
         <translation>“%1”不是用机械臂取得的：TCP 没有到过其原点。</translation>
     </message>
     <message>
-        <source>The waypoint is not there any more. Start puts a new one.</source>
+        <source>The waypoint was deleted. Start adds a new one.</source>
         <translation>路点已不存在。“开始”会放置一个新的。</translation>
     </message>
     <message>
-        <source>“%1” is where it was. The arm is %2 along X from it.</source>
+        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
         <translation>“%1”在原处。机械臂沿 X 距其 %2。</translation>
     </message>
     <message>
-        <source>“%1” has moved by %2, and is %3 from where it should be.</source>
+        <source>“%1” has moved by %2 and is %3 from the expected position.</source>
         <translation>“%1”移动了 %2，距应在的位置 %3。</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the tool was turned.</source>
+        <source>“%1” is at the expected position, but the tool orientation changed.</source>
         <translation>“%1”已到位，但工具被转动了。</translation>
     </message>
     <message>
@@ -1997,23 +2025,23 @@
         <translation>“%1”又在工件处了。</translation>
     </message>
     <message>
-        <source>“%1” is at the place, but the arm is not there. Touch up with the arm at the part.</source>
+        <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
         <translation>“%1”已到位，但机械臂不在那里。请把机械臂移到工件处再修正示教。</translation>
     </message>
     <message>
-        <source>Slowed down to %1. Go on.</source>
+        <source>Slowed down to %1. Continue.</source>
         <translation>已减速到 %1。继续。</translation>
     </message>
     <message>
-        <source>No limit yet. The line below the pad will name it.</source>
+        <source>No limit reached yet. The line below the pad will name it.</source>
         <translation>还没有极限。操作盘下方的行会指出它。</translation>
     </message>
     <message>
-        <source>That is the limit. Now back: %1 of %2.</source>
+        <source>Limit reached. Now jog back: %1 of %2.</source>
         <translation>这就是极限。现在返回：%1 / %2。</translation>
     </message>
     <message>
-        <source>Found it, and out of it again.</source>
+        <source>You reached the limit and moved out of it again.</source>
         <translation>找到了，也已退出。</translation>
     </message>
     <message>
@@ -2025,7 +2053,7 @@
         <translation>该录制太短。请重新录制。</translation>
     </message>
     <message>
-        <source>No recording yet. Record is above the plots.</source>
+        <source>No recording yet. Press Record above the plots.</source>
         <translation>还没有录制。“录制”在曲线图上方。</translation>
     </message>
     <message>
@@ -2033,11 +2061,11 @@
         <translation>已录制。输入曲线图显示的力。</translation>
     </message>
     <message>
-        <source>%1 is not what was recorded. Look at the curve Fz.</source>
+        <source>%1 does not match the recording. Look at the Fz curve.</source>
         <translation>%1 不是录制的值。请看曲线 Fz。</translation>
     </message>
     <message>
-        <source>Right: it was %1.</source>
+        <source>Correct: it was %1.</source>
         <translation>正确：是 %1。</translation>
     </message>
     <message>
@@ -2061,23 +2089,23 @@
         <translation>录制并测量</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide, and it goes into a protective stop. Look at what stopped it, wait for the five seconds, unlock it and take control again.</source>
+        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
         <translation>“开始”会让模拟机械臂碰撞并进入保护性停止。查看停止的原因，等待五秒，解锁并再次获取控制。</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the tab Frames. Its X shall go along the base&apos;s Y+, its Z up: take the origin, then a point further along Y+, then one further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>在坐标系选项卡中用三点示教坐标系。其 X 沿基座的 Y+，Z 向上：先取原点，再取沿 Y+ 的点，再取沿 X− 的点。</translation>
     </message>
     <message>
-        <source>Start puts a waypoint “part” where the arm stands. The part has since moved by %1 along the base&apos;s X+. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>“开始”在机械臂所在处放置路点“工件”。此后工件沿基座的 X+ 移动了 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
     </message>
     <message>
-        <source>Jog away from the base, outwards, until a limit slows the arm down to half. The line below the pad names it and the way out. Then jog %1 back.</source>
+        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>从基座向外点动，直到某个极限使机械臂减到一半速度。操作盘下方的行会指出极限和出路。然后点动返回 %1。</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read in the plots how large the force Fz is, and enter it.</source>
+        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>“开始”会让一只手从上方压工具。至少录制三秒后停止。在曲线图中读出力 Fz 的大小并输入。</translation>
     </message>
     <message>
@@ -2093,6 +2121,21 @@
     </message>
 </context>
 <context>
+    <name>ProjectLock</name>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%2 上的 %1</translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation>进程 %1</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>其他程序</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>No robot connected. Choose one at the top left.</source>
@@ -2103,11 +2146,11 @@
         <translation>正在连接…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself.</source>
+        <source>No data from the robot. Reconnecting automatically.</source>
         <translation>没有来自机器人的数据。正在自动重连。</translation>
     </message>
     <message>
-        <source>Robot data is late. Waiting for it to come back.</source>
+        <source>Robot data are late. Waiting for new data.</source>
         <translation>机器人数据迟到。等待其恢复。</translation>
     </message>
     <message>
@@ -2122,7 +2165,7 @@
 <context>
     <name>RecordingChoice</name>
     <message>
-        <source>A file needs a name that does not begin with a point.</source>
+        <source>A file name must not be empty or begin with a period.</source>
         <translation>文件需要一个不以点开头的名称。</translation>
     </message>
     <message>
@@ -2141,11 +2184,11 @@
         <translation>安全已恢复正常</translation>
     </message>
     <message>
-        <source>The arm can be moved. What was armed before the stop does not move it: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
         <translation>机械臂可以移动。停止前准备的动作不会移动它：每个动作都需要重新按下。</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or go on on the teach pendant.</source>
+        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
         <translation>机械臂已就绪。获取控制以移动它，或在示教器上继续。</translation>
     </message>
     <message>
@@ -2161,15 +2204,15 @@
         <translation>等待连接</translation>
     </message>
     <message>
-        <source>I looked at the arm: nobody touches it, nothing is caught.</source>
+        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
         <translation>我查看了机械臂：没有人触碰它，没有东西被夹住。</translation>
     </message>
     <message>
-        <source>What stopped it is known and removed.</source>
+        <source>The cause of the stop is known and removed.</source>
         <translation>停止的原因已知并已消除。</translation>
     </message>
     <message>
-        <source>Payload and TCP are those of the tool that is mounted.</source>
+        <source>Payload and TCP match the mounted tool.</source>
         <translation>有效负载和 TCP 与所装工具一致。</translation>
     </message>
     <message>
@@ -2177,15 +2220,15 @@
         <translation>%1 s 后可用</translation>
     </message>
     <message>
-        <source>I looked at the arm and at the robot&apos;s log: the cause is known.</source>
+        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
         <translation>我查看了机械臂和机器人的日志：原因已知。</translation>
     </message>
     <message>
-        <source>The cause is removed, and nobody is in the arm&apos;s reach.</source>
+        <source>The cause is removed, and no one is within reach of the arm.</source>
         <translation>原因已消除，机械臂可达范围内没有人。</translation>
     </message>
     <message>
-        <source>Nothing to press here: it ends when its cause is gone.</source>
+        <source>No action needed here: this state ends when its cause is removed.</source>
         <translation>这里无需按任何键：原因消失后即结束。</translation>
     </message>
     <message>
@@ -2247,7 +2290,7 @@
         <translation>机器人上没有程序运行。</translation>
     </message>
     <message>
-        <source>A program runs already.</source>
+        <source>A program is already running.</source>
         <translation>已有程序在运行。</translation>
     </message>
     <message>
@@ -2255,7 +2298,7 @@
         <translation>连接…</translation>
     </message>
     <message>
-        <source>Choose the simulator, a robot or a project.</source>
+        <source>Select the simulator, a robot or a project.</source>
         <translation>选择模拟器、机器人或项目。</translation>
     </message>
     <message>
@@ -2271,11 +2314,11 @@
         <translation>检查连接…</translation>
     </message>
     <message>
-        <source>Looks at everything between this PC and the robot, each with its fix.</source>
+        <source>Checks everything between this PC and the robot and suggests fixes.</source>
         <translation>检查本 PC 与机器人之间的一切，并给出各自的解决办法。</translation>
     </message>
     <message>
-        <source>Choose a robot first.</source>
+        <source>Select a robot first.</source>
         <translation>请先选择机器人。</translation>
     </message>
     <message>
@@ -2283,7 +2326,7 @@
         <translation>断开</translation>
     </message>
     <message>
-        <source>Ends the connection; a motion of ours stops first.</source>
+        <source>Stops our motion, then closes the connection.</source>
         <translation>结束连接；我们的动作会先停止。</translation>
     </message>
     <message>
@@ -2295,7 +2338,7 @@
         <translation>给机械臂上电。制动器保持抱紧。</translation>
     </message>
     <message>
-        <source>The arm has power, or is getting it.</source>
+        <source>The arm is powered on or powering on.</source>
         <translation>机械臂已上电或正在上电。</translation>
     </message>
     <message>
@@ -2303,11 +2346,11 @@
         <translation>机械臂可能下沉几毫米。请保持距离。</translation>
     </message>
     <message>
-        <source>Engages the brakes and takes the arm&apos;s power away; programs stop.</source>
+        <source>Stops programs, engages the brakes and powers the arm off.</source>
         <translation>抱紧制动器并切断机械臂电源；程序停止。</translation>
     </message>
     <message>
-        <source>The arm is off.</source>
+        <source>The arm is powered off.</source>
         <translation>机械臂已断电。</translation>
     </message>
     <message>
@@ -2315,15 +2358,15 @@
         <translation>恢复…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, and the way back.</source>
+        <source>Shows what stopped the arm and the recovery steps.</source>
         <translation>显示是什么停止了机械臂，以及返回的方法。</translation>
     </message>
     <message>
-        <source>No stop of the safety system.</source>
+        <source>The safety system reports no stop.</source>
         <translation>没有安全系统的停止。</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once its cause is found. The arm stays off.</source>
+        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
         <translation>违规或故障后，找到原因之后。机械臂保持断电。</translation>
     </message>
     <message>
@@ -2339,11 +2382,7 @@
         <translation>获取控制</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot, which stops any other program.</source>
-        <translation>在机器人上启动控制程序，其他程序会停止。</translation>
-    </message>
-    <message>
-        <source>In control already.</source>
+        <source>Already in control.</source>
         <translation>已在控制中。</translation>
     </message>
     <message>
@@ -2363,7 +2402,7 @@
         <translation>停止</translation>
     </message>
     <message>
-        <source>Software stop of whatever moves. Not an emergency stop.</source>
+        <source>Software stop of all motion. Not an emergency stop.</source>
         <translation>对一切运动的软件停止。不是紧急停止。</translation>
     </message>
     <message>
@@ -2371,20 +2410,24 @@
         <translation>加载程序…</translation>
     </message>
     <message>
-        <source>Loads a program of the robot&apos;s own by its name.</source>
+        <source>Loads a program stored on the robot by name.</source>
         <translation>按名称加载机器人自己的程序。</translation>
     </message>
     <message>
-        <source>Starts the loaded program, or goes on with a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
         <translation>启动已加载的程序，或继续已暂停的程序：机械臂可能立即移动。</translation>
     </message>
     <message>
-        <source>Pauses the program that runs.</source>
+        <source>Pauses the running program.</source>
         <translation>暂停正在运行的程序。</translation>
     </message>
     <message>
-        <source>Stops the robot&apos;s own program.</source>
+        <source>Stops the program on the robot.</source>
         <translation>停止机器人自己的程序。</translation>
+    </message>
+    <message>
+        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <translation>在机器人上启动控制程序。停止其他程序前会先询问。</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2475,22 @@
     <message>
         <source>%1: off for %2 s</source>
         <translation>%1：断开 %2 s</translation>
+    </message>
+    <message>
+        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <translation>脉冲由机器人计时，需要控制权。请先获取控制，或手动打开和关闭输出。</translation>
+    </message>
+    <message>
+        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <translation>由于程序被停止或暂停，机器人未结束 %1 的脉冲。Tiller 将关闭该输出。</translation>
+    </message>
+    <message>
+        <source>Input register %1</source>
+        <translation>输入寄存器 %1</translation>
+    </message>
+    <message>
+        <source>Speed slider</source>
+        <translation>速度滑块</translation>
     </message>
 </context>
 <context>
@@ -2485,22 +2544,26 @@
         <translation>机器人上的程序已停止</translation>
     </message>
     <message>
-        <source>The program on the robot was not stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
         <translation>机器人上的程序没有停止：请在示教器上停止。%1</translation>
     </message>
     <message>
-        <source>The robot was switched to Local control: motion was stopped and control given back. Switch it to Remote control on the teach pendant, then take control again.</source>
+        <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
         <translation>机器人已切换到本地控制：动作已停止，控制已交还。请在示教器上切换到远程控制，然后再次获取控制。</translation>
+    </message>
+    <message>
+        <source>Unlock protective stop</source>
+        <translation>解锁保护性停止</translation>
     </message>
 </context>
 <context>
     <name>RobotTooling</name>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>机械臂未受控制。请先获取控制。</translation>
     </message>
     <message>
-        <source>TCP and payload are set while the arm stands still. Let it come to rest.</source>
+        <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
         <translation>TCP 和有效负载在机械臂静止时设定。请让其静止。</translation>
     </message>
     <message>
@@ -2519,7 +2582,7 @@
         <translation>取放</translation>
     </message>
     <message>
-        <source>A part is taken from a feeder and put into one of six places of a tray. The places are given in the frame of the tray and move with it.</source>
+        <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
         <translation>从供料器取工件，放入托盘六个位置之一。位置在托盘坐标系中给出，随其移动。</translation>
     </message>
     <message>
@@ -2527,26 +2590,26 @@
         <translation>沿路径涂胶</translation>
     </message>
     <message>
-        <source>A seam around a lid with rounded corners, slow and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
         <translation>沿圆角盖的周边，缓慢走直线。交融使喷嘴在拐角处保持运动。</translation>
     </message>
     <message>
-        <source>Measuring round</source>
+        <source>Measuring</source>
         <translation>测量巡回</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach point and with the tool tilted.</source>
+        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
         <translation>测头从上方和四个侧面接触工件，每次从接近点开始，工具倾斜。</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>从第一侧面透视观察</translation>
     </message>
     <message>
-        <source>From between front and side, a little above, with everything in the picture.</source>
+        <source>From between front and side, slightly above, with everything visible.</source>
         <translation>介于正面与侧面之间，略高，包含全部。</translation>
     </message>
     <message>
@@ -2574,18 +2637,18 @@
         <translation>基座的 X 向右，Y 向上。</translation>
     </message>
     <message>
-        <source>Fit everything into the view</source>
+        <source>Fit everything in the view</source>
         <translation>将全部纳入视图</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture, from the side it is looked from now.</source>
+        <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>保持当前方向，把机械臂、目标和路点纳入画面。</translation>
     </message>
 </context>
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>Nothing is recorded: connect to a robot first.</source>
+        <source>Cannot record: connect to a robot first.</source>
         <translation>没有录制：请先连接机器人。</translation>
     </message>
     <message>
@@ -2606,11 +2669,11 @@
         <translation>写入 %1</translation>
     </message>
     <message>
-        <source>The value of &quot;%1&quot; is none that settings can have.</source>
+        <source>Invalid value for the setting &quot;%1&quot;.</source>
         <translation>&quot;%1&quot; 的值不可能是设置的值。</translation>
     </message>
     <message>
-        <source>The file is too large for settings.</source>
+        <source>The file is too large for a settings file.</source>
         <translation>作为设置，文件太大。</translation>
     </message>
     <message>
@@ -2618,7 +2681,7 @@
         <translation>文件在字节 %1 处损坏：%2。</translation>
     </message>
     <message>
-        <source>The file holds no settings of Tiller.</source>
+        <source>The file contains no Tiller settings.</source>
         <translation>文件中没有 Tiller 的设置。</translation>
     </message>
     <message>
@@ -2626,20 +2689,16 @@
         <translation>文件由更新的 Tiller 写入。请更新 Tiller 后再导入。</translation>
     </message>
     <message>
-        <source>The file does not say which version it has.</source>
+        <source>The file does not state its version.</source>
         <translation>文件没有说明其版本。</translation>
     </message>
     <message>
-        <source>The file has no list of values, or one that is too long.</source>
+        <source>The list of values is missing or too long.</source>
         <translation>文件没有数值列表，或列表太长。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no name of a setting.</source>
+        <source>&quot;%1&quot; is not a valid setting name.</source>
         <translation>&quot;%1&quot; 不是设置的名称。</translation>
-    </message>
-    <message>
-        <source>read %1</source>
-        <translation>读取 %1</translation>
     </message>
 </context>
 <context>
@@ -2673,7 +2732,7 @@
         <translation>有效负载与工具</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>更多</translation>
     </message>
     <message>
@@ -2681,71 +2740,71 @@
         <translation>寄存器</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>TCP 处的力</translation>
     </message>
     <message>
-        <source>Torque at the TCP</source>
+        <source>TCP torque</source>
         <translation>TCP 处的力矩</translation>
     </message>
     <message>
-        <source>Position of the TCP</source>
+        <source>TCP position</source>
         <translation>TCP 位置</translation>
     </message>
     <message>
-        <source>Rotation vector of the TCP</source>
+        <source>TCP rotation vector</source>
         <translation>TCP 旋转矢量</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>TCP 速度</translation>
     </message>
     <message>
-        <source>Rotation speed of the TCP</source>
+        <source>TCP angular speed</source>
         <translation>TCP 旋转速度</translation>
     </message>
     <message>
-        <source>Acceleration of the TCP</source>
+        <source>TCP acceleration</source>
         <translation>TCP 加速度</translation>
     </message>
     <message>
-        <source>Target position of the TCP</source>
+        <source>Target TCP position</source>
         <translation>TCP 目标位置</translation>
     </message>
     <message>
-        <source>Target rotation vector of the TCP</source>
+        <source>Target TCP rotation vector</source>
         <translation>TCP 目标旋转矢量</translation>
     </message>
     <message>
-        <source>Target speed of the TCP</source>
+        <source>Target TCP speed</source>
         <translation>TCP 目标速度</translation>
     </message>
     <message>
-        <source>Target rotation speed of the TCP</source>
+        <source>Target TCP angular speed</source>
         <translation>TCP 目标旋转速度</translation>
     </message>
     <message>
-        <source>Raw force of the sensor</source>
+        <source>Raw sensor force</source>
         <translation>传感器原始力</translation>
     </message>
     <message>
-        <source>Raw torque of the sensor</source>
+        <source>Raw sensor torque</source>
         <translation>传感器原始力矩</translation>
     </message>
     <message>
-        <source>Force at the TCP, norm</source>
+        <source>TCP force, norm</source>
         <translation>TCP 处的力，模</translation>
     </message>
     <message>
-        <source>Accelerometer in the flange</source>
+        <source>Tool accelerometer</source>
         <translation>法兰加速度计</translation>
     </message>
     <message>
-        <source>Position of the elbow</source>
+        <source>Elbow position</source>
         <translation>肘部位置</translation>
     </message>
     <message>
-        <source>Speed of the elbow</source>
+        <source>Elbow speed</source>
         <translation>肘部速度</translation>
     </message>
     <message>
@@ -2797,15 +2856,15 @@
         <translation>关节控制电流</translation>
     </message>
     <message>
-        <source>Allowed deviation of the currents</source>
+        <source>Allowed current deviation</source>
         <translation>电流允许偏差</translation>
     </message>
     <message>
-        <source>Position deviation over its limit</source>
+        <source>Position deviation, ratio to limit</source>
         <translation>位置偏差与极限之比</translation>
     </message>
     <message>
-        <source>Collision measure over its limit</source>
+        <source>Collision measure, ratio to limit</source>
         <translation>碰撞量与极限之比</translation>
     </message>
     <message>
@@ -2885,7 +2944,7 @@
         <translation>机械臂电流</translation>
     </message>
     <message>
-        <source>Current of the I/O</source>
+        <source>I/O current</source>
         <translation>I/O 电流</translation>
     </message>
     <message>
@@ -2909,7 +2968,7 @@
         <translation>速度滑块</translation>
     </message>
     <message>
-        <source>Time of a control step</source>
+        <source>Control step time</source>
         <translation>控制步时间</translation>
     </message>
     <message>
@@ -3044,7 +3103,7 @@
         <translation>左键</translation>
     </message>
     <message>
-        <source>The cap moves and turns as the tool shall.</source>
+        <source>The tool follows the motion of the cap.</source>
         <translation>帽盖按工具应有的方式移动和转动。</translation>
     </message>
 </context>
@@ -3055,22 +3114,22 @@
         <translation>计算频谱</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: choose a longer range.</source>
+        <source>There are fewer than %1 samples: select a longer range.</source>
         <translation>采样少于 %1 个：请选择更长的范围。</translation>
     </message>
     <message>
-        <source>Values are missing in this range: choose one without a gap.</source>
+        <source>Values are missing in this range: select a range without gaps.</source>
         <translation>此范围内缺少数值：请选择没有缺口的范围。</translation>
     </message>
     <message>
-        <source>There is too little memory.</source>
+        <source>Not enough memory.</source>
         <translation>内存不足。</translation>
     </message>
 </context>
 <context>
     <name>StartProject</name>
     <message>
-        <source>The project worked in last is not there any more: %1</source>
+        <source>The last project no longer exists: %1</source>
         <translation>上次使用的项目已不存在：%1</translation>
     </message>
 </context>
@@ -3156,31 +3215,31 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers as in 192.168.0.10, or a name the network knows.</source>
+        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
         <translation>检查地址：如 192.168.0.10 的四个数字，或网络已知的名称。</translation>
     </message>
     <message>
-        <source>Check that the robot is switched on, the cable is plugged in, and this PC is in the same network.</source>
+        <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
         <translation>检查机器人已开机、网线已插好、本 PC 在同一网络中。</translation>
     </message>
     <message>
-        <source>Switch the interface on at the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
         <translation>在机器人上打开接口：设置、安全、服务。刚启动的机器人可能还需要一分钟。</translation>
     </message>
     <message>
-        <source>The robot ended the connection: it may be restarting, or was switched between Local and Remote.</source>
+        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
         <translation>机器人结束了连接：可能正在重启，或在本地与远程之间切换。</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and that the address is the robot&apos;s own.</source>
+        <source>The robot does not answer. Check the cable and the address.</source>
         <translation>机器人不应答。检查网线，以及地址是否为机器人自己的。</translation>
     </message>
     <message>
-        <source>Data stopped coming. Check the cable; the connection comes back by itself, motion does not.</source>
+        <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
         <translation>数据不再到达。检查网线；连接会自行恢复，动作不会。</translation>
     </message>
     <message>
-        <source>What answers there does not speak RTDE as it should. Check address and port.</source>
+        <source>The answer violates the RTDE protocol. Check address and port.</source>
         <translation>那里应答的不符合 RTDE。检查地址和端口。</translation>
     </message>
     <message>
@@ -3188,11 +3247,11 @@
         <translation>机器人的软件对此来说太旧。</translation>
     </message>
     <message>
-        <source>The robot&apos;s software does not have this value.</source>
+        <source>The robot&apos;s software does not provide this value.</source>
         <translation>机器人的软件没有此数值。</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot owns these registers: close the other program, or switch the fieldbus off in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
         <translation>另一个程序或机器人上的现场总线占用这些寄存器：关闭该程序，或在安装设置中关闭现场总线。</translation>
     </message>
     <message>
@@ -3208,36 +3267,32 @@
         <translation>请先使机器人进入“运行”，安全为“正常”。</translation>
     </message>
     <message>
-        <source>Switch the robot to Remote control on the teach pendant, at the top right.</source>
+        <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>在示教器右上角把机器人切换到远程控制。</translation>
     </message>
     <message>
-        <source>Choose a target inside the arm&apos;s range and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed within the cap.</source>
         <translation>选择机械臂范围内的目标和上限内的速度。</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point nearer or turn the tool.</source>
+        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
         <translation>机械臂无法到达此位姿：把点移近或转动工具。</translation>
     </message>
     <message>
-        <source>The robot could not run the program it was sent. See the log for its own words.</source>
+        <source>The robot could not run the program. See the log for the message of the controller.</source>
         <translation>机器人无法运行发送的程序。其自身的说明见日志。</translation>
     </message>
     <message>
-        <source>Check that the file exists and may be read.</source>
+        <source>Check that the file exists and that you have permission to read it.</source>
         <translation>检查文件是否存在且可读。</translation>
     </message>
     <message>
-        <source>Choose a folder you may write to.</source>
+        <source>Choose a folder that you have permission to write to.</source>
         <translation>选择一个可以写入的文件夹。</translation>
     </message>
     <message>
-        <source>The file was left as it is. Open a backup, or repair the named place.</source>
+        <source>The file was not changed. Open a backup, or repair the reported position.</source>
         <translation>文件保持原样。打开备份，或修复指出的位置。</translation>
-    </message>
-    <message>
-        <source>The disk is full: what was recorded so far is kept. Free some space and record anew.</source>
-        <translation>磁盘已满：已录制的内容保留。请腾出空间后重新录制。</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3256,11 +3311,11 @@
         <translation>连接被拒绝</translation>
     </message>
     <message>
-        <source>Connection ended by the robot</source>
+        <source>Connection closed by the robot</source>
         <translation>机器人结束了连接</translation>
     </message>
     <message>
-        <source>No answer in time</source>
+        <source>Timed out</source>
         <translation>未及时应答</translation>
     </message>
     <message>
@@ -3268,11 +3323,11 @@
         <translation>已取消</translation>
     </message>
     <message>
-        <source>Link lost</source>
+        <source>Connection lost</source>
         <translation>链路中断</translation>
     </message>
     <message>
-        <source>Not understood</source>
+        <source>Protocol error</source>
         <translation>无法理解</translation>
     </message>
     <message>
@@ -3308,7 +3363,7 @@
         <translation>超出极限</translation>
     </message>
     <message>
-        <source>Not a valid value</source>
+        <source>Invalid value</source>
         <translation>不是有效数值</translation>
     </message>
     <message>
@@ -3328,11 +3383,11 @@
         <translation>机器人上的程序错误</translation>
     </message>
     <message>
-        <source>File cannot be read</source>
+        <source>Cannot read the file</source>
         <translation>文件无法读取</translation>
     </message>
     <message>
-        <source>File cannot be written</source>
+        <source>Cannot write the file</source>
         <translation>文件无法写入</translation>
     </message>
     <message>
@@ -3364,7 +3419,7 @@
         <translation>失去焦点</translation>
     </message>
     <message>
-        <source>window no longer active</source>
+        <source>window lost activation</source>
         <translation>窗口不再活动</translation>
     </message>
     <message>
@@ -3408,7 +3463,7 @@
         <translation>机器人或安全模式改变</translation>
     </message>
     <message>
-        <source>not refreshed in time</source>
+        <source>input not refreshed in time</source>
         <translation>未及时刷新</translation>
     </message>
     <message>
@@ -3416,7 +3471,7 @@
         <translation>PC 将休眠</translation>
     </message>
     <message>
-        <source>link lost</source>
+        <source>connection lost</source>
         <translation>链路中断</translation>
     </message>
     <message>
@@ -3448,23 +3503,23 @@
         <translation>目标对一步来说太远</translation>
     </message>
     <message>
-        <source>no sign that it was still held</source>
+        <source>no confirmation that the key is still held</source>
         <translation>没有仍被按住的迹象</translation>
     </message>
     <message>
-        <source>held for the longest time; press again</source>
+        <source>maximum hold time reached; press again</source>
         <translation>已按住最长时间；请重新按下</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 takes no such commands over the network: use the tablet.</source>
+        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
         <translation>10.11 之前的 PolyScope X 不通过网络接受此类指令：请使用平板。</translation>
     </message>
     <message>
-        <source>PolyScope X has no command for closing popups over the network: use the tablet.</source>
+        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
         <translation>PolyScope X 没有通过网络关闭弹窗的指令：请使用平板。</translation>
     </message>
     <message>
-        <source>Only watching. Take control to move the arm.</source>
+        <source>Monitoring. Take control to move the arm.</source>
         <translation>仅监视。获取控制以移动机械臂。</translation>
     </message>
     <message>
@@ -3480,16 +3535,28 @@
         <translation>控制程序在机器人上被停止。请再次获取控制。</translation>
     </message>
     <message>
-        <source>The control program does not answer. Take control again.</source>
+        <source>The control program does not respond. Take control again.</source>
         <translation>控制程序不应答。请再次获取控制。</translation>
     </message>
     <message>
-        <source>The link was lost. Take control again.</source>
+        <source>The connection was lost. Take control again.</source>
         <translation>链路已中断。请再次获取控制。</translation>
     </message>
     <message>
-        <source>A script of your own is running. Control comes back when it ends.</source>
+        <source>Your script is running. Control returns when it ends.</source>
         <translation>您自己的脚本在运行。结束后控制会恢复。</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk, then save or record again.</source>
+        <translation>请释放一些磁盘空间，然后重新保存或录制。</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <translation>仅监视：此窗口不更改机器人的任何状态。由设置或 --monitor-only 指定。</translation>
+    </message>
+    <message>
+        <source>The control connection does not respond.</source>
+        <translation>控制连接无响应。</translation>
     </message>
 </context>
 <context>
@@ -3511,11 +3578,11 @@
         <translation>第 %1 行，%2：%3</translation>
     </message>
     <message>
-        <source>“%1” is neither J nor L</source>
+        <source>“%1” must be J or L</source>
         <translation>“%1”既不是 J 也不是 L</translation>
     </message>
     <message>
-        <source>“%1” is neither joints nor pose</source>
+        <source>“%1” must be joints or pose</source>
         <translation>“%1”既不是 joints 也不是 pose</translation>
     </message>
     <message>
@@ -3523,18 +3590,18 @@
         <translation>此项目中没有坐标系“%1”</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy one from the list to see its columns, or paste the six figures of a pose.</source>
+        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
         <translation>这不是路点表。从列表复制一个以查看其列，或粘贴一个位姿的六个数字。</translation>
     </message>
     <message>
-        <source>“%1” is no colour of a waypoint</source>
+        <source>“%1” is not a waypoint colour</source>
         <translation>“%1”不是路点的颜色</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: a quotation mark is not closed</source>
+        <source>Line %1: missing closing quotation mark</source>
         <translation>第 %1 行：引号未关闭</translation>
     </message>
 </context>
@@ -3551,15 +3618,15 @@
         </translation>
     </message>
     <message>
-        <source>Done in this order when “Go through” has brought the arm there, and only while its key is held.</source>
+        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
         <translation>当“依次通过”把机械臂带到该处后按此顺序执行，且仅在按住按键时执行。</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” gives all of them the ones below.</source>
+        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
         <translation>这些路点的动作各不相同。“更改”会让它们全部使用下面的动作。</translation>
     </message>
     <message>
-        <source>Actions in their order</source>
+        <source>Actions in order</source>
         <translation>按顺序排列的动作</translation>
     </message>
     <message>
@@ -3571,7 +3638,7 @@
         <translation>添加</translation>
     </message>
     <message>
-        <source>Add an action after the chosen one</source>
+        <source>Add an action after the selected one</source>
         <translation>在所选动作之后添加动作</translation>
     </message>
     <message>
@@ -3579,7 +3646,7 @@
         <translation>移除</translation>
     </message>
     <message>
-        <source>Remove the chosen action</source>
+        <source>Remove the selected action</source>
         <translation>移除所选动作</translation>
     </message>
     <message>
@@ -3587,7 +3654,7 @@
         <translation>上移</translation>
     </message>
     <message>
-        <source>Do the chosen action earlier</source>
+        <source>Move the selected action up</source>
         <translation>提前执行所选动作</translation>
     </message>
     <message>
@@ -3595,15 +3662,15 @@
         <translation>下移</translation>
     </message>
     <message>
-        <source>Do the chosen action later</source>
+        <source>Move the selected action down</source>
         <translation>推后执行所选动作</translation>
     </message>
     <message>
-        <source>What is done</source>
+        <source>Action</source>
         <translation>执行内容</translation>
     </message>
     <message>
-        <source>Which terminal</source>
+        <source>Terminal</source>
         <translation>哪个端子</translation>
     </message>
     <message>
@@ -3623,11 +3690,11 @@
         <translation>开</translation>
     </message>
     <message>
-        <source>At most, seconds</source>
+        <source>Timeout in seconds</source>
         <translation>最长，秒</translation>
     </message>
     <message>
-        <source>Then it ends and says so. 0: as long as the key is held, at most an hour</source>
+        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
         <translation>到时结束并提示。0：按住按键期间，最长一小时</translation>
     </message>
 </context>
@@ -3680,7 +3747,7 @@ Right click or F2 to rename and scale.</source>
         <translation>%1 的比例</translation>
     </message>
     <message>
-        <source>bar; empty: not scaled</source>
+        <source>e.g. bar; empty: not scaled</source>
         <translation>bar；空：不缩放</translation>
     </message>
     <message>
@@ -3707,12 +3774,289 @@ Right click or F2 to rename and scale.</source>
         <translation>启用键盘</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.</source>
+        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
         <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z，加 Alt 旋转，1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待半分钟：键盘停用。</translation>
     </message>
     <message>
-        <source>Then the arrow keys move the arm while they are held; a frame stands around the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
         <translation>之后按住方向键时移动机械臂；窗口四周出现边框。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CellPage</name>
+    <message>
+        <source>Size %1</source>
+        <translation>尺寸 %1</translation>
+    </message>
+    <message>
+        <source>Drawn and checked</source>
+        <translation>绘制并检查</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>A box or plane needs a name.</source>
+        <translation>长方体或平面需要名称。</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose another name.</source>
+        <translation>单元中已有“%1”。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>No boxes or planes yet.
+Move the TCP to a corner of an obstacle and press Corner here.</source>
+        <translation>还没有长方体或平面。
+将 TCP 移到障碍物的一个角，然后按“此处为角”。</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <translation>长方体的中心。按回车应用。只有长方体改变；机器人不移动。</translation>
+    </message>
+    <message>
+        <source>LX</source>
+        <translation>LX</translation>
+    </message>
+    <message>
+        <source>LY</source>
+        <translation>LY</translation>
+    </message>
+    <message>
+        <source>LZ</source>
+        <translation>LZ</translation>
+    </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>机器人数据已过时。请等待新数据。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <translation>未连接机器人。请连接机器人或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>添加“%1”</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>First corner taken.</source>
+        <translation>已记录第一个角。</translation>
+    </message>
+    <message>
+        <source>Move the TCP to the opposite corner and press Other corner.</source>
+        <translation>将 TCP 移到对角，然后按“另一个角”。</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
+        <translation>两个角在同一平面内。请将 TCP 移到长方体的对角。</translation>
+    </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation>移动“%1”</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>复制“%1”</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>删除“%1”</translation>
+    </message>
+    <message>
+        <source>Include “%1”</source>
+        <translation>包含“%1”</translation>
+    </message>
+    <message>
+        <source>Exclude “%1”</source>
+        <translation>排除“%1”</translation>
+    </message>
+    <message>
+        <source>Set the floor</source>
+        <translation>设置地面</translation>
+    </message>
+    <message>
+        <source>Remove the floor</source>
+        <translation>移除地面</translation>
+    </message>
+    <message>
+        <source>Change the safety distance</source>
+        <translation>更改安全距离</translation>
+    </message>
+    <message>
+        <source>Other corner</source>
+        <translation>另一个角</translation>
+    </message>
+    <message>
+        <source>Corner here</source>
+        <translation>此处为角</translation>
+    </message>
+    <message>
+        <source>%1 · %2 in %3</source>
+        <translation>%1 · %3 中的 %2</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Length along X</source>
+        <translation>沿 X 的长度</translation>
+    </message>
+    <message>
+        <source>Length along Y</source>
+        <translation>沿 Y 的长度</translation>
+    </message>
+    <message>
+        <source>Length along Z</source>
+        <translation>沿 Z 的长度</translation>
+    </message>
+    <message>
+        <source>Point on the plane X</source>
+        <translation>平面上的点 X</translation>
+    </message>
+    <message>
+        <source>Point on the plane Y</source>
+        <translation>平面上的点 Y</translation>
+    </message>
+    <message>
+        <source>Point on the plane Z</source>
+        <translation>平面上的点 Z</translation>
+    </message>
+    <message>
+        <source>Normal X, towards the arm</source>
+        <translation>法线 X，朝向机械臂</translation>
+    </message>
+    <message>
+        <source>Normal Y, towards the arm</source>
+        <translation>法线 Y，朝向机械臂</translation>
+    </message>
+    <message>
+        <source>Normal Z, towards the arm</source>
+        <translation>法线 Z，朝向机械臂</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>When off, it is not drawn and not checked.</source>
+        <translation>关闭时不绘制也不检查。</translation>
+    </message>
+    <message>
+        <source>Horizontal plane in the base frame that the arm must stay above.</source>
+        <translation>基座坐标系中机械臂必须保持在其上方的水平面。</translation>
+    </message>
+    <message>
+        <source>Height of the floor</source>
+        <translation>地面高度</translation>
+    </message>
+    <message>
+        <source>Safety distance</source>
+        <translation>安全距离</translation>
+    </message>
+    <message>
+        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
+        <translation>点动在距机械臂自身和单元此距离处停止。更接近的运动会被拒绝。</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>此处</translation>
+    </message>
+    <message>
+        <source>Set the floor to the TCP height</source>
+        <translation>将地面设为 TCP 高度</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Set a corner of a box to the TCP</source>
+        <translation>将长方体的角设在 TCP</translation>
+    </message>
+    <message>
+        <source>Plane here</source>
+        <translation>此处为平面</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP, perpendicular to the tool</source>
+        <translation>添加过 TCP 且垂直于工具的平面</translation>
+    </message>
+    <message>
+        <source>New box</source>
+        <translation>新建长方体</translation>
+    </message>
+    <message>
+        <source>Add a box numerically</source>
+        <translation>按数值添加长方体</translation>
+    </message>
+    <message>
+        <source>Add a plane through the TCP</source>
+        <translation>添加过 TCP 的平面</translation>
+    </message>
+    <message>
+        <source>Add a plane numerically</source>
+        <translation>按数值添加平面</translation>
+    </message>
+    <message>
+        <source>Move the box or plane to the TCP</source>
+        <translation>将长方体或平面移到 TCP</translation>
+    </message>
+    <message>
+        <source>Include or exclude the box or plane</source>
+        <translation>包含或排除长方体或平面</translation>
+    </message>
+    <message>
+        <source>Rename box or plane</source>
+        <translation>重命名长方体或平面</translation>
+    </message>
+    <message>
+        <source>Duplicate box or plane</source>
+        <translation>复制长方体或平面</translation>
+    </message>
+    <message>
+        <source>Delete box or plane</source>
+        <translation>删除长方体或平面</translation>
+    </message>
+    <message>
+        <source>Resize “%1”</source>
+        <translation>调整“%1”的大小</translation>
+    </message>
+    <message>
+        <source>The normal must not be zero. Enter a component first.</source>
+        <translation>法线不能为零。请先输入一个分量。</translation>
+    </message>
+    <message>
+        <source>Rotate “%1”</source>
+        <translation>旋转“%1”</translation>
     </message>
 </context>
 <context>
@@ -3726,7 +4070,7 @@ Right click or F2 to rename and scale.</source>
         <translation>比较…</translation>
     </message>
     <message>
-        <source>Compare this recording with the model of its arm, with other limits</source>
+        <source>Compare this recording with the arm model, with different limits</source>
         <translation>用其他限值将此记录与其机械臂模型比较</translation>
     </message>
     <message>
@@ -3738,11 +4082,11 @@ Right click or F2 to rename and scale.</source>
         <translation>转到该处</translation>
     </message>
     <message>
-        <source>Compare no further</source>
+        <source>Stop comparing</source>
         <translation>停止比较</translation>
     </message>
     <message>
-        <source>Put cursor A where arm and model part</source>
+        <source>Place cursor A where arm and model diverge</source>
         <translation>将光标 A 置于机械臂与模型分离处</translation>
     </message>
 </context>
@@ -3753,7 +4097,7 @@ Right click or F2 to rename and scale.</source>
         <translation>与机械臂模型比较</translation>
     </message>
     <message>
-        <source>What the joints were told is given to the simulated arm, and what that does is compared with what was recorded. Nothing touches the simulated arm, and it knows no friction.</source>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
         <translation>将关节收到的指令交给仿真机械臂，并把它的表现与记录比较。仿真机械臂不受任何接触，也没有摩擦。</translation>
     </message>
     <message>
@@ -3789,7 +4133,7 @@ Right click or F2 to rename and scale.</source>
         <translation>持续时间超过</translation>
     </message>
     <message>
-        <source>What has a limit of 0 is not compared.</source>
+        <source>Signals with a limit of 0 are not compared.</source>
         <translation>限值为 0 的项目不参与比较。</translation>
     </message>
     <message>
@@ -3800,11 +4144,11 @@ Right click or F2 to rename and scale.</source>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until the program ends)</source>
+        <source>Moves the arm (until Tiller is closed)</source>
         <translation>移动机械臂（直到程序结束）</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>仅偏转最大的轴</translation>
     </message>
     <message>
@@ -3816,7 +4160,7 @@ Right click or F2 to rename and scale.</source>
         <translation>设备</translation>
     </message>
     <message>
-        <source>Which way the arm would go</source>
+        <source>Direction in which the arm would move</source>
         <translation>机械臂将移动的方向</translation>
     </message>
     <message>
@@ -3828,7 +4172,7 @@ Right click or F2 to rename and scale.</source>
         <translation>将移动</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, 1 to 6 with + and − a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
         <translation>键盘（启用时，Ctrl+J）：方向键 X 和 Y，PgUp 和 PgDn Z，加 Alt 旋转，1 至 6 加 + 和 − 关节，Home 原位，End 对齐，Backspace 返回，F 自由驱动。Ctrl 更慢，Shift 更快。Space 和 Esc 停止。</translation>
     </message>
     <message>
@@ -3836,7 +4180,7 @@ Right click or F2 to rename and scale.</source>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>没有手柄和 SpaceMouse。插上即自动出现。</translation>
     </message>
     <message>
@@ -3855,7 +4199,7 @@ Right click or F2 to rename and scale.</source>
 <context>
     <name>tiller::FigureBox</name>
     <message>
-        <source>“%1” was not taken: %2 to %3. Nothing was changed.</source>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation>未采用“%1”：%2 至 %3。没有任何更改。</translation>
     </message>
 </context>
@@ -3901,7 +4245,7 @@ Right click or F2 to rename and scale.</source>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>The list does not come again by itself. The command “First steps” brings it back.</source>
+        <source>The list will not appear again. Use the command “First steps” to show it.</source>
         <translation>该列表不会自行再出现。命令“第一步”可将其恢复。</translation>
     </message>
     <message>
@@ -3920,11 +4264,11 @@ Right click or F2 to rename and scale.</source>
         <translation>原点</translation>
     </message>
     <message>
-        <source>In Base. Return applies it; nothing moves but the frame.</source>
+        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation>在基座中。回车应用；只有坐标系移动。</translation>
     </message>
     <message>
-        <source>no waypoint uses it</source>
+        <source>not used by any waypoint</source>
         <translation>没有路点使用它</translation>
     </message>
     <message numerus="yes">
@@ -3941,7 +4285,7 @@ Right click or F2 to rename and scale.</source>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoint moved with it.</source>
+        <source>No waypoints moved with it.</source>
         <translation>没有路点随其移动。</translation>
     </message>
     <message numerus="yes">
@@ -3951,7 +4295,7 @@ Right click or F2 to rename and scale.</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach there.</source>
+        <source>%n of them are now out of reach.</source>
         <translation>
             <numerusform>其中 %n 个在那里不可达。</numerusform>
         </translation>
@@ -3965,11 +4309,11 @@ Right click or F2 to rename and scale.</source>
         <translation>示教“%1”</translation>
     </message>
     <message>
-        <source>It moves by %1 (%2, base frame).</source>
+        <source>The frame moves by %1 (%2, base frame).</source>
         <translation>它移动 %1（%2，基座坐标系）。</translation>
     </message>
     <message>
-        <source>No waypoint is given in it.</source>
+        <source>No waypoint uses this frame.</source>
         <translation>没有路点在其中给出。</translation>
     </message>
     <message numerus="yes">
@@ -3991,15 +4335,15 @@ Right click or F2 to rename and scale.</source>
         <translation>修正示教“%1”</translation>
     </message>
     <message>
-        <source>“%1” is touched up</source>
+        <source>Touched up “%1”</source>
         <translation>“%1”已修正示教</translation>
     </message>
     <message>
-        <source>Set the place of “%1”</source>
+        <source>Set the position of “%1”</source>
         <translation>设定“%1”的位置</translation>
     </message>
     <message>
-        <source>“%1” is set in figures. %2</source>
+        <source>“%1” was set numerically. %2</source>
         <translation>“%1”已用数值设定。%2</translation>
     </message>
     <message>
@@ -4011,7 +4355,7 @@ Right click or F2 to rename and scale.</source>
         <translation>删除“%1”？</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints are given in it. They stay where they are, given in Base.</source>
+        <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
             <numerusform>%n 个路点在其中给出。它们保持原位，改在基座中给出。</numerusform>
         </translation>
@@ -4040,11 +4384,11 @@ Right click or F2 to rename and scale.</source>
         <translation>视图</translation>
     </message>
     <message>
-        <source>“%1” is a frame every robot has. Choose another name.</source>
+        <source>“%1” is a built-in frame. Choose another name.</source>
         <translation>“%1”是每台机器人都有的坐标系。请选择其他名称。</translation>
     </message>
     <message>
-        <source>“%1” is taken by another frame. Choose another name.</source>
+        <source>Another frame is named “%1”. Choose another name.</source>
         <translation>“%1”已是另一个坐标系的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -4084,7 +4428,7 @@ Right click or F2 to rename and scale.</source>
         <translation>点数</translation>
     </message>
     <message>
-        <source>Waypoints that move with it</source>
+        <source>Waypoints that move with the frame</source>
         <translation>随其移动的路点</translation>
     </message>
     <message>
@@ -4114,7 +4458,7 @@ Right click or F2 to rename and scale.</source>
         <translation>三点坐标系</translation>
     </message>
     <message>
-        <source>Cancel the frame</source>
+        <source>Cancel frame teaching</source>
         <translation>取消坐标系</translation>
     </message>
     <message>
@@ -4146,15 +4490,15 @@ Right click or F2 to rename and scale.</source>
         <translation>取点</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>建立坐标系</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the point again.</source>
+        <source>The robot sent an invalid position. Take the point again.</source>
         <translation>机器人没有发送有效位置。请重新取点。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away: the further, the truer the axes.</source>
+        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>+X 上的点距原点仅 %1。请重新取，至少 %2：越远，轴越准。</translation>
     </message>
     <message>
@@ -4162,23 +4506,23 @@ Right click or F2 to rename and scale.</source>
         <translation>第三点距原点仅 %1。请重新取，至少 %2。</translation>
     </message>
     <message>
-        <source>The three points lie in a line: the third is only %1 beside the X axis. Take it again at least %2 to the side of +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
         <translation>三点在一条线上：第三点距 X 轴仅 %1。请重新取，向 +Y 侧至少 %2。</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 away, the third lies %2 beside the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
         <translation>就绪：+X 上的点距 %1，第三点距 X 轴 %2。</translation>
     </message>
     <message>
-        <source>Jog the tip to where the frame begins, and take it (P).</source>
+        <source>Jog the tip to the origin of the frame and take the point (P).</source>
         <translation>把尖端点动到坐标系的起点并取点 (P)。</translation>
     </message>
     <message>
-        <source>Now to a point on +X: %1 from the origin, %2 is the least.</source>
+        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
         <translation>现在到 +X 上的一点：距原点 %1，最少 %2。</translation>
     </message>
     <message>
-        <source>Now to the side of +Y: %1 beside the X axis, %2 is the least.</source>
+        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
         <translation>现在到 +Y 一侧：距 X 轴 %1，最少 %2。</translation>
     </message>
     <message>
@@ -4221,12 +4565,12 @@ Right click or F2 to rename and scale.</source>
         <translation>修正示教坐标系</translation>
     </message>
     <message>
-        <source>More about frames</source>
+        <source>More frame commands</source>
         <translation>坐标系的更多操作</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
         <translation>还没有坐标系。
 把尖端点动到托盘或桌子的一角。按“从 TCP”，或按“三点”取原点、+X 和 +Y。</translation>
     </message>
@@ -4235,7 +4579,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>新坐标系</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>机器人的数据太旧。请等待新数据。</translation>
     </message>
     <message>
@@ -4243,7 +4587,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
-        <source>A frame where the TCP is, with the tool&apos;s axes (Shift+T)</source>
+        <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
         <translation>在 TCP 处、以工具轴建立坐标系 (Shift+T)</translation>
     </message>
     <message>
@@ -4251,7 +4595,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>原点、+X 上的点、朝 +Y 的点 (Ctrl+Shift+T)</translation>
     </message>
     <message>
-        <source>The selected frame goes to where the TCP is (Shift+U)</source>
+        <source>Move the selected frame to the TCP (Shift+U)</source>
         <translation>所选坐标系移到 TCP 处 (Shift+U)</translation>
     </message>
     <message>
@@ -4271,7 +4615,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>取坐标系的下一点</translation>
     </message>
     <message>
-        <source>Make the frame of the points taken</source>
+        <source>Create frame from points</source>
         <translation>用所取的点建立坐标系</translation>
     </message>
     <message>
@@ -4295,7 +4639,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>重命名坐标系</translation>
     </message>
     <message>
-        <source>Set frame in figures</source>
+        <source>Enter frame numerically</source>
         <translation>用数值设定坐标系</translation>
     </message>
     <message>
@@ -4319,22 +4663,22 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>修正示教…</translation>
     </message>
     <message>
-        <source>Make frame</source>
+        <source>Create frame</source>
         <translation>建立坐标系</translation>
     </message>
 </context>
 <context>
     <name>tiller::GoThrough</name>
     <message>
-        <source>There are no waypoints to go through. Teach some, or select them.</source>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation>没有可依次前往的路点。请示教或选择。</translation>
     </message>
     <message>
-        <source>There is no waypoint before this one.</source>
+        <source>This is the first waypoint.</source>
         <translation>此前没有路点。</translation>
     </message>
     <message>
-        <source>A waypoint of the way is not in this project any more.</source>
+        <source>A waypoint of the route was deleted from the project.</source>
         <translation>路线中的某个路点已不在此项目中。</translation>
     </message>
     <message>
@@ -4342,7 +4686,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>“%1”：%2</translation>
     </message>
     <message>
-        <source>A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.</source>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>只有一个路点的循环哪里也到不了。请选择更多路点，或不用循环。</translation>
     </message>
 </context>
@@ -4365,31 +4709,31 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>依次前往，按住</translation>
     </message>
     <message>
-        <source>One waypoint back, hold</source>
+        <source>Previous waypoint, hold</source>
         <translation>退一个路点，按住</translation>
     </message>
     <message>
-        <source>Goes back to the waypoint before while the key is held</source>
+        <source>Moves to the previous waypoint while the key is held</source>
         <translation>按住时返回上一个路点</translation>
     </message>
     <message>
-        <source>One waypoint on, hold</source>
+        <source>Next waypoint, hold</source>
         <translation>进一个路点，按住</translation>
     </message>
     <message>
-        <source>Goes to the coming waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the key is held, and stops there</source>
         <translation>按住时前往下一个路点，并停在那里</translation>
     </message>
     <message>
-        <source>Which waypoints to go through</source>
+        <source>Waypoints of the route</source>
         <translation>依次前往哪些路点</translation>
     </message>
     <message>
-        <source>Which waypoints</source>
+        <source>Waypoints</source>
         <translation>哪些路点</translation>
     </message>
     <message>
-        <source>Which waypoints to go through, in the order of the list</source>
+        <source>Selects the waypoints of the route, in the order of the list</source>
         <translation>依次前往哪些路点，按列表顺序</translation>
     </message>
     <message>
@@ -4405,15 +4749,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>全部</translation>
     </message>
     <message>
-        <source>In a loop</source>
-        <translation>循环</translation>
-    </message>
-    <message>
-        <source>After the last waypoint comes the first again, for as long as the key is held</source>
+        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
         <translation>按住期间，最后一个路点之后又是第一个</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>机械臂未受控制。请先获取控制。</translation>
     </message>
     <message>
@@ -4421,7 +4761,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>The coming one: %1 of %2, %3</source>
+        <source>Next: %1 of %2, %3</source>
         <translation>下一个：%1 / %2，%3</translation>
     </message>
     <message>
@@ -4429,7 +4769,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>已完成</translation>
     </message>
     <message>
-        <source>Done. The next press begins at the first.</source>
+        <source>Done. The next press starts at the first waypoint.</source>
         <translation>完成。下次按下从第一个开始。</translation>
     </message>
     <message numerus="yes">
@@ -4443,7 +4783,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Goes from waypoint to waypoint while the key is held, no faster than the jog speed, and does at each what is to be done there. Let go to pause; the next press goes on to the coming waypoint.</source>
+        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation>按住按键时依次前往各路点，速度不超过点动速度，并在每处执行规定的动作。松开即暂停；再次按下则继续前往下一个路点。</translation>
     </message>
     <message>
@@ -4469,15 +4809,15 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
 <context>
     <name>tiller::GripperPanel</name>
     <message>
-        <source>State of the gripper</source>
+        <source>Gripper state</source>
         <translation>夹爪状态</translation>
     </message>
     <message>
-        <source>How far the gripper is open</source>
+        <source>Gripper opening</source>
         <translation>夹爪开度</translation>
     </message>
     <message>
-        <source>What the gripper holds</source>
+        <source>Gripped object</source>
         <translation>夹爪所持</translation>
     </message>
     <message>
@@ -4529,7 +4869,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>夹爪：到 %1</translation>
     </message>
     <message>
-        <source>Which gripper</source>
+        <source>Gripper type</source>
         <translation>哪种夹爪</translation>
     </message>
     <message>
@@ -4557,19 +4897,19 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>打开的输出</translation>
     </message>
     <message>
-        <source>Opening wanted</source>
+        <source>Target opening</source>
         <translation>期望开度</translation>
     </message>
     <message>
-        <source>Speed of the fingers</source>
+        <source>Finger speed</source>
         <translation>手指速度</translation>
     </message>
     <message>
-        <source>Force of the fingers</source>
+        <source>Finger force</source>
         <translation>手指力</translation>
     </message>
     <message>
-        <source>What to do about the gripper</source>
+        <source>Suggested action</source>
         <translation>夹爪的处理办法</translation>
     </message>
     <message>
@@ -4605,15 +4945,15 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>力</translation>
     </message>
     <message>
-        <source>How far the fingers shall open, 0 to %1. “Move” sends them there.</source>
+        <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
         <translation>手指应打开多少，0 至 %1。“移动”将其送到那里。</translation>
     </message>
     <message>
-        <source>Of the next motion. 0 % is about %1, 100 % about %2.</source>
+        <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
         <translation>下一个动作的速度。0 % 约 %1，100 % 约 %2。</translation>
     </message>
     <message>
-        <source>Of the next grip. 0 % is about %1, 100 % about %2.</source>
+        <source>Force of the next grip. 0 % is about %1, 100 % about %2.</source>
         <translation>下一次夹持的力。0 % 约 %1，100 % 约 %2。</translation>
     </message>
     <message>
@@ -4637,11 +4977,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>没有来自机器人的数据。</translation>
     </message>
     <message>
-        <source>One moment…</source>
+        <source>Please wait…</source>
         <translation>请稍候…</translation>
     </message>
     <message>
-        <source>Choose what is at the wrist. It is remembered with this robot.</source>
+        <source>Select the mounted gripper. The choice is stored for this robot.</source>
         <translation>选择手腕上装的是什么。与此机器人一起记住。</translation>
     </message>
     <message>
@@ -4649,7 +4989,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>未知</translation>
     </message>
     <message>
-        <source>being activated…</source>
+        <source>activating…</source>
         <translation>正在激活…</translation>
     </message>
     <message>
@@ -4669,19 +5009,19 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>移动中</translation>
     </message>
     <message>
-        <source>active, standing</source>
+        <source>active, at standstill</source>
         <translation>已激活，静止</translation>
     </message>
     <message>
-        <source>unknown while it moves</source>
+        <source>unknown while moving</source>
         <translation>移动时未知</translation>
     </message>
     <message>
-        <source>an object, from outside</source>
+        <source>object, outer grip</source>
         <translation>物体，从外侧</translation>
     </message>
     <message>
-        <source>an object, from inside</source>
+        <source>object, inner grip</source>
         <translation>物体，从内侧</translation>
     </message>
     <message>
@@ -4689,11 +5029,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>无</translation>
     </message>
     <message>
-        <source>With this port offset no gripper can be reached.</source>
+        <source>The gripper cannot be reached with this port offset.</source>
         <translation>以此端口偏移无法到达夹爪。</translation>
     </message>
     <message>
-        <source>Being activated: the fingers open and close once.</source>
+        <source>Activating: the fingers open and close once.</source>
         <translation>正在激活：手指开合一次。</translation>
     </message>
     <message>
@@ -4705,31 +5045,31 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>夹爪已激活。</translation>
     </message>
     <message>
-        <source>A stop of the arm leaves the gripper as it is: it goes on holding.</source>
+        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
         <translation>机械臂停止时夹爪保持原样：继续夹持。</translation>
     </message>
     <message>
-        <source>The fingers open and close once; what they hold falls. Keep fingers out of the gripper.</source>
+        <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>手指开合一次；所夹物体会掉落。手指请勿放入夹爪。</translation>
     </message>
     <message>
-        <source>Opens the gripper; what it holds is let go.</source>
+        <source>Opens the gripper and releases the object.</source>
         <translation>打开夹爪；所夹物体会松开。</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep fingers out of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of it.</source>
         <translation>关闭夹爪。手指请勿放入。</translation>
     </message>
     <message>
-        <source>Sends the fingers to this opening.</source>
+        <source>Moves the fingers to this opening.</source>
         <translation>把手指送到此开度。</translation>
     </message>
     <message>
-        <source>Its speed or its force is no figure it takes.</source>
+        <source>Speed or force is out of range.</source>
         <translation>其速度或力不是可接受的数值。</translation>
     </message>
     <message>
-        <source>The gripper did not take the command.</source>
+        <source>The gripper did not accept the command.</source>
         <translation>夹爪未接受命令。</translation>
     </message>
     <message>
@@ -4780,15 +5120,15 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>无数据</translation>
     </message>
     <message>
-        <source>LAST STOP · no witness</source>
+        <source>LAST STOP · no key check</source>
         <translation>上次停止 · 无见证</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not measured</source>
         <translation>未见到</translation>
     </message>
     <message>
-        <source>Data ended while the arm moved: how it stopped is not known.</source>
+        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
         <translation>机械臂移动时数据中断：如何停止未知。</translation>
     </message>
     <message>
@@ -4796,7 +5136,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>From the stop to standstill, measured. Cause: %1</source>
+        <source>Measured from stop command to standstill. Cause: %1</source>
         <translation>从停止到静止，实测。原因：%1</translation>
     </message>
     <message>
@@ -4808,8 +5148,12 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>▲ 速度上限提高到 %1</translation>
     </message>
     <message>
-        <source>The arm may get faster than %1. Lower the cap in Settings; it ends with the program.</source>
+        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
         <translation>机械臂可能快于 %1。请在设置中降低上限；随程序结束而失效。</translation>
+    </message>
+    <message>
+        <source>MONITOR ONLY</source>
+        <translation>仅监视</translation>
     </message>
 </context>
 <context>
@@ -4819,18 +5163,18 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>按住</translation>
     </message>
     <message>
-        <source>Hold this key: it moves the arm only as long as it is held.</source>
+        <source>Hold this key: the arm moves only while it is held.</source>
         <translation>请按住此键：仅在按住时移动机械臂。</translation>
     </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
     <message>
-        <source>The window was not the active one. Press again.</source>
+        <source>The window was not active. Press again.</source>
         <translation>窗口刚才不是活动窗口。请重新按下。</translation>
     </message>
     <message>
-        <source>Click into the window first.</source>
+        <source>Click in the window first.</source>
         <translation>请先点击窗口内部。</translation>
     </message>
     <message>
@@ -4838,11 +5182,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>打开了对话框或菜单。请先关闭。</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>另一个键被按住。</translation>
     </message>
     <message>
-        <source>The display server does not answer: nobody could tell when the key is let go.</source>
+        <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>显示服务器不应答：无法得知何时松开按键。</translation>
     </message>
 </context>
@@ -4873,7 +5217,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>事件已录制：%1</translation>
     </message>
     <message>
-        <source>Everything from %1 s before it is in %2. Double-click this line to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
         <translation>此前 %1 s 起的全部在 %2 中。双击此行即可打开。</translation>
     </message>
 </context>
@@ -4896,12 +5240,12 @@ Jog the tip to a corner of the tray or table. Press From TCP, or 3 points to tak
         <translation>等待中…</translation>
     </message>
     <message>
-        <source>%1, old data</source>
+        <source>%1, outdated</source>
         <translation>%1，旧数据</translation>
     </message>
     <message>
         <source>
-Cannot be switched while no data come from the robot.</source>
+Cannot be switched while the robot sends no data.</source>
         <translation>
 没有来自机器人的数据时无法切换。</translation>
     </message>
@@ -4910,10 +5254,6 @@ Cannot be switched while no data come from the robot.</source>
 Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>
 点击切换：%1。P：脉冲。右键：脉冲、重命名。</translation>
-    </message>
-    <message>
-        <source>%1 (held by another)</source>
-        <translation>%1（被他者占用）</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -4926,6 +5266,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>Name of %1</source>
         <translation>%1 的名称</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4982,7 +5326,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>工具输入</translation>
     </message>
     <message>
-        <source>Go to a row of the tab I/O with the key Tab first.</source>
+        <source>Select a row of the I/O tab with the Tab key first.</source>
         <translation>请先用 Tab 键移到 I/O 选项卡的一行。</translation>
     </message>
     <message>
@@ -4990,7 +5334,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>机器人没有确认 %1</translation>
     </message>
     <message>
-        <source>Another program or the installation may own it.</source>
+        <source>Another program or the installation may control it.</source>
         <translation>可能由另一个程序或安装设置占用。</translation>
     </message>
     <message>
@@ -4998,7 +5342,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>模拟量</translation>
     </message>
     <message>
-        <source>Registers of the robot&apos;s programs</source>
+        <source>Registers of robot programs</source>
         <translation>机器人程序的寄存器</translation>
     </message>
     <message>
@@ -5006,8 +5350,20 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>没有来自机器人的数据。</translation>
     </message>
     <message>
-        <source>This is a replay: go back to live first.</source>
+        <source>Replay is active: return to live data first.</source>
         <translation>这是回放：请先返回实时状态。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be pulsed now</source>
+        <translation>现在无法对 %1 输出脉冲</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>已锁定</translation>
+    </message>
+    <message>
+        <source>controlled by another program</source>
+        <translation>由其他程序控制</translation>
     </message>
 </context>
 <context>
@@ -5029,7 +5385,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>关节</translation>
     </message>
     <message>
-        <source>Shown below the pad</source>
+        <source>Frame of the displayed pose</source>
         <translation>显示在操作盘下方</translation>
     </message>
     <message>
@@ -5037,7 +5393,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>机械臂尚未移动。</translation>
     </message>
     <message>
-        <source>let go and press again</source>
+        <source>release and press again</source>
         <translation>松开后重新按下</translation>
     </message>
     <message>
@@ -5065,7 +5421,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>返回</translation>
     </message>
     <message>
-        <source>Goes back the way the arm came while held</source>
+        <source>Retraces the last motion while held</source>
         <translation>按住时沿来路返回</translation>
     </message>
     <message>
@@ -5081,11 +5437,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>%1 s 后结束</translation>
     </message>
     <message>
-        <source>Another key is held.</source>
+        <source>Another key is already held.</source>
         <translation>另一个键被按住。</translation>
     </message>
     <message>
-        <source>Last stop: not seen, data ended while the arm moved</source>
+        <source>Last stop: not measured, data stopped while the arm was moving</source>
         <translation>上次停止：未见到，机械臂移动时数据中断</translation>
     </message>
     <message>
@@ -5093,7 +5449,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>上次停止：%1，%2 ms 后静止，%3</translation>
     </message>
     <message>
-        <source>The arm follows the hand while held: %1. Right click: other axes</source>
+        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
         <translation>按住时机械臂跟随手：%1。右键：其他轴</translation>
     </message>
     <message>
@@ -5112,7 +5468,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
 <context>
     <name>tiller::JogKey</name>
     <message>
-        <source>%1 left this way</source>
+        <source>%1 left in this direction</source>
         <translation>此方向剩余 %1</translation>
     </message>
 </context>
@@ -5158,11 +5514,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>按住时移动</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>旋转</translation>
     </message>
     <message>
-        <source>Turns while the key is held</source>
+        <source>Rotates while the key is held</source>
         <translation>按住时旋转</translation>
     </message>
     <message>
@@ -5170,7 +5526,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Axes of the picture: X right, Y away from you, Z up</source>
+        <source>Axes of the view: X right, Y away from you, Z up</source>
         <translation>画面的轴：X 向右，Y 远离您，Z 向上</translation>
     </message>
     <message>
@@ -5178,15 +5534,15 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>需要 3D 视图</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach one in the tab Frames.</source>
+        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
         <translation>还没有示教坐标系。请在坐标系选项卡中示教。</translation>
     </message>
     <message>
-        <source>One step a press: %1</source>
+        <source>One step per press: %1</source>
         <translation>每按一次一步：%1</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1</source>
+        <source>One rotation step per press, tool or joint: %1</source>
         <translation>每按一次转动工具或关节：%1</translation>
     </message>
     <message>
@@ -5194,23 +5550,23 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Slowly until the tool touches something with %1 N, while held. Click again for other steps</source>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
         <translation>按住时缓慢移动，直到工具以 %1 N 接触物体。再点击可选其他步长</translation>
     </message>
     <message>
-        <source>One step a press: %1. Click again for other steps</source>
+        <source>One step per press: %1. Click again for other steps</source>
         <translation>每按一次一步：%1。再点击可选其他步长</translation>
     </message>
     <message>
-        <source>One turn a press, of the tool or a joint: %1. Click again for other turns</source>
+        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
         <translation>每按一次转动工具或关节：%1。再点击可选其他角度</translation>
     </message>
     <message>
-        <source>%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
+        <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
         <translation>%1 · 旋转 %2 · 关节 %3 · Ctrl × 0.1，Shift × 3</translation>
     </message>
     <message>
-        <source>Other turn…</source>
+        <source>Other angle…</source>
         <translation>其他角度…</translation>
     </message>
     <message>
@@ -5234,15 +5590,15 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>步长（%1）</translation>
     </message>
     <message>
-        <source>Turn in degrees</source>
+        <source>Angle in degrees</source>
         <translation>角度（度）</translation>
     </message>
     <message>
-        <source>Speed of the TCP in %1</source>
+        <source>TCP speed in %1</source>
         <translation>TCP 速度（%1）</translation>
     </message>
     <message>
-        <source>Force that ends the motion, in N</source>
+        <source>Contact force that ends the motion, in N</source>
         <translation>结束动作的力（N）</translation>
     </message>
 </context>
@@ -5255,6 +5611,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>%1 plus</source>
         <translation>%1 加</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -5333,11 +5693,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>打开</translation>
     </message>
     <message>
-        <source>Open the recording of this incident, at the moment of the stop</source>
+        <source>Open the recording of this incident at the time of the stop</source>
         <translation>在停止时刻打开此事件的录制</translation>
     </message>
     <message>
-        <source>Open the recording at this moment</source>
+        <source>Open the recording at this time</source>
         <translation>在此时刻打开记录</translation>
     </message>
 </context>
@@ -5364,7 +5724,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>显示的严重程度</translation>
     </message>
     <message>
-        <source>Filter the log by words</source>
+        <source>Filter the log by text</source>
         <translation>按词过滤日志</translation>
     </message>
     <message>
@@ -5376,7 +5736,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>复制</translation>
     </message>
     <message>
-        <source>Copy the selected lines, or all that are shown (Ctrl+C)</source>
+        <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
         <translation>复制所选行，或所有显示的行 (Ctrl+C)</translation>
     </message>
     <message>
@@ -5384,11 +5744,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>导出…</translation>
     </message>
     <message>
-        <source>Write the lines that are shown to a file</source>
+        <source>Write the visible entries to a file</source>
         <translation>把显示的行写入文件</translation>
     </message>
     <message>
-        <source>The selected line in full</source>
+        <source>Details of the selected entry</source>
         <translation>所选行的全文</translation>
     </message>
     <message>
@@ -5412,70 +5772,50 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>打开录制</translation>
     </message>
     <message>
-        <source>Open the recording of the selected line: incidents have one</source>
+        <source>Open the recording of the selected entry (incidents have a recording)</source>
         <translation>打开所选行的录制：事件带有录制</translation>
     </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
     <message>
-        <source>%1 touches %2 of the arm already here</source>
-        <translation>%1 在此处已触碰机械臂的%2</translation>
-    </message>
-    <message>
-        <source>%1 meets %2 of the arm after %3 of the way</source>
+        <source>%1 collides with %2 after %3 of the path</source>
         <translation>%1 在行程 %3 后碰到机械臂的%2</translation>
     </message>
     <message>
-        <source>%1 touches the floor already here</source>
-        <translation>%1 在此处已触碰地面</translation>
-    </message>
-    <message>
-        <source>%1 meets the floor after %2 of the way</source>
-        <translation>%1 在行程 %2 后碰到地面</translation>
-    </message>
-    <message>
-        <source>%1 touches “%2” already here</source>
-        <translation>%1 在此处已触碰“%2”</translation>
-    </message>
-    <message>
-        <source>%1 meets “%2” after %3 of the way</source>
-        <translation>%1 在行程 %3 后碰到“%2”</translation>
-    </message>
-    <message>
-        <source>The line runs into the wrist singularity after %1 of the way</source>
+        <source>The path enters the wrist singularity after %1 of its length</source>
         <translation>直线在行程 %1 后进入手腕奇异点</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the way</source>
+        <source>Slow near the wrist singularity at %1 of the path</source>
         <translation>在行程 %1 处接近手腕奇异点而减速</translation>
     </message>
     <message>
-        <source>The line runs into the stretched elbow after %1 of the way</source>
+        <source>The path enters the elbow singularity after %1 of its length</source>
         <translation>直线在行程 %1 后使肘部伸直</translation>
     </message>
     <message>
-        <source>Slow near the stretched elbow at %1 of the way</source>
+        <source>Slow near the elbow singularity at %1 of the path</source>
         <translation>在行程 %1 处接近肘部伸直而减速</translation>
     </message>
     <message>
-        <source>The line runs into the axis of the base after %1 of the way</source>
+        <source>The path enters the shoulder singularity after %1 of its length</source>
         <translation>直线在行程 %1 后进入基座轴</translation>
     </message>
     <message>
-        <source>Slow near the axis of the base at %1 of the way</source>
+        <source>Slow near the shoulder singularity at %1 of the path</source>
         <translation>在行程 %1 处接近基座轴而减速</translation>
     </message>
     <message>
-        <source>A joint would have to turn at once after %1 of the way</source>
+        <source>A joint would have to jump after %1 of the path</source>
         <translation>在行程 %1 后某关节须突然转动</translation>
     </message>
     <message>
-        <source>%1 leaves its range after %2 of the way</source>
+        <source>%1 exceeds its range after %2 of the path</source>
         <translation>%1 在行程 %2 后超出其范围</translation>
     </message>
     <message>
-        <source>The line leaves the arm&apos;s reach after %1 of the way</source>
+        <source>The path leaves the reach of the arm after %1 of its length</source>
         <translation>直线在行程 %1 后超出机械臂可达范围</translation>
     </message>
     <message>
@@ -5509,6 +5849,26 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>Tool</source>
         <translation>工具</translation>
+    </message>
+    <message>
+        <source>%1 is in contact with %2, and the move leads closer</source>
+        <translation>%1 与 %2 接触，而该运动会更接近</translation>
+    </message>
+    <message>
+        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <translation>%1 距 %3 仅 %2，而该运动会更接近</translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 of %3 after %4 of the path</source>
+        <translation>%1 在路径的 %4 处距 %3 小于 %2</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
     </message>
 </context>
 <context>
@@ -5561,7 +5921,7 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>更多</translation>
     </message>
 </context>
@@ -5584,35 +5944,35 @@ Clear the search to see everything.</source>
         <translation>导入演示 (CSV)…</translation>
     </message>
     <message>
-        <source>The recording of the path ended by itself: the data stopped, or it lasted ten minutes.</source>
+        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
         <translation>路径录制自行结束：数据中断，或已满十分钟。</translation>
     </message>
     <message>
-        <source>What was recorded until then is kept.</source>
+        <source>The path recorded so far is kept.</source>
         <translation>此前录制的内容会保留。</translation>
     </message>
     <message>
-        <source>End the recording of the path</source>
+        <source>Stop recording path</source>
         <translation>结束路径录制</translation>
     </message>
     <message>
-        <source>The path is being thinned.</source>
+        <source>Simplifying the path…</source>
         <translation>正在精简路径。</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>没有来自机器人的数据：没有可录制的内容。</translation>
     </message>
     <message>
-        <source>Ends the recording and keeps the path as waypoints</source>
+        <source>Stops recording and stores the path as waypoints</source>
         <translation>结束录制并把路径保留为路点</translation>
     </message>
     <message>
-        <source>Records where the arm is led, by Freedrive or by jogging, until it is pressed again, and keeps the path as waypoints. It moves nothing.</source>
+        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
         <translation>录制机械臂经自由驱动或点动所走的路，直到再次按下，并保留为路点。它不移动任何东西。</translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>选择路径的路点，至少两个。</translation>
     </message>
     <message>
@@ -5624,7 +5984,7 @@ Clear the search to see everything.</source>
         <translation>表格 (*.csv)</translation>
     </message>
     <message>
-        <source>The path was not written.</source>
+        <source>The path was not exported.</source>
         <translation>路径未写入。</translation>
     </message>
     <message numerus="yes">
@@ -5645,19 +6005,19 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.</source>
+        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
         <translation>%1 没有列“%2”。需要 timestamp 和 actual_q_0 至 actual_q_5。</translation>
     </message>
     <message>
-        <source>No data come from the robot: there is nothing to record.</source>
+        <source>The robot sends no data: nothing to record.</source>
         <translation>没有来自机器人的数据：没有可录制的内容。</translation>
     </message>
     <message>
-        <source>Nothing was read: a path is being recorded. End that first.</source>
+        <source>Import refused: a path is being recorded. Stop that recording first.</source>
         <translation>未读取：正在录制路径。请先结束。</translation>
     </message>
     <message>
-        <source>The demonstration could not be read.</source>
+        <source>The demonstration could not be imported.</source>
         <translation>演示无法读取。</translation>
     </message>
     <message>
@@ -5665,7 +6025,7 @@ Clear the search to see everything.</source>
         <translation>路径 %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was kept.</source>
+        <source>The arm did not move: no path was stored.</source>
         <translation>机械臂没有移动：未保留路径。</translation>
     </message>
     <message>
@@ -5673,21 +6033,21 @@ Clear the search to see everything.</source>
         <translation>录制“%1”</translation>
     </message>
     <message>
-        <source>“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.</source>
+        <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
         <translation>“%1”：%2 s，%3 个路点。每个录制的位置都在其 %4 和 %5 之内。</translation>
     </message>
     <message numerus="yes">
-        <source>%n packets did not arrive.</source>
+        <source>%n packets were lost.</source>
         <translation>
             <numerusform>%n 个数据包未到达。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Select the waypoints of the path, at least two.</source>
+        <source>Select at least two waypoints of the path.</source>
         <translation>选择路径的路点，至少两个。</translation>
     </message>
     <message>
-        <source>“%1” cannot be reached. Touch it up, or leave it out.</source>
+        <source>“%1” is out of reach. Touch it up, or remove it.</source>
         <translation>“%1”不可达。请修正示教或略去。</translation>
     </message>
 </context>
@@ -5710,7 +6070,7 @@ Clear the search to see everything.</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>First place</source>
+        <source>First cell</source>
         <translation>第一个位置</translation>
     </message>
     <message>
@@ -5718,19 +6078,19 @@ Clear the search to see everything.</source>
         <translation>第一行末尾</translation>
     </message>
     <message>
-        <source>Beginning of the last row</source>
+        <source>Start of the last row</source>
         <translation>最后一行开头</translation>
     </message>
     <message>
-        <source>choose a waypoint</source>
+        <source>select a waypoint</source>
         <translation>选择路点</translation>
     </message>
     <message>
-        <source>as it was taught</source>
+        <source>as taught</source>
         <translation>按示教</translation>
     </message>
     <message>
-        <source>Places in a row</source>
+        <source>Cells per row</source>
         <translation>每行位置数</translation>
     </message>
     <message>
@@ -5742,11 +6102,11 @@ Clear the search to see everything.</source>
         <translation>层数</translation>
     </message>
     <message>
-        <source>Height of a layer</source>
+        <source>Layer height</source>
         <translation>层高</translation>
     </message>
     <message>
-        <source>From one layer to the next, against the direction of the tool.</source>
+        <source>Distance between layers, opposite to the tool direction.</source>
         <translation>从一层到下一层，与工具方向相反。</translation>
     </message>
     <message>
@@ -5762,7 +6122,7 @@ Clear the search to see everything.</source>
         <translation>蛇形</translation>
     </message>
     <message>
-        <source>Make pattern</source>
+        <source>Create pattern</source>
         <translation>建立阵列</translation>
     </message>
     <message>
@@ -5774,31 +6134,31 @@ Clear the search to see everything.</source>
         <translation>阵列需要名称。</translation>
     </message>
     <message>
-        <source>There is a pattern of that name. Choose another one.</source>
+        <source>A pattern with this name exists. Choose another name.</source>
         <translation>已有此名称的阵列。请选择其他名称。</translation>
     </message>
     <message>
-        <source>Choose the waypoint of each corner. Teach the three corners first where there are none.</source>
+        <source>Select a waypoint for each corner. Teach the three corners first.</source>
         <translation>选择每个角的路点。没有时请先示教三个角。</translation>
     </message>
     <message>
-        <source>Two corners are the same place. Choose another waypoint for one of them.</source>
+        <source>Two corners are identical. Select another waypoint for one of them.</source>
         <translation>两个角是同一位置。请为其中一个选择另一路点。</translation>
     </message>
     <message>
-        <source>The height of a layer is no figure it can be.</source>
+        <source>Invalid layer height.</source>
         <translation>层高不是可能的数值。</translation>
     </message>
     <message>
-        <source>Layers need a height.</source>
+        <source>Enter a layer height.</source>
         <translation>层需要高度。</translation>
     </message>
     <message>
-        <source>%1 places are more than the %2 a pattern can have.</source>
+        <source>The pattern has %1 cells; the maximum is %2.</source>
         <translation>%1 个位置超过阵列可有的 %2 个。</translation>
     </message>
     <message>
-        <source>Every place is left out.</source>
+        <source>All cells are excluded.</source>
         <translation>所有位置都被略去。</translation>
     </message>
     <message numerus="yes">
@@ -5808,7 +6168,7 @@ Clear the search to see everything.</source>
         </translation>
     </message>
     <message>
-        <source>%1 All can be reached.</source>
+        <source>%1 All are within reach.</source>
         <translation>%1 全部可达。</translation>
     </message>
     <message>
@@ -5816,7 +6176,7 @@ Clear the search to see everything.</source>
         <translation>%1 %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are out of reach; they are marked.</source>
+        <source>%n of them are out of reach and marked.</source>
         <translation>
             <numerusform>其中 %n 个不可达，已标记。</numerusform>
         </translation>
@@ -5825,11 +6185,11 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Places of the pattern</source>
+        <source>Cells of the pattern</source>
         <translation>阵列的位置</translation>
     </message>
     <message>
-        <source>Click a place to leave it out, or to take it in again. The first corner is at the lower left.</source>
+        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
         <translation>点击位置可略去或恢复。第一个角在左下。</translation>
     </message>
     <message>
@@ -5848,11 +6208,11 @@ Clear the search to see everything.</source>
         <translation>保留有效负载</translation>
     </message>
     <message>
-        <source>Find the payload</source>
+        <source>Measure payload</source>
         <translation>求有效负载</translation>
     </message>
     <message>
-        <source>Find the payload by weighing it in several poses</source>
+        <source>Measure the payload in several poses</source>
         <translation>在多个位姿称重以求有效负载</translation>
     </message>
     <message>
@@ -5860,7 +6220,7 @@ Clear the search to see everything.</source>
         <translation>下一位姿，按住</translation>
     </message>
     <message>
-        <source>Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look that the tool has room to turn.</source>
+        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation>按住时把手腕转到下一位姿，不快于点动速度。请确认工具有转动空间。</translation>
     </message>
     <message>
@@ -5868,47 +6228,47 @@ Clear the search to see everything.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Cancel finding the payload</source>
+        <source>Cancel payload measurement</source>
         <translation>取消求有效负载</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>机械臂未受控制。请先获取控制。</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
         <translation>机械臂移动了。请让其静止，不要触碰任何东西，再重新取位姿。</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre in figures instead.</source>
+        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
         <translation>机器人不发送力。请改用数值输入质量和重心。</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>正在称重… 请勿触碰工具。</translation>
     </message>
     <message>
-        <source>%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.</source>
+        <source>%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.</source>
         <translation>%1 kg，重心距法兰 %2。各位姿在 %3 和 %4 之内一致。</translation>
     </message>
     <message>
-        <source>%1 That is poor: pose %2 fits least. Remove it and take another one.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
         <translation>%1 这不够好：位姿 %2 最不吻合。请移除并另取一个。</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, turned to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
         <translation>各位姿之间工具转动太少。请转到另一侧再取一个。</translation>
     </message>
     <message>
-        <source>%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.</source>
+        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
         <translation>%1 kg：太轻，传感器无法得出重心。请用数值输入。</translation>
     </message>
     <message>
-        <source>Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by jogging or with Next pose, and take three more.</source>
+        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
         <translation>让机械臂静止，不触碰任何东西，取位姿。然后用点动或“下一位姿”转动手腕，再取三个。</translation>
     </message>
     <message numerus="yes">
-        <source>Turn the wrist to another side and take the pose. Still needed: %n</source>
+        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>把手腕转到另一侧并取位姿。还需：%n</numerusform>
         </translation>
@@ -5918,11 +6278,11 @@ Clear the search to see everything.</source>
         <translation>取位姿 %1</translation>
     </message>
     <message>
-        <source>Remove the worst</source>
+        <source>Remove least accurate pose</source>
         <translation>移除最差的</translation>
     </message>
     <message>
-        <source>Remove the last</source>
+        <source>Remove last pose</source>
         <translation>移除最后一个</translation>
     </message>
     <message>
@@ -5930,7 +6290,7 @@ Clear the search to see everything.</source>
         <translation>位姿 %1  %2</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ 最不吻合</translation>
     </message>
 </context>
@@ -5961,7 +6321,7 @@ Clear the search to see everything.</source>
         <translation>有效负载需要名称。</translation>
     </message>
     <message>
-        <source>“%1” is taken by another payload. Choose another name.</source>
+        <source>Another payload is named “%1”. Choose another name.</source>
         <translation>“%1”已是另一个有效负载的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -5985,8 +6345,8 @@ Clear the search to see everything.</source>
         <translation>有效负载</translation>
     </message>
     <message>
-        <source>No payload yet.
-Press From robot to keep the one it has, or Weigh… to find it with the arm.</source>
+        <source>No payloads yet.
+Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
         <translation>还没有有效负载。
 按“取自机器人”保留其现有的，或按“称重…”用机械臂求得。</translation>
     </message>
@@ -6023,7 +6383,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>重心 Z</translation>
     </message>
     <message>
-        <source>Return applies it to the project; the robot keeps its own.</source>
+        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
         <translation>回车应用到项目；机器人保持其自己的值。</translation>
     </message>
     <message>
@@ -6035,27 +6395,27 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>使用此有效负载并设到机器人</translation>
     </message>
     <message>
-        <source>Weigh…</source>
+        <source>Measure…</source>
         <translation>称重…</translation>
     </message>
     <message>
-        <source>Find the payload with the arm</source>
+        <source>Measure the payload with the arm</source>
         <translation>用机械臂求有效负载</translation>
     </message>
     <message>
-        <source>Is it true?</source>
+        <source>Verify</source>
         <translation>正确吗？</translation>
     </message>
     <message>
-        <source>Check whether the payload is true</source>
+        <source>Verify the payload</source>
         <translation>检查有效负载是否正确</translation>
     </message>
     <message>
-        <source>Keep the payload the robot has</source>
+        <source>Store the active payload of the robot</source>
         <translation>保留机器人现有的有效负载</translation>
     </message>
     <message>
-        <source>New payload in figures</source>
+        <source>Enter new payload</source>
         <translation>用数值新建有效负载</translation>
     </message>
     <message>
@@ -6091,7 +6451,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
-        <source>Select a payload to set.</source>
+        <source>Select the payload to set.</source>
         <translation>选择要设定的有效负载。</translation>
     </message>
     <message>
@@ -6099,7 +6459,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>使用有效负载“%1”</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>机械臂未受控制。请先获取控制。</translation>
     </message>
     <message>
@@ -6107,67 +6467,67 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>删除有效负载“%1”</translation>
     </message>
     <message>
-        <source>Weighing… let nothing touch the tool.</source>
+        <source>Measuring payload… Keep the tool free of contact.</source>
         <translation>正在称重… 请勿触碰工具。</translation>
     </message>
     <message>
-        <source>The arm moved. Let it come to rest, touch nothing, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
         <translation>机械臂移动了。请让其静止，不要触碰任何东西，再次检查。</translation>
     </message>
     <message>
-        <source>The robot sends no forces: its payload cannot be checked.</source>
+        <source>The robot sends no forces: the payload cannot be verified.</source>
         <translation>机器人不发送力：无法检查其有效负载。</translation>
     </message>
     <message>
-        <source>With %1 kg the arm feels %2 and %3 at rest.</source>
+        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
         <translation>以 %1 kg 计，机械臂静止时感受到 %2 和 %3。</translation>
     </message>
     <message>
-        <source>The payload is true. %1</source>
+        <source>The payload is correct. %1</source>
         <translation>有效负载正确。%1</translation>
     </message>
     <message>
-        <source>The payload is true</source>
+        <source>The payload is correct</source>
         <translation>有效负载正确</translation>
     </message>
     <message>
-        <source>About %1 kg more hang there than it was told of.</source>
+        <source>The load is about %1 kg heavier than the configured payload.</source>
         <translation>实际比告知的约重 %1 kg。</translation>
     </message>
     <message>
-        <source>About %1 kg less hang there than it was told of.</source>
+        <source>The load is about %1 kg lighter than the configured payload.</source>
         <translation>实际比告知的约轻 %1 kg。</translation>
     </message>
     <message>
-        <source>Its centre is elsewhere, or something touches the tool.</source>
+        <source>The centre of gravity differs, or something is touching the tool.</source>
         <translation>其重心在别处，或有东西触碰工具。</translation>
     </message>
     <message>
-        <source>%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a wrong payload until the tool turns.</source>
+        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 请称重，或选择另一个有效负载。力传感器归零只会掩盖错误，直到工具转动。</translation>
     </message>
     <message>
-        <source>The payload is not true. %1 %2</source>
+        <source>The payload is wrong. %1 %2</source>
         <translation>有效负载不正确。%1 %2</translation>
     </message>
     <message>
-        <source>The payload is not true</source>
+        <source>The payload is wrong</source>
         <translation>有效负载不正确</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1，与机器人一致</translation>
     </message>
     <message>
-        <source>%1; the robot was told %2 kg, centre %3</source>
+        <source>%1; the robot has %2 kg, centre of gravity %3</source>
         <translation>%1；机器人被告知 %2 kg，重心 %3</translation>
     </message>
     <message>
-        <source>The robot has another payload than “%1”</source>
+        <source>The robot&apos;s payload differs from “%1”</source>
         <translation>机器人的有效负载与“%1”不同</translation>
     </message>
     <message>
-        <source>On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.</source>
+        <source>On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing was changed.</source>
         <translation>机器人：%1 kg，重心 %2。项目：%3 kg，重心 %4。没有任何更改。</translation>
     </message>
     <message>
@@ -6194,7 +6554,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>频谱和 XY</translation>
     </message>
     <message>
-        <source>Kind of analysis</source>
+        <source>Type of analysis</source>
         <translation>分析类型</translation>
     </message>
     <message>
@@ -6202,11 +6562,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>信号</translation>
     </message>
     <message>
-        <source>Over this signal</source>
+        <source>X-axis signal</source>
         <translation>对此信号</translation>
     </message>
     <message>
-        <source>Put a signal onto the plots first.</source>
+        <source>Add a signal to the plots first.</source>
         <translation>请先把一个信号放到曲线图上。</translation>
     </message>
     <message>
@@ -6214,11 +6574,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>此范围内没有采样。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
         <translation>此范围内缺少采样：请放置光标 A 和 B，使其间没有缺口。</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s</source>
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
         <translation>%1 个采样的汉宁窗 · 每线 %2 Hz · %3 次平均 · %4 … %5 s</translation>
     </message>
     <message>
@@ -6236,7 +6596,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), one in %1</source>
+        <source>%n sample(s), every %1th shown</source>
         <translation>
             <numerusform>%n 个采样，每 %1 个取一个</numerusform>
         </translation>
@@ -6246,7 +6606,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These two are not of the same recording: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
         <translation>这两个信号不属于同一记录：请将光标 A 和 B 放在更短的区间上。</translation>
     </message>
     <message>
@@ -6257,11 +6617,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the model of the arm: which arm this is of is not known.</source>
+        <source>Not compared with the arm model: the recording does not state the robot model.</source>
         <translation>未与机械臂模型比较：不知道这是哪种机械臂。</translation>
     </message>
     <message>
-        <source>Arm and model part: %1</source>
+        <source>Arm and model diverge: %1</source>
         <translation>机械臂与模型分离：%1</translation>
     </message>
     <message>
@@ -6304,7 +6664,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>游标读数</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the keys A, B and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
         <translation>在曲线图中点击以放置游标 A 和 B；拖动它们，或使用 A、B 键和方向键。点击图例中的名称可隐藏其曲线，按住 Ctrl 则读取该信号。</translation>
     </message>
     <message>
@@ -6312,7 +6672,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>时间窗口</translation>
     </message>
     <message>
-        <source>How much time the plots show. The wheel over the plots zooms; over the values at the left, or with Ctrl, it zooms them, and a double click there lets the curves decide again.</source>
+        <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
         <translation>曲线图显示多长时间。在曲线图上滚轮缩放；在左侧数值上或按住 Ctrl 则缩放数值，在那里双击则重新由曲线决定。</translation>
     </message>
     <message>
@@ -6328,7 +6688,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>归零</translation>
     </message>
     <message>
-        <source>Export the shown range</source>
+        <source>Export the visible range</source>
         <translation>导出显示的范围</translation>
     </message>
     <message>
@@ -6336,7 +6696,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>导出…</translation>
     </message>
     <message>
-        <source>Save what is shown as a picture (PNG) or as values (CSV)</source>
+        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
         <translation>将显示内容保存为图片 (PNG) 或数值 (CSV)</translation>
     </message>
     <message>
@@ -6344,11 +6704,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>录制到 CSV 文件</translation>
     </message>
     <message>
-        <source>Record what the robot sends to a CSV file; the key beside it says what and where</source>
+        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
         <translation>把机器人发送的内容录制到 CSV 文件；旁边的键说明内容和位置</translation>
     </message>
     <message>
-        <source>The force was not zeroed: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>力未归零：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
     </message>
     <message>
@@ -6376,7 +6736,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>继续</translation>
     </message>
     <message>
-        <source>Hold the plots still; data and recording go on</source>
+        <source>Freeze the plots; data and recording continue</source>
         <translation>冻结曲线图；数据和录制继续</translation>
     </message>
     <message>
@@ -6384,11 +6744,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>回到最新样本</translation>
     </message>
     <message>
-        <source>Show the force as the robot measures it again. %1</source>
+        <source>Show the force as measured by the robot. %1</source>
         <translation>重新按机器人测量值显示力。%1</translation>
     </message>
     <message>
-        <source>Count the force from what it is now. Only what the plots show: the robot, recordings and exported values keep what was measured.</source>
+        <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
         <translation>从当前值起计力。仅影响曲线图的显示：机器人、录制和导出的数值保持测量值。</translation>
     </message>
     <message>
@@ -6412,11 +6772,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>模拟</translation>
     </message>
     <message>
-        <source>Nothing was exported: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
+        <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>没有导出：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
     </message>
     <message>
-        <source>Exported the shown range to %1</source>
+        <source>Exported the visible range to %1</source>
         <translation>显示的范围已导出到 %1</translation>
     </message>
     <message>
@@ -6436,7 +6796,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>数值 (*.csv)</translation>
     </message>
     <message>
-        <source>What is recorded</source>
+        <source>Recording options</source>
         <translation>录制的内容</translation>
     </message>
     <message>
@@ -6444,11 +6804,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>下次录制的行、信号、文件夹和文件名</translation>
     </message>
     <message>
-        <source>A row for every packet</source>
+        <source>One row per packet</source>
         <translation>每个数据包一行</translation>
     </message>
     <message numerus="yes">
-        <source>A row for every %n packet(s)</source>
+        <source>One row every %n packet(s)</source>
         <translation>
             <numerusform>每 %n 个数据包一行</numerusform>
         </translation>
@@ -6472,7 +6832,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>文件夹 %1…</translation>
     </message>
     <message>
-        <source>Show the folder</source>
+        <source>Open folder</source>
         <translation>显示文件夹</translation>
     </message>
     <message>
@@ -6488,11 +6848,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>导出：此范围内没有样本</translation>
     </message>
     <message>
-        <source>name the file .png, .svg or .pdf for a picture, .csv for values</source>
+        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
         <translation>图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名</translation>
     </message>
     <message>
-        <source>%1, at %2 s of the plots&apos; time</source>
+        <source>%1, at %2 s on the time axis</source>
         <translation>%1，曲线图时间 %2 s</translation>
     </message>
     <message>
@@ -6504,11 +6864,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>记录</translation>
     </message>
     <message>
-        <source>What happened at this moment?</source>
+        <source>What happened at this time?</source>
         <translation>此刻发生了什么？</translation>
     </message>
     <message>
-        <source>The plots are in the clipboard as a picture.</source>
+        <source>The plots were copied to the clipboard as an image.</source>
         <translation>曲线图已作为图片复制到剪贴板。</translation>
     </message>
     <message>
@@ -6524,7 +6884,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>新建页</translation>
     </message>
     <message>
-        <source>Take this page away</source>
+        <source>Remove this page</source>
         <translation>去除此页</translation>
     </message>
     <message>
@@ -6536,19 +6896,19 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>打开录制…</translation>
     </message>
     <message>
-        <source>Close the recordings</source>
+        <source>Close recordings</source>
         <translation>关闭录制</translation>
     </message>
     <message>
-        <source>Copy the plots as a picture</source>
+        <source>Copy plots as image</source>
         <translation>将曲线图复制为图片</translation>
     </message>
     <message>
-        <source>Save this arrangement…</source>
+        <source>Save layout…</source>
         <translation>保存此布置…</translation>
     </message>
     <message>
-        <source>Open an arrangement…</source>
+        <source>Open layout…</source>
         <translation>打开布置…</translation>
     </message>
     <message>
@@ -6556,12 +6916,8 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>历史内存</translation>
     </message>
     <message>
-        <source>save the arrangement to %1</source>
+        <source>save the layout to %1</source>
         <translation>将布置保存到 %1</translation>
-    </message>
-    <message>
-        <source>open the arrangement %1</source>
-        <translation>打开布置 %1</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -6576,15 +6932,15 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>录制 (*.mcap *.csv *.h5 *.hdf5);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Save the arrangement of the plots</source>
+        <source>Save plot layout</source>
         <translation>保存曲线图布置</translation>
     </message>
     <message>
-        <source>Arrangement of plots (*.json)</source>
+        <source>Plot layouts (*.json)</source>
         <translation>曲线图布置 (*.json)</translation>
     </message>
     <message>
-        <source>Open an arrangement of plots</source>
+        <source>Open plot layout</source>
         <translation>打开曲线图布置</translation>
     </message>
     <message>
@@ -6600,7 +6956,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>信号</translation>
     </message>
     <message>
-        <source>Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double click</source>
+        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
         <translation>机器人报告的一切：拖到图上，拖到边缘则为单独的图，或双击</translation>
     </message>
     <message>
@@ -6612,11 +6968,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>值</translation>
     </message>
     <message>
-        <source>What every signal has at the cursors A and B, and what lies between them: smallest, largest, mean, RMS, deviation, slope</source>
+        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>每个信号在游标 A 和 B 处的值，以及其间的最小、最大、平均、RMS、偏差、斜率</translation>
     </message>
     <message>
-        <source>Pages and arrangement of the plots</source>
+        <source>Pages and layout of the plots</source>
         <translation>曲线图的页与布置</translation>
     </message>
     <message>
@@ -6624,7 +6980,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>布置 ▾</translation>
     </message>
     <message>
-        <source>read an arrangement of plots</source>
+        <source>read a plot layout</source>
         <translation>读取曲线图布置</translation>
     </message>
     <message>
@@ -6632,7 +6988,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>频谱和 XY</translation>
     </message>
     <message>
-        <source>Export the shown range…</source>
+        <source>Export the visible range…</source>
         <translation>导出所示范围…</translation>
     </message>
     <message>
@@ -6640,7 +6996,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>时间轴</translation>
     </message>
     <message>
-        <source>Before the newest sample</source>
+        <source>Relative to the newest sample</source>
         <translation>相对最新采样</translation>
     </message>
     <message>
@@ -6648,11 +7004,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>控制器时间</translation>
     </message>
     <message>
-        <source>Time of the day</source>
+        <source>Time of day</source>
         <translation>时刻</translation>
     </message>
     <message>
-        <source>There are as many pages of plots as there may be: take one away first.</source>
+        <source>The maximum number of plot pages is reached: remove a page first.</source>
         <translation>曲线图页数已达上限：请先移除一页。</translation>
     </message>
     <message>
@@ -6660,11 +7016,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>录制到 MCAP 文件</translation>
     </message>
     <message>
-        <source>Record what the robot sends to an MCAP file; the key beside it says what and where</source>
+        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
         <translation>把机器人发送的内容录制到 MCAP 文件；旁边的按键说明内容和位置</translation>
     </message>
     <message numerus="yes">
-        <source>%1 · %2 a second · %3 free · %n packet(s) lost</source>
+        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
             <numerusform>%1 · 每秒 %2 · 剩余 %3 · 丢失 %n 个数据包</numerusform>
         </translation>
@@ -6712,7 +7068,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>第 %1 页</translation>
     </message>
     <message>
-        <source>Double click: another name</source>
+        <source>Double-click to rename</source>
         <translation>双击：改名</translation>
     </message>
 </context>
@@ -6775,15 +7131,15 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click into the plots to place A, then B: what lies between them is summed up here.</source>
+        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
         <translation>在曲线图中点击放置 A，然后 B：其间的内容在此汇总。</translation>
     </message>
     <message>
-        <source>%1 · summing up: %2</source>
+        <source>%1 · calculating: %2</source>
         <translation>%1 · 正在汇总：%2</translation>
     </message>
     <message>
-        <source>Not all of the range could be summed up: %1</source>
+        <source>Statistics are incomplete: %1</source>
         <translation>该区间未能全部汇总：%1</translation>
     </message>
 </context>
@@ -6810,7 +7166,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>%1 %2 s · %3 %4</translation>
     </message>
     <message>
-        <source>Scale held · double click the axis to let it go</source>
+        <source>Fixed scale · double-click the axis to scale automatically</source>
         <translation>刻度固定 · 双击轴可释放</translation>
     </message>
     <message>
@@ -6818,7 +7174,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>还没有样本：请连接机器人</translation>
     </message>
     <message>
-        <source>Zeroed: %1 %2 taken off</source>
+        <source>Zeroed (offset %1 %2)</source>
         <translation>已归零：减去 %1 %2</translation>
     </message>
     <message>
@@ -6826,7 +7182,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>随时间的曲线图</translation>
     </message>
     <message>
-        <source>A and B place the cursors, the arrow keys move them, up and down choose the signal they read; H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl the scale of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End goes back to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation>A 和 B 放置游标，方向键移动它们，上下选择读取的信号；H 隐藏其曲线，Ctrl+Delete 去除；加减改变时间窗口，按住 Ctrl 改变数值刻度，Ctrl+0 重新由曲线决定；N 写记录；F 全部显示；End 回到最新样本</translation>
     </message>
     <message>
@@ -6888,11 +7244,11 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>%1中的 TCP 位姿</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ₀: way since zero. Click: way since the press</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
         <translation>方向按设置中的选择。Δ₀：自归零的行程。点击：自按下的行程</translation>
     </message>
     <message>
-        <source>orientation as chosen in Settings. Δ: way since the press. Click: zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
         <translation>方向按设置中的选择。Δ：自按下的行程。点击：此处归零</translation>
     </message>
     <message>
@@ -6915,7 +7271,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
         <translation>位置需要名称。</translation>
     </message>
     <message>
-        <source>“%1” is taken by another position. Choose another name.</source>
+        <source>Another position is named “%1”. Choose another name.</source>
         <translation>“%1”已是另一个位置的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -6928,7 +7284,7 @@ Press From robot to keep the one it has, or Weigh… to find it with the arm.</s
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a place and press Set home here, or Add here.</source>
+Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>还没有位置。
 把机械臂点动到某处，按“此处设为原位”或“在此添加”。</translation>
     </message>
@@ -6937,11 +7293,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>安全高度</translation>
     </message>
     <message>
-        <source>%1. Return applies it; nothing moves but the position.</source>
+        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
         <translation>%1。回车应用；只有该位置改变。</translation>
     </message>
     <message>
-        <source>Above it, in the base frame, nothing stands: there the TCP may go sideways.</source>
+        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
         <translation>在基座坐标系中其上方没有任何东西：TCP 可在那里横向移动。</translation>
     </message>
     <message>
@@ -6949,7 +7305,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>此处</translation>
     </message>
     <message>
-        <source>The safe height is where the TCP is now</source>
+        <source>Set the safe height to the current TCP height</source>
         <translation>安全高度为 TCP 当前所在处</translation>
     </message>
     <message>
@@ -6961,7 +7317,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>在此添加</translation>
     </message>
     <message>
-        <source>Keep the position the arm has</source>
+        <source>Store the current position of the arm</source>
         <translation>保留机械臂现有的位置</translation>
     </message>
     <message>
@@ -6977,12 +7333,8 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>修正示教位置</translation>
     </message>
     <message>
-        <source>Use the usual home again</source>
+        <source>Reset to default home</source>
         <translation>恢复使用通常的原位</translation>
-    </message>
-    <message>
-        <source>Use the usual home</source>
-        <translation>使用通常的原位</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -6993,7 +7345,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>删除位置</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>机器人的数据太旧。请等待新数据。</translation>
     </message>
     <message>
@@ -7001,11 +7353,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
-        <source>Set “%1” to where the arm stands?</source>
+        <source>Set “%1” to the current position of the arm?</source>
         <translation>将“%1”设为机械臂所在处？</translation>
     </message>
     <message>
-        <source>The key Home goes there from now on.</source>
+        <source>The Home key will move the arm there.</source>
         <translation>此后“原位”键会移到那里。</translation>
     </message>
     <message>
@@ -7065,11 +7417,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>无安全高度</translation>
     </message>
     <message>
-        <source>The key Home goes to the usual home: upright, clear of itself.</source>
+        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
         <translation>“原位”键移到通常的原位：直立，与自身无干涉。</translation>
     </message>
     <message>
-        <source>%1: the key Home goes there</source>
+        <source>%1: target of the Home key</source>
         <translation>%1：“原位”键移到那里</translation>
     </message>
     <message>
@@ -7080,7 +7432,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first: it is in the robot menu.</source>
+        <source>Start the simulated robot first (robot menu).</source>
         <translation>请先启动模拟机器人：在机器人菜单中。</translation>
     </message>
     <message>
@@ -7088,11 +7440,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>请先给机械臂上电并松开制动器。</translation>
     </message>
     <message>
-        <source>The arm is in a stop. Recover from it first.</source>
+        <source>The arm is stopped by the safety system. Recover first.</source>
         <translation>机械臂处于停止状态。请先恢复。</translation>
     </message>
     <message>
-        <source>Done. Start does it once more.</source>
+        <source>Done. Press Start to repeat the task.</source>
         <translation>完成。“开始”可再做一次。</translation>
     </message>
     <message>
@@ -7119,7 +7471,7 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>力 Fz（牛顿）</translation>
     </message>
     <message>
-        <source>figure, then Return</source>
+        <source>enter value, press Return</source>
         <translation>数值，然后回车</translation>
     </message>
     <message>
@@ -7127,11 +7479,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>Fz [N]</translation>
     </message>
     <message>
-        <source>The task before</source>
+        <source>Previous task</source>
         <translation>上一个任务</translation>
     </message>
     <message>
-        <source>The next task</source>
+        <source>Next task</source>
         <translation>下一个任务</translation>
     </message>
     <message>
@@ -7139,15 +7491,15 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>练习 · %1 / %2</translation>
     </message>
     <message>
-        <source>Begins the task, or begins it anew</source>
+        <source>Starts or restarts the task</source>
         <translation>开始任务，或重新开始</translation>
     </message>
     <message>
-        <source>Goes on to the next task</source>
+        <source>Continues with the next task</source>
         <translation>进入下一个任务</translation>
     </message>
     <message>
-        <source>Possible once the check above says so</source>
+        <source>Available after the check above has passed</source>
         <translation>上面的检查认可后才可用</translation>
     </message>
 </context>
@@ -7158,15 +7510,15 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>良好</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Check</source>
         <translation>注意</translation>
     </message>
     <message>
-        <source>Bad</source>
+        <source>Failed</source>
         <translation>不良</translation>
     </message>
     <message>
-        <source>Not looked at</source>
+        <source>Not checked</source>
         <translation>未检查</translation>
     </message>
     <message>
@@ -7178,11 +7530,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>条件</translation>
     </message>
     <message>
-        <source>Connected anyway, the window shows what data there are. What is red above may keep it from taking control, or end a motion while it runs.</source>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
         <translation>若仍然连接，窗口会显示现有数据。上面的红色项可能妨碍获取控制，或使动作中途结束。</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Check again</source>
         <translation>再次检查</translation>
     </message>
     <message>
@@ -7194,11 +7546,11 @@ Jog the arm to a place and press Set home here, or Add here.</source>
         <translation>连接</translation>
     </message>
     <message>
-        <source>Keep everybody out of the arm&apos;s reach.
+        <source>Keep everyone out of reach of the arm.
 Keep the emergency stop at hand: STOP in this window is a software stop.
-Begin slowly: the first speed is %1.
-Watch the arm, not the screen, while a key is held.
-Let go of the key and the arm stops.</source>
+Start slowly: the initial speed is %1.
+Watch the arm, not the screen, while you hold a key.
+Release the key to stop the arm.</source>
         <translation>不要让任何人进入机械臂的可达范围。
 紧急停止应在手边：此窗口的 STOP 是软件停止。
 慢速开始：首个速度为 %1。
@@ -7206,11 +7558,11 @@ Let go of the key and the arm stops.</source>
 松开按键，机械臂即停止。</translation>
     </message>
     <message>
-        <source>Looking at %1…</source>
+        <source>Checking %1…</source>
         <translation>正在检查 %1…</translation>
     </message>
     <message>
-        <source>Something is in the way</source>
+        <source>Problems found</source>
         <translation>有障碍</translation>
     </message>
     <message>
@@ -7239,7 +7591,7 @@ Let go of the key and the arm stops.</source>
         </translation>
     </message>
     <message>
-        <source>Change the order</source>
+        <source>Change order</source>
         <translation>更改顺序</translation>
     </message>
 </context>
@@ -7254,7 +7606,7 @@ Let go of the key and the arm stops.</source>
         <translation>项目无法保存</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was left as it is.</source>
+        <source>%1. Update Tiller to open it. The file was not changed.</source>
         <translation>%1。请更新 Tiller 后打开。文件保持原样。</translation>
     </message>
     <message>
@@ -7278,7 +7630,7 @@ Let go of the key and the arm stops.</source>
         <translation>已打开“%1”的副本。请保存到文件以保留更改。</translation>
     </message>
     <message>
-        <source>“%1” is a copy and has changes that are in no file.</source>
+        <source>“%1” is a copy with unsaved changes.</source>
         <translation>“%1”是副本，其更改不在任何文件中。</translation>
     </message>
     <message>
@@ -7286,7 +7638,7 @@ Let go of the key and the arm stops.</source>
         <translation>另存为…</translation>
     </message>
     <message>
-        <source>Drop the changes</source>
+        <source>Discard changes</source>
         <translation>放弃更改</translation>
     </message>
     <message>
@@ -7298,7 +7650,7 @@ Let go of the key and the arm stops.</source>
         <translation>%1 已损坏</translation>
     </message>
     <message>
-        <source>%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.</source>
+        <source>%1. Readable waypoints: %2, unreadable: %3. The damaged file is kept.</source>
         <translation>%1。可读路点：%2，不可读：%3。损坏的文件会保留。</translation>
     </message>
     <message numerus="yes">
@@ -7306,6 +7658,187 @@ Let go of the key and the arm stops.</source>
         <translation>
             <numerusform>打开 %n 个路点</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 is saved again</source>
+        <translation>%1 已恢复保存</translation>
+    </message>
+    <message>
+        <source>The other window closed %1. Changes in this window are saved again.</source>
+        <translation>另一个窗口已关闭 %1。此窗口中的更改会重新保存。</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window</source>
+        <translation>%1 已在另一个窗口中打开</translation>
+    </message>
+    <message>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <translation>由 %1 打开。在您接管项目之前，此窗口中的更改不会保存到文件。</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>接管</translation>
+    </message>
+    <message>
+        <source>Save as a copy</source>
+        <translation>另存为副本</translation>
+    </message>
+    <message>
+        <source>View only</source>
+        <translation>仅查看</translation>
+    </message>
+    <message>
+        <source>Another window or program has changed %1</source>
+        <translation>另一个窗口或程序更改了 %1</translation>
+    </message>
+    <message>
+        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
+        <translation>此窗口有未保存的更改。重新加载会放弃它们。“两者都保留”会将此窗口的项目保存到第二个文件。</translation>
+    </message>
+    <message>
+        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>重新加载会显示新内容。“两者都保留”会将此窗口的项目保存到第二个文件。在您决定之前，更改不会保存。</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>重新加载</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>两者都保留</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>稍后决定</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>无法接管项目</translation>
+    </message>
+    <message>
+        <source>Reloaded %1</source>
+        <translation>已重新加载 %1</translation>
+    </message>
+    <message>
+        <source>This window&apos;s project is now %1</source>
+        <translation>此窗口的项目现为 %1</translation>
+    </message>
+    <message>
+        <source>A project without a file</source>
+        <translation>没有文件的项目</translation>
+    </message>
+    <message>
+        <source>Unsaved work is available</source>
+        <translation>有未保存的工作</translation>
+    </message>
+    <message>
+        <source>“%1” was changed on %2 and not saved to a file.</source>
+        <translation>“%1”于 %2 更改，但未保存到文件。</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Ask again next time</source>
+        <translation>下次再问</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved. %2</source>
+        <translation>%1 有未保存的更改。%2</translation>
+    </message>
+    <message>
+        <source>The project has unsaved changes.</source>
+        <translation>项目有未保存的更改。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProjectFit</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 以及另外 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>TCP of %1</source>
+        <translation>%1 的 TCP</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, but a %2 is connected. The same joint positions lead to different poses.</source>
+        <translation>项目是用 %1 示教的，但连接的是 %2。相同的关节位置会得到不同的位姿。</translation>
+    </message>
+    <message>
+        <source>The project uses the TCP “%1”. The active TCP of the robot differs by %2.</source>
+        <translation>项目使用 TCP“%1”。机器人当前的 TCP 相差 %2。</translation>
+    </message>
+    <message>
+        <source>The project fits the connected robot.</source>
+        <translation>项目与已连接的机器人相符。</translation>
+    </message>
+    <message>
+        <source>Connect the robot for this project.</source>
+        <translation>请连接此项目的机器人。</translation>
+    </message>
+    <message>
+        <source>Project of another robot model</source>
+        <translation>其他机器人型号的项目</translation>
+    </message>
+    <message>
+        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>保持位姿：Tiller 重新计算关节位置，工具到达相同的位姿。保持关节：机械臂保持其构型，工具到达不同的位姿。在您决定之前，不能移动到项目中的位置。</translation>
+    </message>
+    <message>
+        <source>Keep poses</source>
+        <translation>保持位姿</translation>
+    </message>
+    <message>
+        <source>Keep joints</source>
+        <translation>保持关节</translation>
+    </message>
+    <message>
+        <source>TCP differs from the project</source>
+        <translation>TCP 与项目不同</translation>
+    </message>
+    <message>
+        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>使用机器人的 TCP 时，法兰会移动到示教位置。在您决定之前，不能移动到项目中的位置。</translation>
+    </message>
+    <message>
+        <source>Set “%1” on the robot</source>
+        <translation>在机器人上设置“%1”</translation>
+    </message>
+    <message>
+        <source>Keep the robot’s TCP</source>
+        <translation>保持机器人的 TCP</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the poses</source>
+        <translation>从 %1 转换到 %2，保持位姿</translation>
+    </message>
+    <message>
+        <source>Convert from %1 to %2, keep the joints</source>
+        <translation>从 %1 转换到 %2，保持关节</translation>
+    </message>
+    <message>
+        <source>Out of reach: %1.</source>
+        <translation>不可达：%1。</translation>
+    </message>
+    <message>
+        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <translation>因不可达而移除：%1。撤销可恢复。</translation>
+    </message>
+    <message>
+        <source>Some positions are out of reach</source>
+        <translation>部分位置不可达</translation>
+    </message>
+    <message>
+        <source>Moves to positions of this project are blocked</source>
+        <translation>不能移动到此项目中的位置</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
     </message>
 </context>
 <context>
@@ -7338,6 +7871,34 @@ Let go of the key and the arm stops.</source>
         <source>no file chosen</source>
         <translation>未选择文件</translation>
     </message>
+    <message>
+        <source>%1 — open in another window, changes here are not saved</source>
+        <translation>%1 — 已在另一个窗口中打开，此处的更改不会保存</translation>
+    </message>
+    <message>
+        <source>%1 — changed by another program, changes here are not saved</source>
+        <translation>%1 — 已被其他程序更改，此处的更改不会保存</translation>
+    </message>
+    <message>
+        <source>Unsaved project</source>
+        <translation>未保存的项目</translation>
+    </message>
+    <message>
+        <source>save %1</source>
+        <translation>保存 %1</translation>
+    </message>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>已在另一个窗口中打开（%1）</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>其他程序</translation>
+    </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>其他程序已更改它</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -7346,7 +7907,7 @@ Let go of the key and the arm stops.</source>
         <translation>恢复</translation>
     </message>
     <message>
-        <source>Force at the TCP</source>
+        <source>TCP force</source>
         <translation>TCP 处的力</translation>
     </message>
     <message>
@@ -7354,7 +7915,7 @@ Let go of the key and the arm stops.</source>
         <translation>关节电流</translation>
     </message>
     <message>
-        <source>Speed of the TCP</source>
+        <source>TCP speed</source>
         <translation>TCP 速度</translation>
     </message>
     <message>
@@ -7366,7 +7927,7 @@ Let go of the key and the arm stops.</source>
         <translation>位于 X %1，Y %2，Z %3。</translation>
     </message>
     <message>
-        <source>Suspected joint: %1, whose current left its target furthest.</source>
+        <source>Suspected joint: %1 (largest deviation from its target current).</source>
         <translation>可疑关节：%1，其电流偏离目标最远。</translation>
     </message>
     <message>
@@ -7374,11 +7935,11 @@ Let go of the key and the arm stops.</source>
         <translation> (%1 s)</translation>
     </message>
     <message>
-        <source>Tick what you have looked at.</source>
+        <source>Tick the items that you have checked.</source>
         <translation>请勾选您已查看的项。</translation>
     </message>
     <message>
-        <source>Asked; waiting for the robot…</source>
+        <source>Requested; waiting for the robot…</source>
         <translation>已请求；等待机器人…</translation>
     </message>
 </context>
@@ -7409,15 +7970,15 @@ Let go of the key and the arm stops.</source>
         <translation>位</translation>
     </message>
     <message>
-        <source>Kind of input register</source>
+        <source>Input register type</source>
         <translation>输入寄存器的类型</translation>
     </message>
     <message>
-        <source>Number of the input register</source>
+        <source>Input register number</source>
         <translation>输入寄存器的编号</translation>
     </message>
     <message>
-        <source>Value for the input register</source>
+        <source>Input register value</source>
         <translation>输入寄存器的值</translation>
     </message>
     <message>
@@ -7436,7 +7997,7 @@ Let go of the key and the arm stops.</source>
         <translation>返回实时</translation>
     </message>
     <message>
-        <source>Show what the robot does now; a recording stays open in the plots</source>
+        <source>Show the current state of the robot. The recording stays open in the plots</source>
         <translation>显示机器人当前的动作；录制仍在曲线图中打开</translation>
     </message>
 </context>
@@ -7459,7 +8020,7 @@ Let go of the key and the arm stops.</source>
         <translation>机器人上的弹窗</translation>
     </message>
     <message>
-        <source>It could not be closed from here: close it on the teach pendant.</source>
+        <source>The popup could not be closed from here: close it on the teach pendant.</source>
         <translation>无法从此处关闭：请在示教器上关闭。</translation>
     </message>
     <message>
@@ -7473,7 +8034,7 @@ Let go of the key and the arm stops.</source>
         </translation>
     </message>
     <message>
-        <source>A program that waits for it goes on once it is closed: keep clear of the arm.</source>
+        <source>A waiting program continues when the popup is closed: keep clear of the arm.</source>
         <translation>等待它的程序在关闭后会继续：请远离机械臂。</translation>
     </message>
     <message>
@@ -7512,7 +8073,7 @@ Let go of the key and the arm stops.</source>
         <translation>已控制</translation>
     </message>
     <message>
-        <source>Taking control was ended by a stop</source>
+        <source>Taking control was cancelled by a stop</source>
         <translation>获取控制被停止打断</translation>
     </message>
     <message>
@@ -7536,7 +8097,7 @@ Let go of the key and the arm stops.</source>
         <translation>机器人上的弹窗：%1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot waits for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
         <translation>机器人上的程序在等待示教器上的答复：%1</translation>
     </message>
     <message>
@@ -7552,16 +8113,42 @@ Let go of the key and the arm stops.</source>
         <translation>正在连接 %1…</translation>
     </message>
     <message>
-        <source>No data from the robot. Reconnecting by itself; motion does not resume.</source>
+        <source>No data from the robot. Reconnecting automatically; motion does not resume.</source>
         <translation>没有来自机器人的数据。正在自动重连；动作不会恢复。</translation>
     </message>
     <message>
-        <source>Data from the robot are late.</source>
+        <source>Robot data are late.</source>
         <translation>来自机器人的数据迟到。</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>正在获取控制…</translation>
+    </message>
+    <message>
+        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <translation>仅监视：此窗口不更改机器人的任何状态。STOP 仍然有效。</translation>
+    </message>
+    <message>
+        <source>Monitor only is off</source>
+        <translation>仅监视已关闭</translation>
+    </message>
+    <message>
+        <source>%1: refused. %2</source>
+        <translation>%1：已拒绝。%2</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>获取控制</translation>
+    </message>
+    <message>
+        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>已交还控制：控制连接在 0.5 秒内无响应或已关闭。STOP、空格键和 Esc 仍可停止机器人。请重新获取控制。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The robot sends too many messages: %n were not shown</source>
+        <translation>
+            <numerusform>机器人发送的消息过多：%n 条未显示</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7571,7 +8158,7 @@ Let go of the key and the arm stops.</source>
         <translation>正在连接夹爪…</translation>
     </message>
     <message>
-        <source>The gripper gives no values. Power the arm on; if it stays so, check the gripper&apos;s cable at the wrist.</source>
+        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
         <translation>夹爪没有数值。请给机械臂上电；若仍如此，检查手腕处的夹爪电缆。</translation>
     </message>
     <message>
@@ -7583,7 +8170,7 @@ Let go of the key and the arm stops.</source>
         <translation>夹爪已激活</translation>
     </message>
     <message>
-        <source>The gripper did not become active. See that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
         <translation>夹爪没有激活。确认手指没有受阻，然后再按“激活”。</translation>
     </message>
     <message>
@@ -7603,27 +8190,27 @@ Let go of the key and the arm stops.</source>
         <translation>%1 失败。%2</translation>
     </message>
     <message>
-        <source>Nobody answers for the gripper at %1:%2. Install Robotiq&apos;s URCap on the robot and choose the gripper in its Installation.</source>
+        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>%1:%2 处没有夹爪应答。请在机器人上安装 Robotiq 的 URCap，并在其安装设置中选择夹爪。</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if it stays so.</source>
+        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>夹爪不应答。检查手腕处的电缆和机器人安装设置中的页面；若仍如此，重启机器人。</translation>
     </message>
     <message>
-        <source>The connection to the gripper was ended by the robot, which may be restarting. It comes back by itself; the gripper goes on holding.</source>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>机器人结束了与夹爪的连接，可能正在重启。会自行恢复；夹爪继续夹持。</translation>
     </message>
     <message>
-        <source>The gripper did not take it. Activate it; if it is active, look at its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
         <translation>夹爪没有接受。请激活它；若已激活，查看机器人安装设置中的页面。</translation>
     </message>
     <message>
-        <source>The gripper is being activated: what was asked for is done afterwards.</source>
+        <source>The gripper is activating; the command runs afterwards.</source>
         <translation>正在激活夹爪：所要求的随后执行。</translation>
     </message>
     <message>
-        <source>The gripper was sent somewhere before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press Activate.</source>
         <translation>夹爪在激活前被指令移动。请按“激活”。</translation>
     </message>
     <message>
@@ -7631,35 +8218,35 @@ Let go of the key and the arm stops.</source>
         <translation>夹爪过热。待其冷却后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper heard nothing for a second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
         <translation>夹爪一秒钟没有收到信息。检查手腕处的电缆，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper has too little voltage. Set the tool&apos;s voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
         <translation>夹爪电压不足。把工具电压设为 24 V，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release is under way. Wait until it ends, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
         <translation>夹爪正在自动释放。等其结束后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper&apos;s automatic release has ended. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press Activate.</source>
         <translation>夹爪的自动释放已结束。请按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.</source>
+        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
         <translation>夹爪有内部故障。请按“激活”；若再次出现，请咨询 Robotiq。</translation>
     </message>
     <message>
-        <source>The activation failed. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>激活失败。确认手指没有受阻，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. See that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>夹爪电流过大。确认手指没有受阻，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if it comes again, see its manual.</source>
+        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>夹爪报告故障 %1。请按“激活”；若再次出现，查看其手册。</translation>
     </message>
 </context>
@@ -7677,7 +8264,7 @@ Let go of the key and the arm stops.</source>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Look from the first side, in perspective</source>
+        <source>Default view, perspective</source>
         <translation>从第一侧面透视观察</translation>
     </message>
     <message>
@@ -7709,7 +8296,7 @@ Let go of the key and the arm stops.</source>
         <translation>全部</translation>
     </message>
     <message>
-        <source>Arm, target and waypoints into the picture</source>
+        <source>Fit the arm, target and waypoints in the view</source>
         <translation>把机械臂、目标和路点纳入画面</translation>
     </message>
 </context>
@@ -7720,7 +8307,7 @@ Let go of the key and the arm stops.</source>
         <translation>机械臂视图</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to look from another side, with Shift or the right button to move the picture, the wheel or plus and minus to come nearer, double click or Home for the first view. Nothing here moves the robot.</source>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
         <translation>拖动或用方向键从另一侧观察，按住 Shift 或用右键移动画面，滚轮或加减靠近，双击或 Home 回到第一视图。这里的任何操作都不会移动机器人。</translation>
     </message>
     <message>
@@ -7736,15 +8323,15 @@ Let go of the key and the arm stops.</source>
         <translation>虚影“%1” · 不可达</translation>
     </message>
     <message>
-        <source>ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5</source>
+        <source>ghost “%1” · reachable · largest rotation %2 %3 · %4 s at %5</source>
         <translation>虚影“%1” · 可达 · 最大转动 %2 %3 · %5 时 %4 s</translation>
     </message>
     <message>
-        <source>1 name hidden: come nearer</source>
+        <source>1 name hidden: zoom in</source>
         <translation>隐藏了 1 个名称：请靠近</translation>
     </message>
     <message numerus="yes">
-        <source>%n names hidden: come nearer</source>
+        <source>%n names hidden: zoom in</source>
         <translation>
             <numerusform>隐藏了 %n 个名称：请靠近</numerusform>
         </translation>
@@ -7754,15 +8341,15 @@ Let go of the key and the arm stops.</source>
         <translation>虚影“%1” · 可达</translation>
     </message>
     <message>
-        <source>ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6</source>
+        <source>ghost “%1” · %2 · largest rotation %3 %4 · %5 s at %6</source>
         <translation>虚影“%1” · %2 · 最大转动 %3 %4 · %6 时 %5 s</translation>
     </message>
     <message>
-        <source>“%1” as it will be</source>
+        <source>“%1” after the change</source>
         <translation>“%1”更改后</translation>
     </message>
     <message>
-        <source>“%1” as it was</source>
+        <source>“%1” before the change</source>
         <translation>“%1”更改前</translation>
     </message>
     <message>
@@ -7777,7 +8364,7 @@ Let go of the key and the arm stops.</source>
         <translation>计算信号</translation>
     </message>
     <message>
-        <source>%1 does not come in the same packets as the others.</source>
+        <source>%1 is not part of the same RTDE packets as the other signals.</source>
         <translation>%1 与其他信号不在同一数据包中。</translation>
     </message>
     <message>
@@ -7785,7 +8372,7 @@ Let go of the key and the arm stops.</source>
         <translation>派生</translation>
     </message>
     <message>
-        <source>These signals are more than a robot sends at once: take others away first.</source>
+        <source>The robot cannot send so many signals at once: remove other signals first.</source>
         <translation>这些信号超过机器人一次发送的数量：请先去除其他信号。</translation>
     </message>
     <message>
@@ -7793,7 +8380,7 @@ Let go of the key and the arm stops.</source>
         <translation>打开 %1</translation>
     </message>
     <message>
-        <source>There is no row in this recording.</source>
+        <source>The recording is empty.</source>
         <translation>此录制中没有行。</translation>
     </message>
     <message>
@@ -7801,11 +8388,11 @@ Let go of the key and the arm stops.</source>
         <translation>%2 的 %1</translation>
     </message>
     <message>
-        <source>There is too little memory for the history to show %1: choose more in the menu Layout.</source>
+        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
         <translation>历史内存不足以显示 %1：请在“布置”菜单中增加。</translation>
     </message>
     <message>
-        <source>%1 could not be computed to its end: %2</source>
+        <source>%1 could not be computed completely: %2</source>
         <translation>无法将 %1 计算到末尾：%2</translation>
     </message>
 </context>
@@ -7828,11 +8415,11 @@ Let go of the key and the arm stops.</source>
         <translation>由其他信号计算的信号</translation>
     </message>
     <message>
-        <source>A name, a unit in brackets if you like, and an expression over signals: drag them here for their names. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it.</source>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
         <translation>名称、可选的方括号单位，以及关于信号的表达式：把信号拖到此处可得其名称。norm(a, b, …)、deriv(a, 0.02)、mean(a, 0.5)、+ − * / ^ 和常用函数。回车建立。</translation>
     </message>
     <message>
-        <source>%1: this robot does not send it.</source>
+        <source>%1: not sent by this robot.</source>
         <translation>%1：此机器人不发送。</translation>
     </message>
 </context>
@@ -7843,7 +8430,7 @@ Let go of the key and the arm stops.</source>
         <translation>模拟</translation>
     </message>
     <message>
-        <source>This robot is simulated. Nothing moves but pixels.</source>
+        <source>This robot is simulated. No real robot moves.</source>
         <translation>此机器人是模拟的。移动的只有像素。</translation>
     </message>
     <message>
@@ -7869,20 +8456,8 @@ Let go of the key and the arm stops.</source>
 <context>
     <name>tiller::StatusLine</name>
     <message>
-        <source>Recording, session and last message</source>
+        <source>Recording, project and last message</source>
         <translation>录制、会话和最后消息</translation>
-    </message>
-    <message>
-        <source>%1 — %2</source>
-        <translation>%1 — %2</translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation>已保存</translation>
-    </message>
-    <message>
-        <source>not saved</source>
-        <translation>未保存</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -7893,7 +8468,7 @@ Let go of the key and the arm stops.</source>
         <translation>%1 个样本 · %2 · 剩余 %3</translation>
     </message>
     <message>
-        <source>Recording ended</source>
+        <source>Recording stopped</source>
         <translation>录制已结束</translation>
     </message>
     <message>
@@ -7916,10 +8491,24 @@ Let go of the key and the arm stops.</source>
         <translation>软件停止。不是紧急停止。电源保持接通。</translation>
     </message>
     <message>
-        <source>Space / Esc
-not an e-stop</source>
-        <translation>Space / Esc
-不是急停</translation>
+        <source>Space and Esc stop as well.</source>
+        <translation>空格键和 Esc 也可停止。</translation>
+    </message>
+    <message>
+        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <translation>单击以停止。仅当此窗口拥有控制时，空格键和 Esc 才会停止。</translation>
+    </message>
+    <message>
+        <source>Space / Esc</source>
+        <translation>空格 / Esc</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>not an e-stop</source>
+        <translation>非紧急停止</translation>
     </message>
 </context>
 <context>
@@ -7944,7 +8533,7 @@ not an e-stop</source>
         <translation>TCP 需要名称。</translation>
     </message>
     <message>
-        <source>“%1” is taken by another TCP. Choose another name.</source>
+        <source>Another TCP is named “%1”. Choose another name.</source>
         <translation>“%1”已是另一个 TCP 的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -7956,8 +8545,8 @@ not an e-stop</source>
         <translation>TCP</translation>
     </message>
     <message>
-        <source>No TCP yet.
-Press From robot to keep the one it has, or Teach… to find it with the arm.</source>
+        <source>No TCPs yet.
+Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>还没有 TCP。
 按“取自机器人”保留其现有的，或按“示教…”用机械臂求得。</translation>
     </message>
@@ -7966,7 +8555,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>TCP</translation>
     </message>
     <message>
-        <source>From the flange. Return applies it to the project; the robot keeps its own.</source>
+        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
         <translation>从法兰起。回车应用到项目；机器人保持其自己的值。</translation>
     </message>
     <message>
@@ -7990,7 +8579,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>取自机器人</translation>
     </message>
     <message>
-        <source>Keep the TCP the robot has</source>
+        <source>Store the active TCP of the robot</source>
         <translation>保留机器人现有的 TCP</translation>
     </message>
     <message>
@@ -7998,7 +8587,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>重新示教所选 TCP…</translation>
     </message>
     <message>
-        <source>New TCP in figures</source>
+        <source>Enter new TCP</source>
         <translation>用数值新建 TCP</translation>
     </message>
     <message>
@@ -8034,7 +8623,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
-        <source>“%1” is the TCP the robot has.</source>
+        <source>“%1” is the active TCP of the robot.</source>
         <translation>“%1”是机器人现有的 TCP。</translation>
     </message>
     <message>
@@ -8046,7 +8635,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>示教新 TCP</translation>
     </message>
     <message>
-        <source>Select a TCP to set.</source>
+        <source>Select the TCP to set.</source>
         <translation>选择要设定的 TCP。</translation>
     </message>
     <message>
@@ -8054,7 +8643,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>使用 TCP“%1”</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>机械臂未受控制。请先获取控制。</translation>
     </message>
     <message>
@@ -8066,19 +8655,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>%1，从法兰起</translation>
     </message>
     <message>
-        <source>%1, as the robot has it</source>
+        <source>%1, active on the robot</source>
         <translation>%1，与机器人一致</translation>
     </message>
     <message>
-        <source>%1, %2 from the one the robot has</source>
+        <source>%1, %2 from the robot&apos;s TCP</source>
         <translation>%1，与机器人的相差 %2</translation>
     </message>
     <message>
-        <source>The robot has another TCP than “%1”</source>
+        <source>The robot&apos;s TCP differs from “%1”</source>
         <translation>机器人的 TCP 与“%1”不同</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
         <translation>机器人：%1。项目：%2。相差 %3。没有任何更改。</translation>
     </message>
     <message>
@@ -8093,7 +8682,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>取位姿</translation>
     </message>
     <message>
-        <source>Take the worst again</source>
+        <source>Retake least accurate pose</source>
         <translation>重取最差的</translation>
     </message>
     <message>
@@ -8117,7 +8706,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>工具的旋转</translation>
     </message>
     <message>
-        <source>Rotation as it is</source>
+        <source>Keep current rotation</source>
         <translation>旋转保持不变</translation>
     </message>
     <message>
@@ -8133,33 +8722,33 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>取消</translation>
     </message>
     <message>
-        <source>Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.</source>
+        <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
         <translation>尖端位于 %1。各位姿一致到 %2 (rms)；位姿 %3 最不吻合，相差 %4。</translation>
     </message>
     <message>
-        <source>The tool is turned too little between the poses. Take one more, tilted by 30° or more to another side.</source>
+        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
         <translation>各位姿之间工具转动太少。请向另一侧倾斜 30° 以上再取一个。</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the poses again.</source>
+        <source>The robot sent an invalid position. Take the poses again.</source>
         <translation>机器人没有发送有效位置。请重新取位姿。</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Then four times in all: the tip on the same point, the tool tilted each time to another side.</source>
+        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>把尖端点动到一个固定的尖点并取位姿。共四次：尖端在同一点，工具每次向不同侧倾斜。</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool to another side, bring the tip to the same point again, and take the pose. Still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>把工具倾向另一侧，使尖端再到同一点，并取位姿。还需：%n</numerusform>
         </translation>
     </message>
     <message>
-        <source>The tool keeps the rotation it has now.</source>
+        <source>The tool keeps its current rotation.</source>
         <translation>工具保持当前的旋转。</translation>
     </message>
     <message>
-        <source>Turn the tool until it points straight down and its X lies along X of the base; take it.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
         <translation>转动工具直到竖直向下，且其 X 沿基座的 X；然后取。</translation>
     </message>
     <message>
@@ -8167,43 +8756,43 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>已取旋转。再取一次即可替换。</translation>
     </message>
     <message>
-        <source>Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.</source>
+        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>在当前位置取工具。此后不得转动：只点动 X、Y 和 Z。</translation>
     </message>
     <message>
-        <source>Move the tool along its own +Z, away from the flange, at least %1, and take it.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
         <translation>沿工具自身的 +Z 远离法兰移动至少 %1，并取。</translation>
     </message>
     <message>
-        <source>Now to the side of its +X, at least %1, and take it.</source>
+        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
         <translation>现在向其 +X 一侧移动至少 %1，并取。</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at pose %4.</source>
+        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>已取旋转：沿 +Z %1，侧向 %2；期间法兰转动 %3，位姿 %4 处最大。</translation>
     </message>
     <message>
-        <source>The flange turned by %1 on the way, most at pose %2. Take the three again without turning the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
         <translation>途中法兰转动 %1，位姿 %2 处最大。请不转动工具重取三个。</translation>
     </message>
     <message>
-        <source>The way along +Z is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>沿 +Z 的距离仅 %1。请相距至少 %2 重取三个。</translation>
     </message>
     <message>
-        <source>The way towards +X is only %1. Take the three again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
         <translation>朝 +X 的距离仅 %1。请相距至少 %2 重取三个。</translation>
     </message>
     <message>
-        <source>The three poses lie in a line: the third is only %1 beside it. Take the three again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
         <translation>三个位姿在一条线上：第三个仅偏 %1。请重取三个。</translation>
     </message>
     <message>
-        <source>The robot sent no valid place. Take the three again.</source>
+        <source>The robot sent an invalid position. Take the three poses again.</source>
         <translation>机器人没有发送有效位置。请重取三个。</translation>
     </message>
     <message>
-        <source>Take the last again</source>
+        <source>Retake last pose</source>
         <translation>重取最后一个</translation>
     </message>
     <message>
@@ -8215,11 +8804,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>位姿 %1</translation>
     </message>
     <message>
-        <source>  ◀ fits least</source>
+        <source>  ◀ least accurate</source>
         <translation>  ◀ 最不吻合</translation>
     </message>
     <message>
-        <source>Poses can be taken while the robot sends data.</source>
+        <source>Poses can be taken only while the robot sends data.</source>
         <translation>机器人发送数据时可以取位姿。</translation>
     </message>
 </context>
@@ -8253,29 +8842,40 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>工具</translation>
     </message>
     <message>
-        <source>TCP, payload or positions</source>
-        <translation>TCP、有效负载或位置</translation>
+        <source>Cell</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>TCP, payload, positions or cell</source>
+        <translation>TCP、有效负载、位置或单元</translation>
     </message>
 </context>
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left, then %3 is at its limit</source>
+        <source>%1: %2 left to the limit of %3</source>
         <translation>%1：剩余 %2，随后 %3 到达极限</translation>
     </message>
     <message>
-        <source>%1: %2 left to the plane the base stands on</source>
-        <translation>%1：距基座所在平面剩余 %2</translation>
+        <source>%1: %2 left to the end of reach or a singularity</source>
+        <translation>%1：剩余 %2，随后是可达极限或奇异点</translation>
     </message>
     <message>
-        <source>%1: %2 left, then the end of the reach or a singularity</source>
-        <translation>%1：剩余 %2，随后是可达极限或奇异点</translation>
+        <source>%1: %2 left, then %3 is %4 from %5</source>
+        <translation>%1：剩余 %2，之后 %3 距 %5 %4</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VectorEditor</name>
+    <message>
+        <source>%1. Press Return to apply. The robot does not move.</source>
+        <translation>%1。按回车应用。机器人不移动。</translation>
     </message>
 </context>
 <context>
     <name>tiller::ViewCard</name>
     <message>
-        <source>Fold</source>
+        <source>Collapse</source>
         <translation>折叠</translation>
     </message>
     <message>
@@ -8283,11 +8883,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>关闭</translation>
     </message>
     <message>
-        <source>The view is too small to unfold this</source>
+        <source>The view is too small to expand this</source>
         <translation>视图太小，无法展开</translation>
     </message>
     <message>
-        <source>Unfold</source>
+        <source>Expand</source>
         <translation>展开</translation>
     </message>
 </context>
@@ -8298,7 +8898,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the waypoint&apos;s frame. Return applies it; nothing moves but the waypoint.</source>
+        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
         <translation>在路点的坐标系中。回车应用；只有路点移动。</translation>
     </message>
     <message>
@@ -8314,7 +8914,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>坐标系</translation>
     </message>
     <message>
-        <source>The frame it is given in and moves with. The place stays where it is. —: the joints rule</source>
+        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
         <translation>给出它并随之移动的坐标系。位置保持不变。—：以关节为准</translation>
     </message>
     <message numerus="yes">
@@ -8328,15 +8928,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>距当前位姿 %1</translation>
     </message>
     <message>
-        <source>joints rule</source>
+        <source>joints have priority</source>
         <translation>以关节为准</translation>
     </message>
     <message>
-        <source>pose rules</source>
+        <source>pose has priority</source>
         <translation>以位姿为准</translation>
     </message>
     <message>
-        <source>place of “%1”</source>
+        <source>cell of “%1”</source>
         <translation>“%1”的位置</translation>
     </message>
     <message>
@@ -8356,15 +8956,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>依次通过</translation>
     </message>
     <message>
-        <source>Shows the keys of Go through in place of the figures.</source>
+        <source>Shows the Go through controls instead of the values.</source>
         <translation>在数值的位置显示“依次通过”的按键。</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Values</source>
         <translation>数值</translation>
     </message>
     <message>
-        <source>Shows the figures in place of the keys of Go through.</source>
+        <source>Shows the values instead of the Go through controls.</source>
         <translation>在“依次通过”的按键位置显示数值。</translation>
     </message>
 </context>
@@ -8395,19 +8995,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>更改阵列“%1”</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern first, and select them.</source>
+        <source>Teach the three corners of the pattern and select them first.</source>
         <translation>请先示教阵列的三个角并选择它们。</translation>
     </message>
     <message>
-        <source>Make the pattern “%1”</source>
+        <source>Create the pattern “%1”</source>
         <translation>建立阵列“%1”</translation>
     </message>
     <message>
-        <source>Dissolve the pattern “%1”</source>
+        <source>Convert the pattern “%1” to waypoints</source>
         <translation>解散阵列“%1”</translation>
     </message>
     <message>
-        <source>Select a place of a pattern.</source>
+        <source>Select a cell of a pattern.</source>
         <translation>选择阵列的一个位置。</translation>
     </message>
     <message>
@@ -8419,11 +9019,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>选择路点以查看其历史。</translation>
     </message>
     <message>
-        <source>The frame it was given in then is not in the project any more.</source>
+        <source>The frame of the earlier version was deleted from the project.</source>
         <translation>当时给出它的坐标系已不在项目中。</translation>
     </message>
     <message>
-        <source>Take an earlier “%1” back</source>
+        <source>Restore an earlier version of “%1”</source>
         <translation>取回较早的“%1”</translation>
     </message>
     <message>
@@ -8443,11 +9043,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>逗号分隔 (*.csv);;JSON (*.json)</translation>
     </message>
     <message>
-        <source>Nothing was imported</source>
+        <source>Import failed</source>
         <translation>没有导入任何内容</translation>
     </message>
     <message>
-        <source>%1 is too large for a list of waypoints.</source>
+        <source>%1 is too large for a waypoint file.</source>
         <translation>作为路点列表，%1 太大。</translation>
     </message>
     <message>
@@ -8473,7 +9073,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>没有可导出的路点。</translation>
     </message>
     <message>
-        <source>Nothing was exported</source>
+        <source>Export failed</source>
         <translation>没有导出任何内容</translation>
     </message>
     <message numerus="yes">
@@ -8483,7 +9083,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         </translation>
     </message>
     <message>
-        <source>Select waypoints where something is to be done.</source>
+        <source>Select the waypoints to add actions to.</source>
         <translation>请选择需要执行动作的路点。</translation>
     </message>
     <message numerus="yes">
@@ -8506,7 +9106,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         </translation>
     </message>
     <message>
-        <source>Nothing was pasted</source>
+        <source>Paste failed</source>
         <translation>没有粘贴任何内容</translation>
     </message>
     <message>
@@ -8531,7 +9131,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>“%1”的历史</translation>
     </message>
     <message>
-        <source>Changes, the newest first</source>
+        <source>Changes, newest first</source>
         <translation>更改，最新在前</translation>
     </message>
     <message>
@@ -8543,7 +9143,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>%1  %2  (%3)</translation>
     </message>
     <message>
-        <source>Go back to before this</source>
+        <source>Restore the version before this change</source>
         <translation>回到此前</translation>
     </message>
     <message>
@@ -8551,15 +9151,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>名称：“%1”，现为“%2”</translation>
     </message>
     <message>
-        <source>Place: it has moved by %1 (%2, base frame)</source>
+        <source>Position: moved by %1 (%2, base frame)</source>
         <translation>位置：移动了 %1（%2，基座坐标系）</translation>
     </message>
     <message>
-        <source>Joints: %1 turned most, by %2</source>
+        <source>Joints: largest change %2 (%1)</source>
         <translation>关节：%1 转动最多，%2</translation>
     </message>
     <message>
-        <source>the joints rule</source>
+        <source>joints have priority</source>
         <translation>以关节为准</translation>
     </message>
     <message>
@@ -8567,7 +9167,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>基座</translation>
     </message>
     <message>
-        <source>a frame that is no more</source>
+        <source>a deleted frame</source>
         <translation>已不存在的坐标系</translation>
     </message>
     <message>
@@ -8595,7 +9195,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>交融：%1，现为 %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another one</source>
+        <source>TCP: taught with another TCP</source>
         <translation>TCP：以另一个示教</translation>
     </message>
     <message>
@@ -8611,19 +9211,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>备注：“%1”，现为“%2”</translation>
     </message>
     <message>
-        <source>Actions: others than now</source>
+        <source>Actions: changed</source>
         <translation>动作：与现在不同</translation>
     </message>
     <message>
-        <source>It was not changed since it was taught.</source>
+        <source>Not changed since it was taught.</source>
         <translation>示教以来没有更改。</translation>
     </message>
     <message>
-        <source>Before this it was as it is now.</source>
+        <source>The version before this change equals the current version.</source>
         <translation>此前与现在相同。</translation>
     </message>
     <message>
-        <source>Before this it was:</source>
+        <source>Before this change:</source>
         <translation>此前为：</translation>
     </message>
 </context>
@@ -8646,7 +9246,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>✕ 可达</translation>
     </message>
     <message>
-        <source>A joint would leave its range. Touch the waypoint up from another arm posture.</source>
+        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
         <translation>某个关节会超出范围。请以另一种机械臂姿态修正示教该路点。</translation>
     </message>
     <message>
@@ -8654,11 +9254,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>其坐标系不在此项目中。请选择另一个坐标系。</translation>
     </message>
     <message>
-        <source>The straight line from here leaves the arm&apos;s reach. Use MoveJ, or start elsewhere.</source>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
         <translation>从此处的直线超出机械臂的可达范围。使用 MoveJ，或从别处开始。</translation>
     </message>
     <message>
-        <source>Out of reach. Touch it up nearer to the base.</source>
+        <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>不可达。请在靠近基座处修正示教。</translation>
     </message>
     <message>
@@ -8674,19 +9274,19 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>MoveJ：所有关节同时开始和停止</translation>
     </message>
     <message>
-        <source>MoveL: the TCP goes along a straight line</source>
+        <source>MoveL: the TCP moves along a straight line</source>
         <translation>MoveL：TCP 沿直线移动</translation>
     </message>
     <message>
-        <source>The joints rule: the arm comes back in the same posture</source>
+        <source>Joints have priority: the arm returns to the same configuration</source>
         <translation>以关节为准：机械臂以相同姿态返回</translation>
     </message>
     <message>
-        <source>The pose rules: it moves with its frame</source>
+        <source>The pose has priority: the waypoint moves with its frame</source>
         <translation>以位姿为准：随其坐标系移动</translation>
     </message>
     <message>
-        <source>Can be reached</source>
+        <source>Within reach</source>
         <translation>可达</translation>
     </message>
     <message>
@@ -8718,7 +9318,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>路点需要名称。</translation>
     </message>
     <message>
-        <source>“%1” is taken by waypoint %2. Choose another name.</source>
+        <source>Waypoint %2 is named “%1”. Choose another name.</source>
         <translation>“%1”已是路点 %2 的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -8726,15 +9326,15 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>将“%1”重命名为“%2”</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveJ</source>
+        <source>Change “%1” to MoveJ</source>
         <translation>将“%1”改为 MoveJ</translation>
     </message>
     <message>
-        <source>Make “%1” a MoveL</source>
+        <source>Change “%1” to MoveL</source>
         <translation>将“%1”改为 MoveL</translation>
     </message>
     <message>
-        <source>The arm cannot get there. “%1” stays as it was.</source>
+        <source>The arm cannot reach this pose. “%1” was not changed.</source>
         <translation>机械臂无法到达那里。“%1”保持原样。</translation>
     </message>
     <message>
@@ -8750,7 +9350,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>此项目中没有坐标系“%1”。</translation>
     </message>
     <message>
-        <source>Give “%1” in %2</source>
+        <source>Change the frame of “%1” to %2</source>
         <translation>在%2中给出“%1”</translation>
     </message>
     <message>
@@ -8778,11 +9378,11 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>颜色：%1</translation>
     </message>
     <message>
-        <source>Name %1, the coming one</source>
+        <source>Name %1, next waypoint</source>
         <translation>名称 %1，下一个</translation>
     </message>
     <message>
-        <source>Done there: %1</source>
+        <source>Actions: %1</source>
         <translation>在该处执行：%1</translation>
     </message>
     <message>
@@ -8794,6 +9394,18 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>
             <numerusform>%n 个动作</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>✕ arm</source>
+        <translation>✕ 机械臂</translation>
+    </message>
+    <message>
+        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>项目是用其他型号的机器人示教的。请先使用“使项目适应此机器人…”。</translation>
+    </message>
+    <message>
+        <source>✕ path</source>
+        <translation>✕ 路径</translation>
     </message>
 </context>
 <context>
@@ -8827,7 +9439,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>天蓝</translation>
     </message>
     <message>
-        <source>Only what is ticked is changed.</source>
+        <source>Only the selected properties are changed.</source>
         <translation>只更改勾选的内容。</translation>
     </message>
     <message>
@@ -8919,7 +9531,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>偏移</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>旋转</translation>
     </message>
     <message>
@@ -8935,7 +9547,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>基座</translation>
     </message>
     <message>
-        <source>Tool, each its own</source>
+        <source>Tool of each waypoint</source>
         <translation>工具，各自的</translation>
     </message>
     <message>
@@ -8955,7 +9567,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>偏移 %1</translation>
     </message>
     <message>
-        <source>About or along</source>
+        <source>Axis of rotation or mirroring</source>
         <translation>绕或沿</translation>
     </message>
     <message>
@@ -8963,7 +9575,7 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>角度</translation>
     </message>
     <message>
-        <source>The arm cannot get there: %1. Nothing would be moved.</source>
+        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
         <translation>机械臂无法到达：%1。不会移动任何东西。</translation>
     </message>
     <message>
@@ -8971,17 +9583,17 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>缺少坐标系。请选择另一个。</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach; they are kept, and marked.</source>
+        <source>%n of them would be out of reach. They are kept and marked.</source>
         <translation>
             <numerusform>其中 %n 个将不可达；会保留并标记。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin that the axis stands upon. The tool approaches from the mirrored side.</source>
+        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>以过原点并垂直于该轴的平面镜像。工具从镜像一侧接近。</translation>
     </message>
     <message>
-        <source>All stay in reach.</source>
+        <source>All remain within reach.</source>
         <translation>全部仍可达。</translation>
     </message>
 </context>
@@ -9015,17 +9627,17 @@ Press From robot to keep the one it has, or Teach… to find it with the arm.</s
         <translation>修正示教</translation>
     </message>
     <message>
-        <source>More</source>
+        <source>Other</source>
         <translation>更多</translation>
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a place and press Teach here (T).</source>
+Jog the arm to a position and press Teach here (T).</source>
         <translation>还没有路点。
 把机械臂点动到某处，按“在此示教” (T)。</translation>
     </message>
     <message>
-        <source>The robot&apos;s data are old. Wait until they come again.</source>
+        <source>Robot data are out of date. Wait for new data.</source>
         <translation>机器人的数据太旧。请等待新数据。</translation>
     </message>
     <message>
@@ -9037,15 +9649,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>选择要前往的路点。</translation>
     </message>
     <message>
-        <source>The arm is not under control. Take control first.</source>
+        <source>Tiller is not in control. Take control first.</source>
         <translation>机械臂未受控制。请先获取控制。</translation>
     </message>
     <message>
-        <source>Add the place where the arm stands, after the selection (T)</source>
+        <source>Add the current position after the selection (T)</source>
         <translation>在所选之后添加机械臂所在的位置 (T)</translation>
     </message>
     <message>
-        <source>Replace the selected place by where the arm stands (U)</source>
+        <source>Replace the selected waypoint with the current position (U)</source>
         <translation>用机械臂所在位置替换所选位置 (U)</translation>
     </message>
     <message>
@@ -9101,7 +9713,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>“%1”的坐标系不在此项目中。请先选择另一个坐标系。</translation>
     </message>
     <message>
-        <source>The live place is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
+        <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>当前位置相距 %1（%2，基座坐标系）。最大关节变化：%3 %4。</translation>
     </message>
     <message>
@@ -9133,7 +9745,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>组、颜色、备注、速度…</translation>
     </message>
     <message>
-        <source>Offset, turn or mirror…</source>
+        <source>Offset, rotate or mirror…</source>
         <translation>偏移、旋转或镜像…</translation>
     </message>
     <message>
@@ -9145,7 +9757,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>阵列…</translation>
     </message>
     <message>
-        <source>Make the pattern&apos;s places ordinary waypoints</source>
+        <source>Convert pattern to waypoints</source>
         <translation>把阵列位置变为普通路点</translation>
     </message>
     <message>
@@ -9153,7 +9765,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>删除阵列及其路点</translation>
     </message>
     <message>
-        <source>Actions there…</source>
+        <source>Actions…</source>
         <translation>该处的动作…</translation>
     </message>
     <message>
@@ -9180,11 +9792,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>命令</translation>
     </message>
     <message>
-        <source>Search a command</source>
+        <source>Search commands</source>
         <translation>搜索命令</translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
+        <source>Type a command or keyword</source>
         <translation>输入您想做的事</translation>
     </message>
     <message>
@@ -9192,7 +9804,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>找到的命令</translation>
     </message>
     <message>
-        <source>not possible now</source>
+        <source>not available now</source>
         <translation>现在不可用</translation>
     </message>
 </context>
@@ -9203,11 +9815,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>输入机器人的地址，如示教器“关于”中所示。</translation>
     </message>
     <message>
-        <source>An address has four numbers of 0 to 255, as in 192.168.0.10.</source>
+        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
         <translation>地址有四个 0 至 255 的数字，如 192.168.0.10。</translation>
     </message>
     <message>
-        <source>A host name has letters, digits, dots and hyphens only.</source>
+        <source>A host name contains only letters, digits, dots and hyphens.</source>
         <translation>主机名只含字母、数字、点和连字符。</translation>
     </message>
     <message>
@@ -9227,7 +9839,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>连接</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everybody out of its reach, have the emergency stop at hand, check payload and TCP, start slowly. The STOP of this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>移动真实机械臂之前：不要让任何人进入可达范围，紧急停止在手边，检查有效负载和 TCP，慢速开始。此窗口的 STOP 不是紧急停止。</translation>
     </message>
     <message>
@@ -9239,7 +9851,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>打开项目…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything but moving works.</source>
+        <source>Waypoints from a file, without a robot: everything works except motion.</source>
         <translation>来自文件的路点，无需机器人：除移动外都可用。</translation>
     </message>
     <message>
@@ -9247,11 +9859,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>试用模拟器</translation>
     </message>
     <message>
-        <source>A simulated UR5e inside this program. Everything works, nothing can be hurt.</source>
+        <source>A simulated UR5e in this program. All functions are available without risk.</source>
         <translation>本程序内的模拟 UR5e。一切可用，不会伤到任何东西。</translation>
     </message>
     <message>
-        <source>Starts the simulated robot, and opens a project that is taught already.</source>
+        <source>Starts the simulated robot and opens a project with taught waypoints.</source>
         <translation>启动模拟机器人，并打开一个已示教的项目。</translation>
     </message>
     <message>
@@ -9283,14 +9895,14 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>以前连接过的机器人</translation>
     </message>
     <message>
-        <source>Takes the selected robot off this list (Delete). Nothing is changed on the robot.</source>
+        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
         <translation>从列表中移除所选机器人 (Delete)。机器人上不会有变化。</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>make the folder %1: choose one that may be written to</source>
+        <source>create the folder %1: choose a folder that you have permission to write to</source>
         <translation>创建文件夹 %1：请选择可写入的文件夹</translation>
     </message>
     <message>
@@ -9322,7 +9934,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>在基座中点动 X+ 50 mm</translation>
     </message>
     <message>
-        <source>let go</source>
+        <source>release</source>
         <translation>松开</translation>
     </message>
     <message>
@@ -9334,7 +9946,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>前往第一个路点（按住）</translation>
     </message>
     <message>
-        <source>let go of Go to</source>
+        <source>release Go to</source>
         <translation>松开“前往”</translation>
     </message>
     <message>
@@ -9362,11 +9974,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1：%2 s 内没有发生（%3）</translation>
     </message>
     <message>
-        <source>the robot reports no reason</source>
+        <source>the robot reported no reason</source>
         <translation>机器人没有报告原因</translation>
     </message>
     <message>
-        <source>pressed anew         %1 times: the motion had stopped before the key was let go</source>
+        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
         <translation>重新按下             %1 次：松开按键之前动作已停止</translation>
     </message>
     <message>
@@ -9423,7 +10035,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>试用…</translation>
     </message>
     <message>
-        <source>What each device says now, and which way it will go.</source>
+        <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>各设备当前的数值，以及将移动的方向。</translation>
     </message>
     <message>
@@ -9447,7 +10059,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation> %</translation>
     </message>
     <message>
-        <source>So far a stick may be out without moving anything.</source>
+        <source>Deflection below which the device does not move the arm.</source>
         <translation>摇杆偏转到此为止不移动任何东西。</translation>
     </message>
     <message>
@@ -9459,15 +10071,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>指数 </translation>
     </message>
     <message>
-        <source>1: even. Higher: gentle near the middle, fast at the end of the way.</source>
+        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
         <translation>1：均匀。更高：中间柔和，行程末端快。</translation>
     </message>
     <message>
-        <source>Only the axis that is out furthest</source>
+        <source>Dominant axis only</source>
         <translation>仅偏转最大的轴</translation>
     </message>
     <message>
-        <source>%1: only the axis that is out furthest</source>
+        <source>%1: dominant axis only</source>
         <translation>%1：仅偏转最大的轴</translation>
     </message>
     <message>
@@ -9483,18 +10095,18 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>无</translation>
     </message>
     <message>
-        <source>No gamepad and no SpaceMouse is there. Plug one in: it appears by itself.</source>
+        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
         <translation>没有手柄和 SpaceMouse。插上即自动出现。</translation>
     </message>
     <message>
-        <source>Only while its dead-man is held. It is not remembered: after a start no device moves the arm.</source>
+        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
         <translation>仅在按住其使能键时。不会记住：启动后没有设备移动机械臂。</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panel is here. Choose a perspective at the lower right, or show a panel with the menu View.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
         <translation>这里没有面板。在右下角选择视角布局，或用“视图”菜单显示面板。</translation>
     </message>
 </context>
@@ -9503,10 +10115,6 @@ Jog the arm to a place and press Teach here (T).</source>
     <message>
         <source>Help</source>
         <translation>帮助</translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while a key of the pad is held, and stops when it is let go. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second button is pressed, or another hand joins in;&lt;/li&gt;&lt;li&gt;a modifier, or a key that contradicts, goes down beside a held key of the keyboard;&lt;/li&gt;&lt;li&gt;the window loses the focus, anything opens over it, or another frame, speed, step or tab is chosen;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, the robot leaves Running, or its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the device is unplugged or falls silent;&lt;/li&gt;&lt;li&gt;nobody can prove that the key is still held: on X11 the display server is asked a hundred times a second whether the button or key is down, and a “no”, or no answer for 100 ms, ends the motion. Where nobody can be asked, header and Settings say so;&lt;/li&gt;&lt;li&gt;it has been held for long: a jog for %1 s (Settings), Freedrive for five minutes, a move to a place for 5 s more than it takes. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from everywhere, programs of others too. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters a letter below means its place on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住操作盘按键时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按键、按下第二个按钮，或另一只手介入；&lt;/li&gt;&lt;li&gt;按住键盘按键时，旁边的修饰键或相矛盾的键被按下；&lt;/li&gt;&lt;li&gt;窗口失去焦点、有东西在其上打开，或选择了其他坐标系、速度、步长或选项卡；&lt;/li&gt;&lt;li&gt;机器人的数据迟到、本程序卡住，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 休眠，或设备被拔出或没有声息；&lt;/li&gt;&lt;li&gt;没有人能证明按键仍被按住：在 X11 上每秒询问显示服务器一百次按钮或按键是否被按下，回答“否”或 100 ms 没有应答即结束动作。无人可问时，页眉和设置会说明；&lt;/li&gt;&lt;li&gt;按住太久：点动 %1 s（设置），自由驱动五分钟，前往某处比所需时间多 5 s。最后 3 s 倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止的动作需要重新按下。&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何地方都会停止，也停止他人的程序。这是软件停止，不是紧急停止：请把紧急停止放在手边。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使一次按下精细十倍，&lt;b&gt;Shift&lt;/b&gt; 快三倍，绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
     </message>
     <message>
         <source>Practice tasks</source>
@@ -9532,6 +10140,10 @@ Jog the arm to a place and press Teach here (T).</source>
         <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;本机上没有手册&lt;/h2&gt;&lt;p&gt;手册随 Tiller 的 Debian 软件包提供。自行编译的 Tiller 在安装了软件包 python3-sphinx 时才有手册:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。在此之前,可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住操作盘按键时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按键、按下第二个按钮，或另一只手介入；&lt;/li&gt;&lt;li&gt;按住键盘按键时，旁边的修饰键或相矛盾的键被按下；&lt;/li&gt;&lt;li&gt;窗口失去焦点、有东西在其上打开，或选择了其他坐标系、速度、步长或选项卡；&lt;/li&gt;&lt;li&gt;机器人的数据迟到、本程序卡住，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 休眠，或设备被拔出或没有声息；&lt;/li&gt;&lt;li&gt;没有人能证明按键仍被按住：在 X11 上每秒询问显示服务器一百次按钮或按键是否被按下，回答“否”或 100 ms 没有应答即结束动作。无人可问时，页眉和设置会说明；&lt;/li&gt;&lt;li&gt;按住太久：点动 %1 s（设置），自由驱动五分钟，前往某处比所需时间多 5 s。最后 3 s 倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止的动作需要重新按下。拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止。没有控制时，它们属于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请把紧急停止放在手边。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使一次按下精细十倍，&lt;b&gt;Shift&lt;/b&gt; 快三倍，绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ImportDialog</name>
@@ -9540,11 +10152,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>颜色、大小和单位</translation>
     </message>
     <message>
-        <source>Speed cap and longest hold</source>
+        <source>Speed cap and maximum hold time</source>
         <translation>速度上限和最长按住时间</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>命令的按键</translation>
     </message>
     <message>
@@ -9588,19 +10200,19 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 未导入。没有任何更改。</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1 holds:</source>
+        <source>The selected settings are replaced by those in %1:</source>
         <translation>勾选的内容将由 %1 的内容替换：</translation>
     </message>
     <message>
-        <source>What is ticked is replaced by what %1, written by Tiller %2, holds:</source>
+        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
         <translation>勾选的内容将由 %1（Tiller %2 写入）的内容替换：</translation>
     </message>
     <message>
-        <source>%1: the same already</source>
+        <source>%1: identical</source>
         <translation>%1：已相同</translation>
     </message>
     <message>
-        <source>%1: none in the file</source>
+        <source>%1: not in the file</source>
         <translation>%1：文件中没有</translation>
     </message>
     <message>
@@ -9608,11 +10220,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1：此处 %2，文件中 %3</translation>
     </message>
     <message>
-        <source>What is replaced is kept in a file of its own, which can be imported again.</source>
+        <source>The replaced settings are saved to a separate file, which can be imported again.</source>
         <translation>被替换的内容保存在单独的文件中，可以再次导入。</translation>
     </message>
     <message>
-        <source>There is nothing in the file that is not here already.</source>
+        <source>All settings in the file match the current settings.</source>
         <translation>文件中没有此处没有的内容。</translation>
     </message>
 </context>
@@ -9623,7 +10235,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>第一步</translation>
     </message>
     <message>
-        <source>A checklist in the view: from power on to a recording.</source>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
         <translation>视图中的清单：从上电到录制。</translation>
     </message>
     <message>
@@ -9635,11 +10247,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>模拟机器人上的五个任务，各有检查。</translation>
     </message>
     <message>
-        <source>Practice is for the simulated robot of this program alone. This is “%1”.</source>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
         <translation>练习仅用于本程序的模拟机器人。这是“%1”。</translation>
     </message>
     <message>
-        <source>Practice: put “%1”</source>
+        <source>Practice: place “%1”</source>
         <translation>练习：放置“%1”</translation>
     </message>
 </context>
@@ -9650,7 +10262,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>键盘点动已启用：方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z，加 Alt 旋转，1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。</translation>
     </message>
     <message>
@@ -9690,7 +10302,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 已断开。机械臂已停止。</translation>
     </message>
     <message>
-        <source>%1 has gone silent while it moved the arm, which was stopped. Let go of it; if it stays silent, plug it in again.</source>
+        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 在移动机械臂时没有声息，机械臂已停止。请松开；若仍无声息，请重新插入。</translation>
     </message>
     <message>
@@ -9714,7 +10326,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>打开示例项目…</translation>
     </message>
     <message>
-        <source>A copy of one of three projects, to try on the simulated robot.</source>
+        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
         <translation>三个项目之一的副本，在模拟机器人上试用。</translation>
     </message>
     <message>
@@ -9722,7 +10334,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>项目另存为…</translation>
     </message>
     <message>
-        <source>Saves to this file now, and every change from now on.</source>
+        <source>Saves to this file now and saves all further changes automatically.</source>
         <translation>现在保存到此文件，以后的每次更改也保存。</translation>
     </message>
     <message>
@@ -9742,7 +10354,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>显示日志</translation>
     </message>
     <message>
-        <source>Brings this tab to the front.</source>
+        <source>Shows this tab.</source>
         <translation>把此选项卡置于前面。</translation>
     </message>
     <message>
@@ -9750,7 +10362,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>显示夹爪</translation>
     </message>
     <message>
-        <source>Brings the gripper&apos;s page of I/O to the front.</source>
+        <source>Shows the Gripper page of the I/O tab.</source>
         <translation>把 I/O 的夹爪页面置于前面。</translation>
     </message>
     <message>
@@ -9758,7 +10370,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>重置布局</translation>
     </message>
     <message>
-        <source>All panels back to where the current perspective has them.</source>
+        <source>Restores the panel layout of the current perspective.</source>
         <translation>所有面板回到当前视角布局的位置。</translation>
     </message>
     <message>
@@ -9770,7 +10382,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>深色</translation>
     </message>
     <message>
-        <source>Changes the colours at once and remembers it.</source>
+        <source>Changes the colour theme now and for the next start.</source>
         <translation>立即更改颜色并记住。</translation>
     </message>
     <message>
@@ -9778,7 +10390,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>曲线图中的力归零，或按测量值显示</translation>
     </message>
     <message>
-        <source>Counts the TCP force from what it is now; once more: as the robot measures it.</source>
+        <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
         <translation>从当前值起计 TCP 力；再次：按机器人测量值。</translation>
     </message>
     <message>
@@ -9794,7 +10406,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>设置…</translation>
     </message>
     <message>
-        <source>Colours, sizes, units, the speed cap, devices, and the key of every command.</source>
+        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
         <translation>颜色、大小、单位、速度上限、设备，以及每个命令的按键。</translation>
     </message>
     <message>
@@ -9802,7 +10414,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>导出设置…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy.</source>
+        <source>Saves all settings to one file, for another computer or as a backup.</source>
         <translation>包含所有记住内容的一个文件，用于另一台计算机或作为副本。</translation>
     </message>
     <message>
@@ -9810,7 +10422,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>导入设置…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces.</source>
+        <source>Imports settings from a file after showing what will be replaced.</source>
         <translation>采用此类文件的内容；先说明会替换什么。</translation>
     </message>
     <message>
@@ -9834,11 +10446,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>浮动 %1</translation>
     </message>
     <message>
-        <source>Makes it a window of its own, for a second screen, or puts it back.</source>
+        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
         <translation>使其成为独立窗口，用于第二屏幕，或放回。</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the others.</source>
+        <source>Moves this panel to that side of the main window.</source>
         <translation>把此面板移到其他面板的那一侧。</translation>
     </message>
     <message>
@@ -9862,11 +10474,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>加载程序</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as the tablet shows it</source>
+        <source>Name of the program on the robot, as shown on the teach pendant</source>
         <translation>机器人上程序的名称，如平板所示</translation>
     </message>
     <message>
-        <source>Name of the program on the robot, as in pick.urp</source>
+        <source>Name of the program on the robot, e.g. pick.urp</source>
         <translation>机器人上程序的名称，例如 pick.urp</translation>
     </message>
     <message>
@@ -9874,7 +10486,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>速度上限 %1</translation>
     </message>
     <message>
-        <source>A recording is running. End it first: nothing of it shall be missing.</source>
+        <source>A recording is running. Stop it first.</source>
         <translation>正在录制。请先结束：以免缺失任何内容。</translation>
     </message>
     <message>
@@ -9886,7 +10498,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>工具</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell are not known to the simulated robot: it has no room for more.</source>
+        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
             <numerusform>工作单元中有 %n 个方块或平面未告知模拟机器人：已无更多空间。</numerusform>
         </translation>
@@ -9896,7 +10508,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>报告问题…</translation>
     </message>
     <message>
-        <source>One file with versions, log and settings for whoever helps; shows first what is in it.</source>
+        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
         <translation>一个包含版本、日志和设置的文件，供协助者使用；先显示其内容。</translation>
     </message>
     <message>
@@ -9904,26 +10516,78 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>报告已保存：%1</translation>
     </message>
     <message>
-        <source>Tiller ended unexpectedly the last time</source>
+        <source>Tiller closed unexpectedly</source>
         <translation>Tiller 上次意外结束</translation>
     </message>
     <message>
-        <source>What it was doing then was kept. Save it as a report for whoever helps you.</source>
+        <source>Tiller saved a crash log. You can attach it to a problem report.</source>
         <translation>当时的情况已保留。请存为报告，交给协助您的人。</translation>
     </message>
     <message>
-        <source>The manual at the page of what has the focus, all commands with their keys, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
         <translation>焦点所在部分的手册页面、所有命令及其按键,以及点动规则。</translation>
+    </message>
+    <message>
+        <source>The settings could not be saved. %1</source>
+        <translation>无法保存设置。%1</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>已撤销：%1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>已重做：%1</translation>
+    </message>
+    <message>
+        <source>Adapt project to this robot…</source>
+        <translation>使项目适应此机器人…</translation>
+    </message>
+    <message>
+        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <translation>转换其他型号机器人的项目：保持位姿或关节。</translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation>获取控制</translation>
+    </message>
+    <message>
+        <source>A program is paused on the robot.</source>
+        <translation>机器人上有一个程序已暂停。</translation>
+    </message>
+    <message>
+        <source>A program is running on the robot.</source>
+        <translation>机器人上有一个程序正在运行。</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <translation>程序“%1”已在机器人上暂停。</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <translation>程序“%1”正在机器人上运行。</translation>
+    </message>
+    <message>
+        <source>Taking control stops it. It cannot be resumed, only started again.</source>
+        <translation>获取控制会停止它。无法继续，只能重新启动。</translation>
+    </message>
+    <message>
+        <source>Stop it and take control</source>
+        <translation>停止并获取控制</translation>
+    </message>
+    <message>
+        <source>Keep it running</source>
+        <translation>让它继续</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
     <message>
-        <source>Put back</source>
+        <source>Dock</source>
         <translation>放回</translation>
     </message>
     <message>
-        <source>Back into the main window</source>
+        <source>Move the panel back to the main window</source>
         <translation>放回主窗口</translation>
     </message>
     <message>
@@ -9931,7 +10595,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>Closes this panel. The menu View brings it back.</source>
+        <source>Closes this panel. Use the View menu to show it again.</source>
         <translation>关闭此面板。“视图”菜单可恢复。</translation>
     </message>
     <message>
@@ -9939,7 +10603,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>移动、浮动或关闭 %1</translation>
     </message>
     <message>
-        <source>Click: move, float or close this panel. Drag: take it elsewhere.</source>
+        <source>Click to move, float or close this panel. Drag to move it.</source>
         <translation>点击：移动、浮动或关闭此面板。拖动：移到别处。</translation>
     </message>
 </context>
@@ -9950,11 +10614,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>保存视角布局</translation>
     </message>
     <message>
-        <source>The panels as they stand now, into the current perspective.</source>
+        <source>Saves the current panel layout to the current perspective.</source>
         <translation>把面板现在的位置存入当前视角布局。</translation>
     </message>
     <message>
-        <source>This perspective is built in. Save it under a name of your own.</source>
+        <source>This perspective is built in. Save it under another name.</source>
         <translation>此视角布局是内置的。请以自己的名称保存。</translation>
     </message>
     <message>
@@ -9962,7 +10626,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>视角布局另存为…</translation>
     </message>
     <message>
-        <source>The panels as they stand now, under a name of your own.</source>
+        <source>Saves the current panel layout under a new name.</source>
         <translation>以自己的名称保存面板现在的位置。</translation>
     </message>
     <message>
@@ -9974,7 +10638,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>重命名视角布局…</translation>
     </message>
     <message>
-        <source>Gives the current perspective another name.</source>
+        <source>Renames the current perspective.</source>
         <translation>给当前视角布局另一个名称。</translation>
     </message>
     <message>
@@ -9982,7 +10646,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>重命名视角布局</translation>
     </message>
     <message>
-        <source>This perspective is built in and keeps its name.</source>
+        <source>This perspective is built in and cannot be renamed.</source>
         <translation>此视角布局是内置的，名称不变。</translation>
     </message>
     <message>
@@ -9990,11 +10654,11 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>删除视角布局…</translation>
     </message>
     <message>
-        <source>Forgets the current perspective. The panels stay as they are.</source>
+        <source>Deletes the current perspective. The panel layout does not change.</source>
         <translation>忘记当前视角布局。面板保持原样。</translation>
     </message>
     <message>
-        <source>This perspective is built in and stays.</source>
+        <source>This perspective is built in and cannot be deleted.</source>
         <translation>此视角布局是内置的，会保留。</translation>
     </message>
     <message>
@@ -10002,7 +10666,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>视角布局 %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Choose how the panels stand, or save how they stand now.</source>
+        <source>Perspective %1. Select a panel layout, or save the current one.</source>
         <translation>视角布局 %1。选择面板的位置，或保存现在的位置。</translation>
     </message>
     <message>
@@ -10034,7 +10698,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>删除</translation>
     </message>
     <message>
-        <source>Keep it</source>
+        <source>Keep</source>
         <translation>保留</translation>
     </message>
 </context>
@@ -10045,7 +10709,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>示教</translation>
     </message>
     <message>
-        <source>Shows the view, the waypoints beside it and the plots below.</source>
+        <source>Shows the view, the waypoints next to it and the plots below.</source>
         <translation>显示视图，旁边是路点，下方是曲线图。</translation>
     </message>
     <message>
@@ -10053,7 +10717,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>监视</translation>
     </message>
     <message>
-        <source>Shows inputs and outputs, a smaller view beside them and higher plots below.</source>
+        <source>Shows inputs and outputs, a smaller view next to them and taller plots below.</source>
         <translation>显示输入和输出，旁边是较小的视图，下方是较高的曲线图。</translation>
     </message>
     <message>
@@ -10061,7 +10725,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>曲线图</translation>
     </message>
     <message>
-        <source>Shows the plots alone, as large as the window allows.</source>
+        <source>Shows only the plots, as large as possible.</source>
         <translation>只显示曲线图，尽窗口之大。</translation>
     </message>
     <message>
@@ -10069,7 +10733,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>按您保存的样子显示面板。</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its layout in the settings is damaged. Arrange the panels and save it anew.</source>
+        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
         <translation>无法显示视角布局“%1”：其在设置中的布局已损坏。请排列面板并重新保存。</translation>
     </message>
     <message>
@@ -10081,19 +10745,19 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>名称太长。</translation>
     </message>
     <message>
-        <source>There are as many perspectives as can be kept. Delete one first.</source>
+        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
         <translation>视角布局已达可保存的数量。请先删除一个。</translation>
     </message>
     <message>
-        <source>There is a perspective of this name. Choose another name.</source>
+        <source>A perspective with this name exists. Choose another name.</source>
         <translation>已有此名称的视角布局。请选择其他名称。</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout of the earlier version does not fit this one. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
         <translation>面板按视角布局“%1”排列：早期版本的布局不适用于此版本。请重新排列；会被记住。</translation>
     </message>
     <message>
-        <source>The panels stand as in the perspective “%1”: the layout in the settings is damaged or of another version. Arrange them anew; it is remembered.</source>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
         <translation>面板按视角布局“%1”排列：设置中的布局已损坏或属于另一版本。请重新排列；会被记住。</translation>
     </message>
 </context>
@@ -10112,15 +10776,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>选择录制文件夹</translation>
     </message>
     <message>
-        <source>Pattern of the file name</source>
+        <source>File name pattern</source>
         <translation>文件名模式</translation>
     </message>
     <message>
-        <source>{date}, {time}, {robot} and {number} are filled in when a recording begins.</source>
+        <source>{date}, {time}, {robot} and {number} are replaced when a recording starts.</source>
         <translation>{date}、{time}、{robot} 和 {number} 在录制开始时填入。</translation>
     </message>
     <message>
-        <source>One row every so many packets</source>
+        <source>Packets per row</source>
         <translation>每多少个数据包一行</translation>
     </message>
     <message>
@@ -10160,17 +10824,17 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>实验室 UR5e</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are filled in; a file that is there is never replaced.</source>
+        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
         <translation>例如 %1。{date}、{time}、{robot} 和 {number} 会填入；已有的文件绝不会被替换。</translation>
     </message>
     <message numerus="yes">
-        <source>%n packet(s) a row: %1 rows a second from a robot that sends 500 packets a second.</source>
+        <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
         <translation>
             <numerusform>每行 %n 个数据包：对每秒发送 500 个数据包的机器人为每秒 %1 行。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Format of a recording</source>
+        <source>Recording format</source>
         <translation>录制的格式</translation>
     </message>
     <message>
@@ -10182,7 +10846,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>MCAP：所有字段、日志和项目，用于 ROS 工具</translation>
     </message>
     <message>
-        <source>Megabytes of the disk that stay free</source>
+        <source>Free disk space to keep, in megabytes</source>
         <translation>磁盘保留的空闲兆字节</translation>
     </message>
     <message>
@@ -10190,7 +10854,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation> MB</translation>
     </message>
     <message>
-        <source>A recording ends in order, and is whole, before less of the disk is free.</source>
+        <source>A recording stops and is completed before the free disk space falls below this value.</source>
         <translation>在磁盘空闲空间低于此值之前，录制会正常结束并保持完整。</translation>
     </message>
     <message>
@@ -10205,7 +10869,7 @@ Jog the arm to a place and press Teach here (T).</source>
 <context>
     <name>tiller::app::ReportDialog</name>
     <message>
-        <source>With names and addresses of robots, inputs, outputs and files</source>
+        <source>Include names and addresses of robots, inputs, outputs and files</source>
         <translation>包含机器人、输入、输出和文件的名称与地址</translation>
     </message>
     <message>
@@ -10225,7 +10889,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>报告中的文件</translation>
     </message>
     <message>
-        <source>What this file says</source>
+        <source>Content of this file</source>
         <translation>此文件的内容</translation>
     </message>
     <message>
@@ -10237,7 +10901,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>One file with what somebody who helps you needs to know. Below is all that will be in it. It is saved where you choose; Tiller sends it nowhere.</source>
+        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
         <translation>一个文件，包含协助者需要知道的内容。下面显示其中的全部内容。它保存在您选择的位置；Tiller 不会发送到任何地方。</translation>
     </message>
     <message>
@@ -10260,7 +10924,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>打开示例项目</translation>
     </message>
     <message>
-        <source>Each is taught for a UR5e and can be gone through with the simulated robot. You work on a copy: saving asks for a file of your own.</source>
+        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
         <translation>每个都是为 UR5e 示教的，可用模拟机器人走一遍。您使用的是副本：保存时会询问您自己的文件。</translation>
     </message>
     <message>
@@ -10279,7 +10943,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>设置</translation>
     </message>
     <message>
-        <source>Look and motion</source>
+        <source>Appearance and motion</source>
         <translation>外观与动作</translation>
     </message>
     <message>
@@ -10291,7 +10955,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>录制</translation>
     </message>
     <message>
-        <source>Keys</source>
+        <source>Shortcuts</source>
         <translation>按键</translation>
     </message>
     <message>
@@ -10303,7 +10967,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>导出设置…</translation>
     </message>
     <message>
-        <source>One file with everything that is remembered, for another computer or as a copy</source>
+        <source>Save all settings to one file, for another computer or as a backup</source>
         <translation>包含所有记住内容的一个文件，用于另一台计算机或作为副本</translation>
     </message>
     <message>
@@ -10311,7 +10975,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>导入设置…</translation>
     </message>
     <message>
-        <source>Takes over what such a file holds; says first what it replaces</source>
+        <source>Import settings from a file after showing what will be replaced</source>
         <translation>采用此类文件的内容；先说明会替换什么</translation>
     </message>
     <message>
@@ -10327,7 +10991,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>深色</translation>
     </message>
     <message>
-        <source>Size of keys and rows</source>
+        <source>Size of controls</source>
         <translation>按键和行的大小</translation>
     </message>
     <message>
@@ -10347,7 +11011,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Size of everything</source>
+        <source>Interface size</source>
         <translation>整体大小</translation>
     </message>
     <message>
@@ -10379,7 +11043,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>本程序的速度上限</translation>
     </message>
     <message>
-        <source>Longest hold</source>
+        <source>Maximum hold time</source>
         <translation>最长按住时间</translation>
     </message>
     <message>
@@ -10387,15 +11051,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog ends and its key has to be pressed again. Freedrive has five minutes, a move to a place the time it takes and 5 s.</source>
+        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation>此时间后点动结束，需重新按下按键。自由驱动为五分钟，前往某处为所需时间加 5 s。</translation>
     </message>
     <message>
-        <source>Touch: as high as a finger needs. In a window lower than %1 px the keys of joints, tabs and title bars stay smaller.</source>
+        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
         <translation>触摸：手指所需的高度。在低于 %1 px 的窗口中，关节键、选项卡和标题栏保持较小。</translation>
     </message>
     <message>
-        <source>How lengths, speeds of the TCP and orientations are shown and typed. Plots and files keep metres, millimetres and degrees.</source>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
         <translation>长度、TCP 速度和方向的显示与输入方式。曲线图和文件保持米、毫米和度。</translation>
     </message>
     <message>
@@ -10403,27 +11067,27 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>速度上限</translation>
     </message>
     <message>
-        <source>Text, keys, rows, plots and the view, all alike.</source>
+        <source>Scales text, controls, plots and the view.</source>
         <translation>文字、按键、行、曲线图和视图，一律相同。</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller. The screen has room for %1 % only, which it will have there.</source>
+        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
         <translation>从下次启动 Tiller 起生效。屏幕只容得下 %1 %，届时即为此大小。</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller.</source>
+        <source>Takes effect at the next start of Tiller.</source>
         <translation>从下次启动 Tiller 起生效。</translation>
     </message>
     <message>
-        <source>▲ Above %1. Nothing else limits a jog from a PC: neither manual mode nor the enabling device of the pendant. The header says so, and it ends with the program.</source>
+        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
         <translation>▲ 高于 %1。没有其他东西限制来自 PC 的点动：手动模式和示教器的使能装置都不行。页眉会说明，并随程序结束而失效。</translation>
     </message>
     <message>
-        <source>No motion of this program gets above it, at the TCP and at the elbow. It holds at once and stops what moves.</source>
+        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
         <translation>本程序的任何动作在 TCP 和肘部都不会超过它。立即生效，并停止正在移动的一切。</translation>
     </message>
     <message>
-        <source>Keys of the commands</source>
+        <source>Keyboard shortcuts</source>
         <translation>命令的按键</translation>
     </message>
     <message>
@@ -10431,7 +11095,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>命令</translation>
     </message>
     <message>
-        <source>Key</source>
+        <source>Shortcut</source>
         <translation>按键</translation>
     </message>
     <message>
@@ -10439,19 +11103,15 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>恢复默认按键</translation>
     </message>
     <message>
-        <source>Press the new key in the field; Backspace takes it away. Space and Esc always stop the arm.</source>
-        <translation>在栏中按下新按键；Backspace 将其去除。Space 和 Esc 始终停止机械臂。</translation>
-    </message>
-    <message>
-        <source>Key for %1</source>
+        <source>Shortcut for %1</source>
         <translation>%1 的按键</translation>
     </message>
     <message>
-        <source>%1 stops the arm and nothing else.</source>
+        <source>%1 is reserved for stopping the arm.</source>
         <translation>%1 只用于停止机械臂。</translation>
     </message>
     <message>
-        <source>%1 belongs to &quot;%2&quot;. Take it away there first.</source>
+        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
         <translation>%1 属于 &quot;%2&quot;。请先在那里去除。</translation>
     </message>
     <message>
@@ -10459,24 +11119,44 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>语言</translation>
     </message>
     <message>
-        <source>As the system: %1</source>
+        <source>System language: %1</source>
         <translation>跟随系统：%1</translation>
     </message>
     <message>
-        <source>Open the window anew</source>
+        <source>Reopen window</source>
         <translation>重新打开窗口</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and connects again; what the plots show begins anew. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
         <translation>停止机械臂、交还控制并重新连接；曲线图的显示重新开始。项目会保存。</translation>
     </message>
     <message>
-        <source>Of the window and of the checks. Files and scripts are the same in all.</source>
+        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
         <translation>窗口和检查的语言。文件和脚本在所有语言中相同。</translation>
     </message>
     <message>
-        <source>Holds at the next start of Tiller, or once the window is opened anew.</source>
+        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
         <translation>从下次启动 Tiller 起，或重新打开窗口后生效。</translation>
+    </message>
+    <message>
+        <source>Monitor only</source>
+        <translation>仅监视</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>For PCs that only monitor: this window does not take control, set outputs or start programs. STOP still works.</source>
+        <translation>用于仅监视的电脑：此窗口不获取控制、不设置输出、不启动程序。STOP 仍然有效。</translation>
+    </message>
+    <message>
+        <source>Monitor only (set on the command line)</source>
+        <translation>仅监视（由命令行设置）</translation>
+    </message>
+    <message>
+        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
+        <translation>在框中按下新的快捷键；退格键可删除。拥有控制时，空格键和 Esc 始终停止机械臂。</translation>
     </message>
 </context>
 <context>
@@ -10502,7 +11182,7 @@ Jog the arm to a place and press Teach here (T).</source>
         <translation>%1 未导入。没有任何更改。%2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. What was here before is in %2</source>
+        <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>已从 %1 导入设置。此前的内容在 %2 中</translation>
     </message>
 </context>

@@ -30,7 +30,7 @@ bool isTooEarly(const DashboardClient&, const Error& error) {
     return error.controllerMessage.contains(QLatin1String("until 5s"));
 }
 bool isTooEarly(const RobotApiClient&, const Error& error) {
-    return error.controllerMessage.startsWith(QLatin1String("409"));  // "not possible now"
+    return error.controllerMessage.startsWith(QLatin1String("409"));  // "not available now"
 }
 
 void closePopup(DashboardClient& client, const Deadline& deadline) {

@@ -92,18 +92,17 @@ void judgeModes(Examiner& examiner, RobotMode mode, SafetyMode safety) {
     if (allowsMotion(safety)) {
         examiner.good(Condition::Safety, safetyModeName(safety));
     } else {
-        examiner.found(
-            Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"), safetyModeName(safety),
-            DoctorText::tr(
-                "Look at the arm, remove the cause, then recover: Recover… in the header, or on the teach "
-                "pendant."));
+        examiner.found(Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"),
+                       safetyModeName(safety),
+                       DoctorText::tr("Inspect the arm, remove the cause, then recover: press Recover… in "
+                                      "the header, or use the teach pendant."));
     }
     if (mode == RobotMode::Running) {
         examiner.good(Condition::Power, robotModeName(mode));
     } else {
         examiner.found(Condition::Power, Verdict::Attention, QStringLiteral("power.not-running"),
                        robotModeName(mode),
-                       DoctorText::tr("Power on and release the brakes: the header's button leads the way."));
+                       DoctorText::tr("Power on and release the brakes with the button in the header."));
     }
 }
 
@@ -128,15 +127,13 @@ void examineRegisters(Examiner& examiner) {
         examiner.found(
             Condition::Protocol, Verdict::Bad,
             mute ? QStringLiteral("rtde.mute") : QStringLiteral("rtde.not-rtde"),
-            mute ? DoctorText::tr("the RTDE port takes connections but does not answer")
-                 : DoctorText::tr("what answers on port %1 does not speak RTDE")
-                       .arg(examiner.patient.ports.rtde),
-            mute ? DoctorText::tr(
-                       "Too many RTDE clients, or a controller that hangs: close other programs, then "
-                       "restart the "
-                       "controller.")
+            mute
+                ? DoctorText::tr("the RTDE port accepts connections but does not answer")
+                : DoctorText::tr("the service on port %1 does not use RTDE").arg(examiner.patient.ports.rtde),
+            mute ? DoctorText::tr("Too many RTDE clients, or the controller hangs: close other programs, "
+                                  "then restart the controller.")
                  : DoctorText::tr(
-                       "Check the address: this is another device, or another program took the port."));
+                       "Check the address: this is another device, or another program uses the port."));
         return;
     }
     const rtde::Connection& connection = **opened;
@@ -153,26 +150,24 @@ void examineRegisters(Examiner& examiner) {
     if (!inUse[0].empty()) {
         examiner.found(
             Condition::UpperRegisters, Verdict::Bad, QStringLiteral("registers.upper.taken"),
-            DoctorText::tr("another program holds %1").arg(joined(inUse[0])),
-            DoctorText::tr("End the other program that controls this robot (another window, ROS, ur_rtde)."));
+            DoctorText::tr("another program uses %1").arg(joined(inUse[0])),
+            DoctorText::tr(
+                "Close the other program that controls this robot (another Tiller window, ROS, ur_rtde)."));
     } else if (!recipes[0].isValid()) {
         examiner.found(Condition::UpperRegisters, Verdict::Attention,
                        QStringLiteral("registers.upper.absent"),
                        DoctorText::tr("this software has no registers 24 to 47"),
                        DoctorText::tr("Update the robot's software to 3.9 or 5.3."));
     } else {
-        examiner.good(Condition::UpperRegisters, DoctorText::tr("24 to 47 are free"));
+        examiner.good(Condition::UpperRegisters, DoctorText::tr("registers 24 to 47 are free"));
     }
     if (!inUse[1].empty()) {
-        examiner.found(
-            Condition::LowerRegisters, Verdict::Attention, QStringLiteral("registers.lower.taken"),
-            DoctorText::tr("a fieldbus adapter or another program holds %1").arg(joined(inUse[1])),
-            DoctorText::tr(
-                "Nothing to do for jogging. To use these registers, switch EtherNet/IP, PROFINET or MODBUS "
-                "off in "
-                "the robot's installation."));
+        examiner.found(Condition::LowerRegisters, Verdict::Attention, QStringLiteral("registers.lower.taken"),
+                       DoctorText::tr("a fieldbus adapter or another program uses %1").arg(joined(inUse[1])),
+                       DoctorText::tr("No action needed for jogging. To use these registers, disable "
+                                      "EtherNet/IP, PROFINET or MODBUS in the robot's installation."));
     } else {
-        examiner.good(Condition::LowerRegisters, DoctorText::tr("0 to 23 are free"));
+        examiner.good(Condition::LowerRegisters, DoctorText::tr("registers 0 to 23 are free"));
     }
 }
 
@@ -205,7 +200,7 @@ void examineData(Examiner& examiner) {
     receiver.stop();
     if (packages == 0) {
         examiner.found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.none"),
-                       DoctorText::tr("the robot takes the subscription but sends no data"),
+                       DoctorText::tr("the robot accepts the subscription but sends no data"),
                        DoctorText::tr("Close other RTDE programs, then restart the robot's controller."));
         return;
     }
@@ -213,14 +208,11 @@ void examineData(Examiner& examiner) {
     const double wanted = receiver.version().maxFrequency();
     const double rate = last > first ? (packages - 1) / (last - first) : 0;
     const QString detail =
-        DoctorText::tr("%1 of %2 packages a second").arg(rate, 0, 'f', 0).arg(wanted, 0, 'f', 0);
+        DoctorText::tr("%1 of %2 packets per second").arg(rate, 0, 'f', 0).arg(wanted, 0, 'f', 0);
     if (rate < kLeastShare * wanted) {
-        examiner.found(
-            Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
-            DoctorText::tr(
-                "Packages are missing: use a cable, not a radio link; close other programs that load the "
-                "robot or "
-                "this PC."));
+        examiner.found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
+                       DoctorText::tr("Packets are missing: use a cable instead of a wireless link; close "
+                                      "other programs that load the robot or this PC."));
     } else {
         examiner.good(Condition::DataRate, detail);
     }
@@ -228,16 +220,17 @@ void examineData(Examiner& examiner) {
         examiner.good(Condition::Privilege, DoctorText::tr("priority %1").arg(priority.granted));
     } else {
         examiner.found(Condition::Privilege, Verdict::Attention, QStringLiteral("privilege.none"),
-                       DoctorText::tr("the system grants this user no real-time priority"), priority.advice);
+                       DoctorText::tr("the system does not grant this user real-time priority"),
+                       priority.advice);
     }
     // Without the privilege it makes no difference: that comes first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
         examiner.good(Condition::WakeUpLatency,
-                      DoctorText::tr("permitted, and asked for by loops with priority"));
+                      DoctorText::tr("permitted, and requested by real-time loops"));
     } else if (priority.ok()) {
         examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
-                       DoctorText::tr("processors may sleep deeply, loops begin later"), latency);
+                       DoctorText::tr("CPUs may enter deep sleep states, which delays loops"), latency);
     }
     const receive::RobotState robot(sample);
     judgeModes(examiner, robot.robotMode(), robot.safetyMode());

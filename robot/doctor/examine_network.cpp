@@ -54,13 +54,10 @@ bool examineAddress(Examiner& examiner) {
             return true;
         }
     }
-    examiner.found(
-        Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
-        DoctorText::tr("\"%1\" is no address, and no host of that name is known").arg(host),
-        DoctorText::tr(
-            "Enter the four numbers shown on the teach pendant under About, or ask who runs the network for "
-            "the "
-            "name."));
+    examiner.found(Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
+                   DoctorText::tr("\"%1\" is not an address, and no host of that name was found").arg(host),
+                   DoctorText::tr("Enter the four numbers shown on the teach pendant under About, or ask "
+                                  "your network administrator for the name."));
     return false;
 }
 
@@ -87,25 +84,21 @@ void examinePorts(Examiner& examiner) {
             Condition::Host, Verdict::Bad,
             silent ? QStringLiteral("host.silent") : QStringLiteral("host.unreachable"),
             silent ? DoctorText::tr("%1 does not answer").arg(examiner.address)
-                   : DoctorText::tr("There is no way to %1").arg(examiner.address),
-            silent
-                ? DoctorText::tr(
-                      "Check that the robot is switched on and the cable is plugged in, and that no firewall "
-                      "stands between.")
-                : DoctorText::tr(
-                      "Give this PC an address in the robot's network (the same first three numbers), and "
-                      "check "
-                      "the cable."));
+                   : DoctorText::tr("There is no route to %1").arg(examiner.address),
+            silent ? DoctorText::tr("Check that the robot is switched on, the cable is plugged in, and no "
+                                    "firewall blocks the connection.")
+                   : DoctorText::tr(
+                         "Give this PC an address in the robot's network (the same first three numbers), and "
+                         "check "
+                         "the cable."));
         return;
     }
     if (open == 0 && refused == static_cast<int>(doors.size())) {
         examiner.found(
             Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
-            DoctorText::tr("%1 answers, but none of a robot's services is there").arg(examiner.address),
-            DoctorText::tr(
-                "Check that this is the robot's own address. A robot that has just been switched on needs "
-                "another "
-                "minute."));
+            DoctorText::tr("%1 answers, but offers none of a robot's services").arg(examiner.address),
+            DoctorText::tr("Check that this is the address of the robot. A robot that has just been switched "
+                           "on needs another minute."));
         return;
     }
     examiner.good(Condition::Host, DoctorText::tr("%1 answers").arg(examiner.address));
@@ -128,10 +121,9 @@ void examinePorts(Examiner& examiner) {
                      wasRefused ? QStringLiteral("refused") : QStringLiteral("silent")),
             wasRefused ? DoctorText::tr("port %1 is closed").arg(door.port)
                        : DoctorText::tr("port %1 does not answer").arg(door.port),
-            wasRefused
-                ? DoctorText::tr("Switch this interface on at the robot: Settings, Security, Services.")
-                : DoctorText::tr("A firewall swallows this port: allow TCP port %1 to the robot.")
-                      .arg(door.port));
+            wasRefused ? DoctorText::tr("Enable this interface on the robot: Settings, Security, Services.")
+                       : DoctorText::tr("A firewall blocks this port: allow TCP port %1 to the robot.")
+                             .arg(door.port));
     }
 }
 

@@ -17,9 +17,8 @@ constexpr int kStateMs = 2500;
 
 QString remoteFix() {
     return DoctorText::tr(
-        "Switch the robot to Remote control on the teach pendant, at the top right. Without that, Tiller "
-        "only "
-        "watches.");
+        "Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can "
+        "only monitor.");
 }
 
 void examineDashboard(Examiner& examiner) {
@@ -35,11 +34,11 @@ void examineDashboard(Examiner& examiner) {
         examiner.found(
             Condition::ServicePort, Verdict::Bad,
             mute ? QStringLiteral("service.mute") : QStringLiteral("service.not-dashboard"),
-            mute ? DoctorText::tr("the dashboard takes connections but does not answer")
-                 : DoctorText::tr("what answers on port %1 is not a dashboard")
+            mute ? DoctorText::tr("the dashboard accepts connections but does not answer")
+                 : DoctorText::tr("the service on port %1 is not a dashboard server")
                        .arg(examiner.patient.ports.dashboard),
-            mute ? DoctorText::tr("Restart the robot's controller; if it stays like this, see its log.")
-                 : DoctorText::tr("Check the address, and that no other program uses this port."));
+            mute ? DoctorText::tr("Restart the robot's controller; if the problem persists, see its log.")
+                 : DoctorText::tr("Check the address, and check that no other program uses this port."));
         return;
     }
     if (version->isCb3()) {
@@ -67,18 +66,17 @@ void examineRobotApi(Examiner& examiner) {
         examiner.found(
             Condition::ServicePort, Verdict::Bad,
             silent ? QStringLiteral("port.service.silent") : QStringLiteral("port.service.refused"),
-            DoctorText::tr("neither the dashboard (port %1) nor the Robot API (port %2) is there")
+            DoctorText::tr("neither the dashboard (port %1) nor the Robot API (port %2) is available")
                 .arg(examiner.patient.ports.dashboard)
                 .arg(port),
-            DoctorText::tr(
-                "Switch the Dashboard Server on at the robot: Settings, Security, Services. PolyScope X "
-                "needs 10.11 "
-                "or newer for the Robot API."));
+            DoctorText::tr("Enable the Dashboard Server on the robot: Settings, Security, Services. "
+                           "PolyScope X needs 10.11 or newer for the Robot API."));
         return;
     }
-    examiner.good(
-        Condition::ServicePort,
-        DoctorText::tr("Robot API %1, port %2; popups are closed on the tablet").arg(*version).arg(port));
+    examiner.good(Condition::ServicePort,
+                  DoctorText::tr("Robot API %1, port %2; popups must be closed on the teach pendant")
+                      .arg(*version)
+                      .arg(port));
     const Result<bool> remote = client.isInRemoteControl(examiner.within(kReplyMs));
     if (!remote) {
         return;  // before 10.12 it cannot be asked
@@ -118,7 +116,7 @@ void examineModel(Examiner& examiner) {
         examiner.found(
             Condition::Model, Verdict::Bad, QStringLiteral("model.untold"),
             DoctorText::tr("the primary interface does not describe the arm"),
-            DoctorText::tr("Check that this is the robot's own address, and restart its controller."));
+            DoctorText::tr("Check that this is the address of the robot, and restart its controller."));
         return;
     }
     for (const RobotModel& model : robotModels()) {
@@ -131,8 +129,8 @@ void examineModel(Examiner& examiner) {
     }
     examiner.found(
         Condition::Model, Verdict::Attention, QStringLiteral("model.unknown"),
-        DoctorText::tr("robot type %1 is newer than this program").arg(configuration->robotType),
-        DoctorText::tr("Watching works. Limits and previews use the dimensions the robot reports; jog "
+        DoctorText::tr("robot type %1 is not known to this version of Tiller").arg(configuration->robotType),
+        DoctorText::tr("Monitoring works. Limits and previews use the dimensions the robot reports; jog "
                        "slowly at first."));
 }
 

@@ -68,10 +68,10 @@ struct Bench : WindowBench {
 std::unique_ptr<TestPad> longPad() {
     DeviceReading pushed;
     pushed.axes << 0.7, -0.7, 0.7, 0.7, -0.7, 0.7;
-    return std::make_unique<TestPad>(
-        QStringLiteral("8BitDo Ultimate Wireless Controller"),
-        QStringLiteral("Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn."),
-        pushed);
+    return std::make_unique<TestPad>(QStringLiteral("8BitDo Ultimate Wireless Controller"),
+                                     QStringLiteral("Left stick: X and Y. Right stick: Z and rotation. Hold "
+                                                    "the right shoulder to rotate with both sticks."),
+                                     pushed);
 }
 
 void keepPicture(QWidget& widget, const QString& name) {

@@ -294,10 +294,10 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.state") == "both outputs off"; }));
         click("gripper.close");
         QVERIFY(until([this] { return output(16) && !output(17); }));
-        QVERIFY(until([this] { return text("gripper.state") == "told to close"; }));
+        QVERIFY(until([this] { return text("gripper.state") == "close requested"; }));
         click("gripper.open");
         QVERIFY(until([this] { return !output(16) && output(17); }));
-        QVERIFY(until([this] { return text("gripper.state") == "told to open"; }));
+        QVERIFY(until([this] { return text("gripper.state") == "open requested"; }));
         QVERIFY(until([this] { return wasSaid("Gripper: open (TO 0: off, TO 1: on)"); }));
         // Whoever switches them: what the robot reports is shown.
         bench_->window.session().outputs().setDigitalOutput(16, true);
@@ -309,11 +309,11 @@ private Q_SLOTS:
         auto& list = bench_->find<QComboBox>("gripper.closeOutput");
         list.setFocus();
         QTest::keyClick(&list, Qt::Key_Home);
-        QVERIFY(until([this] { return text("gripper.state") == "told to open"; }));
+        QVERIFY(until([this] { return text("gripper.state") == "open requested"; }));
         click("gripper.close");
-        QVERIFY(until([this] { return output(0) && text("gripper.state") == "told to close"; }));
+        QVERIFY(until([this] { return output(0) && text("gripper.state") == "close requested"; }));
         click("gripper.open");
-        QVERIFY(until([this] { return !output(0) && text("gripper.state") == "told to open"; }));
+        QVERIFY(until([this] { return !output(0) && text("gripper.state") == "open requested"; }));
         QCOMPARE(app::Settings(bench_->file).gripper("simulator"), QString("output|0"));
     }
 

@@ -52,7 +52,7 @@ bool FigureBox::isRefused() const {
 
 void FigureBox::explainRefusal() {
     const auto with = [this](double figure) { return textFromValue(figure) + suffix(); };
-    const QString text = tr("“%1” was not taken: %2 to %3. Nothing was changed.")
+    const QString text = tr("“%1” is out of range (%2 to %3). Nothing was changed.")
                              .arg(asShown(bare(lineEdit()->text())), with(minimum()), with(maximum()));
     QToolTip::showText(mapToGlobal(QPoint(0, height())), text, this);
     setAccessibleDescription(text);

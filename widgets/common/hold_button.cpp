@@ -88,7 +88,7 @@ QString HoldButton::detail() const {
 void HoldButton::sayHold() {
     holdHint_.start();
     QToolTip::showText(mapToGlobal(QPoint(0, height())),
-                       tr("Hold this key: it moves the arm only as long as it is held."), this);
+                       tr("Hold this key: the arm moves only while it is held."), this);
     update();
 }
 

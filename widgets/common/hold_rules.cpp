@@ -235,9 +235,9 @@ struct HoldRules::Book {
         if (key != nullptr) {
             return QApplication::activeWindow() == key->window()
                        ? QString()
-                       : tr("The window was not the active one. Press again.");
+                       : tr("The window was not active. Press again.");
         }
-        return QApplication::activeWindow() != nullptr ? QString() : tr("Click into the window first.");
+        return QApplication::activeWindow() != nullptr ? QString() : tr("Click in the window first.");
     }
     static QString openDialog(const HoldRules&, const QWidget*, const Grip& grip) {
         // A mouse or a finger cannot reach a key through a dialog that matters; a device can.
@@ -250,12 +250,12 @@ struct HoldRules::Book {
         return open ? tr("A dialog or a menu is open. Close it first.") : QString();
     }
     static QString anotherHand(const HoldRules& h, const QWidget*, const Grip&) {
-        return h.terms_->holding != nullptr && h.terms_->holding != &h ? tr("Another key is held.")
+        return h.terms_->holding != nullptr && h.terms_->holding != &h ? tr("Another key is already held.")
                                                                        : QString();
     }
     static QString muteWitness(const HoldRules& h, const QWidget*, const Grip& grip) {
         return h.isWitnessed(grip) && h.terms_->witness->waitingNs() > kStallNs
-                   ? tr("The display server does not answer: nobody could tell when the key is let go.")
+                   ? tr("The display server does not respond: the release of the key could not be detected.")
                    : QString();
     }
 

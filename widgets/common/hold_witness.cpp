@@ -22,8 +22,8 @@ public:
     std::int64_t waitingNs() const override { return 0; }
     QString description() const override {
         return QCoreApplication::translate("HoldWitness",
-                                           "No second witness on this screen (%1): whether a key is still "
-                                           "held is known from the window's events alone.")
+                                           "Key-state check unavailable on this platform (%1): held keys are "
+                                           "known from window events only.")
             .arg(QGuiApplication::platformName());
     }
 };

@@ -147,12 +147,11 @@ std::int64_t XcbWitness::waitingNs() const {
 QString XcbWitness::description() const {
     return isThere()
                ? QCoreApplication::translate("HoldWitness",
-                                             "The display server is asked every 10 ms whether the button or "
-                                             "key is still down.")
-               : QCoreApplication::translate(
-                     "HoldWitness",
-                     "The display server cannot be asked a second time: whether a key "
-                     "is still held is known from the window's events alone.");
+                                             "Key-state check active: Tiller asks the display server every "
+                                             "10 ms whether the button or key is still pressed.")
+               : QCoreApplication::translate("HoldWitness",
+                                             "Key-state check unavailable: no second connection to the "
+                                             "display server. Held keys are known from window events only.");
 }
 
 void XcbWitness::note(std::int64_t askedNs, bool button, const std::array<bool, kKeys>& keys) {

@@ -25,8 +25,9 @@ FrameDetails::FrameDetails(QWidget* parent) : QWidget(parent), name_(new QLabel)
     facts_->setObjectName(QStringLiteral("frame.details.facts"));
     facts_->setProperty("role", "secondary");
     facts_->setFont(textFont(15));
-    pose_ = new PoseEditor(QStringLiteral("frame.details"), tr("Origin"),
-                           tr("In Base. Return applies it; nothing moves but the frame."));
+    pose_ = new PoseEditor(
+        QStringLiteral("frame.details"), tr("Origin"),
+        tr("In Base. Press Return to apply. Only the frame changes; the robot does not move."));
     connect(pose_, &PoseEditor::poseEntered, this, [this](const Pose& pose) {
         if (frame_) {
             Q_EMIT placeEntered(pose);
@@ -71,7 +72,7 @@ void FrameDetails::showFacts() {
         facts_->setFullText({});
         return;
     }
-    QStringList facts = {waypoints_ == 0 ? tr("no waypoint uses it")
+    QStringList facts = {waypoints_ == 0 ? tr("not used by any waypoint")
                                          : tr("%n waypoints move with it", nullptr, waypoints_)};
     if (tcp_) {
         const project::PoseDifference away = project::poseDifference(frame_->T_base_frame, *tcp_);

@@ -10,13 +10,13 @@ namespace tiller {
 namespace {
 
 QString movedText(int waypoints) {
-    return waypoints == 0 ? FrameEditing::tr("No waypoint moved with it.")
+    return waypoints == 0 ? FrameEditing::tr("No waypoints moved with it.")
                           : FrameEditing::tr("%n waypoints moved with it.", nullptr, waypoints);
 }
 
 QString outOfReachText(int waypoints) {
     return waypoints == 0 ? QString()
-                          : FrameEditing::tr("%n of them are out of reach there.", nullptr, waypoints);
+                          : FrameEditing::tr("%n of them are now out of reach.", nullptr, waypoints);
 }
 
 }  // namespace
@@ -40,10 +40,10 @@ void FrameEditing::askToMove(const QUuid& id, const Pose& T_base_frame) {
     const project::Frame frame = model_.frames().at(static_cast<std::size_t>(row));
     const project::PoseDifference by = project::poseDifference(frame.T_base_frame, T_base_frame);
     const FrameUse use = model_.use(id, T_base_frame);
-    QStringList lines = {tr("It moves by %1 (%2, base frame).")
+    QStringList lines = {tr("The frame moves by %1 (%2, base frame).")
                              .arg(format::difference(by.distance, by.angle),
                                   format::shift(T_base_frame.position - frame.T_base_frame.position)),
-                         use.waypoints == 0 ? tr("No waypoint is given in it.")
+                         use.waypoints == 0 ? tr("No waypoint uses this frame.")
                                             : tr("%n waypoints move with it.", nullptr, use.waypoints)};
     if (use.outOfReach > 0) {
         lines << outOfReachText(use.outOfReach);
@@ -52,7 +52,7 @@ void FrameEditing::askToMove(const QUuid& id, const Pose& T_base_frame) {
                  lines.join(QLatin1Char(' ')), tr("Touch up"), [this, id, T_base_frame, name = frame.name] {
                      // What was shown is what is kept, even if the arm has moved on since.
                      const QString moved = move(id, T_base_frame, tr("Touch up “%1”").arg(name));
-                     const QString done = tr("“%1” is touched up").arg(name);
+                     const QString done = tr("Touched up “%1”").arg(name);
                      notice_.show(NoticeBar::Kind::Question, done, moved);
                      Q_EMIT message(Severity::Info, done + QStringLiteral(". ") + moved);
                  });
@@ -76,8 +76,8 @@ QString FrameEditing::move(const QUuid& id, const Pose& T_base_frame, const QStr
 
 void FrameEditing::place(const project::Frame& frame, const Pose& T_base_frame) {
     // The hand is in the figures and wants the next one: said below, not in between.
-    const QString moved = move(frame.id, T_base_frame, tr("Set the place of “%1”").arg(frame.name));
-    Q_EMIT message(Severity::Info, tr("“%1” is set in figures. %2").arg(frame.name, moved));
+    const QString moved = move(frame.id, T_base_frame, tr("Set the position of “%1”").arg(frame.name));
+    Q_EMIT message(Severity::Info, tr("“%1” was set numerically. %2").arg(frame.name, moved));
 }
 
 void FrameEditing::duplicate(const project::Frame& frame) {
@@ -93,14 +93,14 @@ void FrameEditing::remove(const project::Frame& frame) {
         document_.removeFrame(model_.rowOf(frame.id));
         return;
     }
-    notice_.show(
-        NoticeBar::Kind::Question, tr("Delete “%1”?").arg(frame.name),
-        tr("%n waypoints are given in it. They stay where they are, given in Base.", nullptr, waypoints),
-        tr("Delete frame"), [this, id = frame.id] {
-            if (const int row = model_.rowOf(id); row >= 0) {
-                document_.removeFrame(row);
-            }
-        });
+    notice_.show(NoticeBar::Kind::Question, tr("Delete “%1”?").arg(frame.name),
+                 tr("%n waypoints use this frame. They keep their positions and are converted to Base.",
+                    nullptr, waypoints),
+                 tr("Delete frame"), [this, id = frame.id] {
+                     if (const int row = model_.rowOf(id); row >= 0) {
+                         document_.removeFrame(row);
+                     }
+                 });
 }
 
 }  // namespace tiller

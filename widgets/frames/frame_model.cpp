@@ -87,11 +87,11 @@ QString FrameModel::nameProblem(const QString& name, const QUuid& own) const {
                                   tr("View"),
                                   QStringLiteral("—")};
     if (reserved.contains(name, Qt::CaseInsensitive)) {
-        return tr("“%1” is a frame every robot has. Choose another name.").arg(name);
+        return tr("“%1” is a built-in frame. Choose another name.").arg(name);
     }
     for (const project::Frame& frame : frames()) {
         if (frame.id != own && frame.name.compare(name, Qt::CaseInsensitive) == 0) {
-            return tr("“%1” is taken by another frame. Choose another name.").arg(name);
+            return tr("Another frame is named “%1”. Choose another name.").arg(name);
         }
     }
     return {};
@@ -201,7 +201,7 @@ QVariant FrameModel::headerData(int section, Qt::Orientation orientation, int ro
                    : vector ? tr("Rotation vector in Base, radians")
                             : tr("Roll, pitch and yaw in Base");
         case Waypoints:
-            return shortly ? tr("Points") : tr("Waypoints that move with it");
+            return shortly ? tr("Points") : tr("Waypoints that move with the frame");
         case Distance:
             return (shortly ? tr("TCP %1") : tr("Distance of the TCP, %1")).arg(format::lengthUnit());
         default:

@@ -32,7 +32,7 @@ FrameTeacher::FrameTeacher(QWidget* parent)
     feedback_->setWordWrap(true);
     feedback_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     cancel_->setObjectName(QStringLiteral("frame.teacher.cancel"));
-    cancel_->setAccessibleName(tr("Cancel the frame"));
+    cancel_->setAccessibleName(tr("Cancel frame teaching"));
     make_->setObjectName(QStringLiteral("frame.teacher.make"));
     make_->setProperty("primary", true);
 
@@ -71,7 +71,7 @@ FrameTeacher::FrameTeacher(QWidget* parent)
     layout->addLayout(row);
     connect(cancel_, &QPushButton::clicked, this, &FrameTeacher::cancelled);
     connect(make_, &QPushButton::clicked, this, &FrameTeacher::finish);
-    begin({}, tr("Make frame"));
+    begin({}, tr("Create frame"));
 }
 
 void FrameTeacher::begin(const QString& title, const QString& make) {
@@ -138,22 +138,20 @@ QString FrameTeacher::feedback() const {
     const auto found = project::check(points_);
     switch (found.problem) {
         case Problem::NotFinite:
-            return tr("The robot sent no valid place. Take the point again.");
+            return tr("The robot sent an invalid position. Take the point again.");
         case Problem::XTooClose:
-            return tr("The point on +X is only %1 from the origin. Take it again at least %2 away: the "
-                      "further, "
-                      "the truer the axes.")
+            return tr("The point on +X is only %1 from the origin. Take it again at least %2 away. A larger "
+                      "distance gives more accurate axes.")
                 .arg(format::length(found.alongX, 1), arm);
         case Problem::YTooClose:
             return tr("The third point is only %1 from the origin. Take it again at least %2 away.")
                 .arg(format::length(found.towardsY, 1), arm);
         case Problem::InLine:
-            return tr("The three points lie in a line: the third is only %1 beside the X axis. Take it again "
-                      "at "
-                      "least %2 to the side of +Y.")
+            return tr("The three points are collinear: the third is only %1 from the X axis. Take it again "
+                      "at least %2 towards +Y.")
                 .arg(format::length(found.offLine, 1), offset);
         case Problem::None:
-            return tr("Ready: the point on +X is %1 away, the third lies %2 beside the X axis.")
+            return tr("Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.")
                 .arg(format::length(found.alongX, 1), format::length(found.offLine, 1));
         case Problem::Incomplete:
             break;
@@ -164,14 +162,14 @@ QString FrameTeacher::feedback() const {
     project::FramePoints with = points_;
     switch (nextMissing()) {
         case 0:
-            return tr("Jog the tip to where the frame begins, and take it (P).");
+            return tr("Jog the tip to the origin of the frame and take the point (P).");
         case 1:
             with.onX = tip_;
-            return tr("Now to a point on +X: %1 from the origin, %2 is the least.")
+            return tr("Now jog to a point on +X: %1 from the origin, minimum %2.")
                 .arg(format::length(project::check(with).alongX, 1), arm);
         default:
             with.towardsY = tip_;
-            return tr("Now to the side of +Y: %1 beside the X axis, %2 is the least.")
+            return tr("Now jog towards +Y: %1 from the X axis, minimum %2.")
                 .arg(format::length(project::check(with).offLine, 1), offset);
     }
 }

@@ -69,7 +69,7 @@ void FramesTab::buildLayout() {
     touchUp_->setAccessibleName(tr("Touch up the frame"));
     more_ = new QPushButton;
     more_->setObjectName(QStringLiteral("frame.more"));
-    more_->setAccessibleName(tr("More about frames"));
+    more_->setAccessibleName(tr("More frame commands"));
     more_->setText(QStringLiteral("···"));
     keys_ = new QWidget;
     auto* row = new QHBoxLayout(keys_);
@@ -80,9 +80,9 @@ void FramesTab::buildLayout() {
     row->addWidget(touchUp_, 3);
     row->addWidget(more_);
 
-    auto* empty = new QLabel(tr(
-        "No frames yet.\nJog the tip to a corner of the tray or table. Press From TCP, or 3 points to take "
-        "origin, +X and +Y."));
+    auto* empty =
+        new QLabel(tr("No frames yet.\nJog the tip to a corner of the tray or table. Press From TCP, or "
+                      "press 3 points to take origin, +X and +Y."));
     empty->setObjectName(QStringLiteral("frame.empty"));
     empty->setProperty("role", "secondary");
     empty->setAlignment(Qt::AlignCenter);
@@ -223,7 +223,7 @@ QString FramesTab::teachObstacle() const {
     if (state_.link == LinkState::Live) {
         return {};
     }
-    return state_.hasData() ? tr("The robot's data are old. Wait until they come again.")
+    return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
                             : tr("No robot is connected. Connect one, or try the simulator.");
 }
 
@@ -232,13 +232,14 @@ void FramesTab::updateAvailability() {
     const bool live = obstacle.isEmpty();
     const bool selected = currentRow() >= 0;
     fromTcp_->setEnabled(live);
-    fromTcp_->setToolTip(live ? tr("A frame where the TCP is, with the tool's axes (Shift+T)") : obstacle);
+    fromTcp_->setToolTip(live ? tr("Create a frame at the TCP with the axes of the tool (Shift+T)")
+                              : obstacle);
     threePoints_->setEnabled(live);
     threePoints_->setToolTip(live ? tr("Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)")
                                   : obstacle);
     touchUp_->setEnabled(live && selected);
     touchUp_->setToolTip(!live      ? obstacle
-                         : selected ? tr("The selected frame goes to where the TCP is (Shift+U)")
+                         : selected ? tr("Move the selected frame to the TCP (Shift+U)")
                                     : tr("Select a frame to touch up."));
     for (QAction* action : actions_) {
         const QString needs = action->property("needs").toString();
@@ -290,7 +291,7 @@ void FramesTab::buildActions() {
     everywhere(with(addCommand("takePoint", tr("Take the next point of the frame"), QKeySequence(Qt::Key_P),
                                [this] { teacher_->takeNext(); }),
                     "lt"));
-    everywhere(with(addCommand("make", tr("Make the frame of the points taken"),
+    everywhere(with(addCommand("make", tr("Create frame from points"),
                                QKeySequence(Qt::CTRL | Qt::Key_Return), [this] { teacher_->finish(); }),
                     "t"));
     everywhere(with(addCommand("cancel", tr("Cancel frame teaching"), {}, [this] { endTeaching(); }), "t"));
@@ -313,8 +314,8 @@ void FramesTab::buildActions() {
     menu->addAction(here(with(addCommand("rename", tr("Rename frame"), QKeySequence(Qt::Key_F2),
                                          [this] { table_->renameCurrent(); }),
                               "s")));
-    menu->addAction(here(
-        with(addCommand("edit", tr("Set frame in figures"), {}, [this] { details_->editFigures(); }), "s")));
+    menu->addAction(here(with(
+        addCommand("edit", tr("Enter frame numerically"), {}, [this] { details_->editFigures(); }), "s")));
     menu->addAction(
         here(with(addCommand("duplicate", tr("Duplicate frame"), QKeySequence(Qt::CTRL | Qt::Key_D),
                              [this] { withCurrent(&FrameEditing::duplicate); }),
@@ -369,7 +370,7 @@ void FramesTab::beginTeaching(const QUuid& into) {
     const std::optional<project::Frame> frame = into.isNull() ? std::nullopt : current();
     teacher_->begin(
         frame ? tr("Touch up “%1” from three points").arg(frame->name) : tr("New frame from three points"),
-        frame ? tr("Touch up…") : tr("Make frame"));
+        frame ? tr("Touch up…") : tr("Create frame"));
     showPage();
     updateAvailability();
 }

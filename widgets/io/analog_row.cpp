@@ -205,7 +205,7 @@ void AnalogRow::askForScale() {
     high->setValue(scale_.high);
     auto* unit = new QLineEdit(scale_.unit);
     unit->setMaxLength(12);
-    unit->setPlaceholderText(tr("bar; empty: not scaled"));
+    unit->setPlaceholderText(tr("e.g. bar; empty: not scaled"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     auto* form = new QFormLayout(dialog);
     form->addRow(tr("At 4 mA or 0 V"), low);

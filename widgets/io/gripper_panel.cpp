@@ -104,9 +104,9 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
     , kind_(new ChoiceBox)
     , closeOutput_(new ChoiceBox)
     , openOutput_(new ChoiceBox)
-    , stateText_(valueLabel(QStringLiteral("gripper.state"), tr("State of the gripper")))
-    , openingText_(valueLabel(QStringLiteral("gripper.opening"), tr("How far the gripper is open")))
-    , holdsText_(valueLabel(QStringLiteral("gripper.holds"), tr("What the gripper holds")))
+    , stateText_(valueLabel(QStringLiteral("gripper.state"), tr("Gripper state")))
+    , openingText_(valueLabel(QStringLiteral("gripper.opening"), tr("Gripper opening")))
+    , holdsText_(valueLabel(QStringLiteral("gripper.holds"), tr("Gripped object")))
     , activate_(key(tr("Activate"), QStringLiteral("gripper.activate"), tr("Activate the gripper")))
     , open_(key(tr("Open"), QStringLiteral("gripper.open"), tr("Open the gripper")))
     , close_(key(tr("Close"), QStringLiteral("gripper.close"), tr("Close the gripper")))
@@ -152,7 +152,7 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
 
 void GripperPanel::build() {
     kind_->setObjectName(QStringLiteral("gripper.kind"));
-    kind_->setAccessibleName(tr("Which gripper"));
+    kind_->setAccessibleName(tr("Gripper type"));
     kind_->addItem(tr("None"), kindOf({}));
     for (const auto model :
          {GripperChoice::Model::TwoF85, GripperChoice::Model::TwoF140, GripperChoice::Model::HandE}) {
@@ -174,9 +174,9 @@ void GripperPanel::build() {
     }
 
     const std::tuple<FigureBox*, const char*, QString> figures[] = {
-        {position_, "gripper.position", tr("Opening wanted")},
-        {speed_, "gripper.speed", tr("Speed of the fingers")},
-        {force_, "gripper.force", tr("Force of the fingers")}};
+        {position_, "gripper.position", tr("Target opening")},
+        {speed_, "gripper.speed", tr("Finger speed")},
+        {force_, "gripper.force", tr("Finger force")}};
     for (const auto& [box, name, accessible] : figures) {
         box->setObjectName(QLatin1String(name));
         box->setAccessibleName(accessible);
@@ -191,7 +191,7 @@ void GripperPanel::build() {
     force_->setValue(kFirstForce);
 
     remedy_->setObjectName(QStringLiteral("gripper.remedy"));
-    remedy_->setAccessibleName(tr("What to do about the gripper"));
+    remedy_->setAccessibleName(tr("Suggested action"));
     remedy_->setWordWrap(true);
     remedy_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     remedy_->setContentsMargins(0, 10, 0, 0);
@@ -282,11 +282,11 @@ void GripperPanel::fitFigures() {
     position_->setSuffix(QLatin1Char(' ') + format::lengthUnit());
     position_->setRange(0, most);
     position_->setValue(before * scale);
-    position_->setToolTip(tr("How far the fingers shall open, 0 to %1. “Move” sends them there.")
+    position_->setToolTip(tr("Target opening of the fingers, 0 to %1. “Move” starts the motion.")
                               .arg(format::length(range.stroke, 1)));
-    speed_->setToolTip(tr("Of the next motion. 0 % is about %1, 100 % about %2.")
+    speed_->setToolTip(tr("Speed of the next motion. 0 % is about %1, 100 % about %2.")
                            .arg(format::speed(range.leastSpeed), format::speed(range.mostSpeed)));
-    force_->setToolTip(tr("Of the next grip. 0 % is about %1, 100 % about %2.")
+    force_->setToolTip(tr("Force of the next grip. 0 % is about %1, 100 % about %2.")
                            .arg(format::newtons(range.leastForce), format::newtons(range.mostForce)));
 }
 
@@ -444,8 +444,7 @@ QString GripperPanel::robotiqObstacle() const {
         return tr("Activate the gripper first.");
     }
     // A figure that was refused would be sent as the one before.
-    return speed_->isRefused() || force_->isRefused() ? tr("Its speed or its force is no figure it takes.")
-                                                      : QString();
+    return speed_->isRefused() || force_->isRefused() ? tr("Speed or force is out of range.") : QString();
 }
 
 std::optional<Result<void>> GripperPanel::robotiqOutcome(bool close) const {
@@ -457,7 +456,7 @@ std::optional<Result<void>> GripperPanel::robotiqOutcome(bool close) const {
     }
     const io::RobotiqState now = *robotiq_.state();
     if (now.requested != (close ? io::kRobotiqMost : 0)) {
-        return Result<void>(Error{ErrorCode::Cancelled, tr("The gripper did not take the command."), {}});
+        return Result<void>(Error{ErrorCode::Cancelled, tr("The gripper did not accept the command."), {}});
     }
     return now.object == io::RobotiqObject::Moving ? std::nullopt : std::optional(Result<void>());
 }
@@ -492,7 +491,7 @@ QString GripperPanel::obstacleOfLink() const {
         return texts::monitorOnlyObstacle();
     }
     // The same word for all keys: they light up together.
-    return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("One moment…") : QString();
+    return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("Please wait…") : QString();
 }
 
 void GripperPanel::refresh() {
@@ -505,7 +504,7 @@ void GripperPanel::refresh() {
     }
     if (choice_.kind == Kind::None) {
         say(!noRobot.isEmpty() ? noRobot
-                               : tr("Choose what is at the wrist. It is remembered with this robot."),
+                               : tr("Select the mounted gripper. The choice is stored for this robot."),
             "secondary");
     } else if (choice_.kind == Kind::Robotiq) {
         refreshRobotiq();
@@ -521,27 +520,27 @@ void GripperPanel::refreshRobotiq() {
     const bool settled = active && !robotiq_.isBusy();
     const QString opening = now ? format::length(robotiq_.opening(now->position), 1) : tr("unknown");
     setText(stateText_, !now                                   ? tr("unknown")
-                        : activating                           ? tr("being activated…")
+                        : activating                           ? tr("activating…")
                         : !active                              ? tr("not active")
                         : robotiq_.isBusy()                    ? tr("pending…")
                         : !now->goTo                           ? tr("active")
                         : now->object == RobotiqObject::Moving ? tr("moving")
-                                                               : tr("active, standing"));
+                                                               : tr("active, at standstill"));
     stateText_->setEnabled(true);
     setText(openingText_, opening);
     setText(holdsText_, !settled || !now->goTo                         ? tr("unknown")
-                        : now->object == RobotiqObject::Moving         ? tr("unknown while it moves")
-                        : now->object == RobotiqObject::StoppedClosing ? tr("an object, from outside")
-                        : now->object == RobotiqObject::StoppedOpening ? tr("an object, from inside")
+                        : now->object == RobotiqObject::Moving         ? tr("unknown while moving")
+                        : now->object == RobotiqObject::StoppedClosing ? tr("object, outer grip")
+                        : now->object == RobotiqObject::StoppedOpening ? tr("object, inner grip")
                                                                        : tr("nothing"));
     const QString link = obstacleOfLink();
     const QString fault = robotiq_.faultText();
     const bool noPort = io::kRobotiqPort + state_.portOffset > kMostPort && !address_;
     const QString unknown =
-        noPort ? tr("With this port offset no gripper can be reached.") : robotiq_.reason();
+        noPort ? tr("The gripper cannot be reached with this port offset.") : robotiq_.reason();
     const QString why = !link.isEmpty() ? link : !now ? unknown : QString();
     const QString moving = !why.isEmpty() ? why
-                           : activating   ? tr("Being activated: the fingers open and close once.")
+                           : activating   ? tr("Activating: the fingers open and close once.")
                            : !active      ? tr("Activate the gripper first.")
                                           : QString();
     const QString activation = !why.isEmpty()              ? why
@@ -569,14 +568,14 @@ void GripperPanel::refreshOutputs() {
 }
 
 void GripperPanel::setObstacles(const QString& moving, const QString& activating) {
-    const QString stays = tr("A stop of the arm leaves the gripper as it is: it goes on holding.");
+    const QString stays = tr("Stopping the arm does not change the gripper: it keeps its grip.");
     const auto tip = [&stays](const QString& what) { return what + QLatin1Char('\n') + stays; };
-    setObstacle(
-        activate_, activating,
-        tr("The fingers open and close once; what they hold falls. Keep fingers out of the gripper."));
-    setObstacle(open_, moving, tip(tr("Opens the gripper; what it holds is let go.")));
-    setObstacle(close_, moving, tip(tr("Closes the gripper. Keep fingers out of it.")));
-    setObstacle(move_, moving, tip(tr("Sends the fingers to this opening.")));
+    setObstacle(activate_, activating,
+                tr("The fingers open and close once and drop any gripped object. Keep your fingers clear of "
+                   "the gripper."));
+    setObstacle(open_, moving, tip(tr("Opens the gripper and releases the object.")));
+    setObstacle(close_, moving, tip(tr("Closes the gripper. Keep your fingers clear of it.")));
+    setObstacle(move_, moving, tip(tr("Moves the fingers to this opening.")));
 }
 
 void GripperPanel::say(const QString& text, const char* role) {

@@ -83,11 +83,11 @@ QString IoChannel::stateWord() const {
 
 void IoChannel::describe() {
     setAccessibleName(name_.isEmpty() ? terminal_ : QStringLiteral("%1, %2").arg(terminal_, name_));
-    setAccessibleDescription(stale_ && state_ != State::Unknown ? tr("%1, old data").arg(stateWord())
+    setAccessibleDescription(stale_ && state_ != State::Unknown ? tr("%1, outdated").arg(stateWord())
                                                                 : stateWord());
     QString tip = QStringLiteral("%1: %2").arg(accessibleName(), accessibleDescription());
     if (output_) {
-        tip += stale_                 ? tr("\nCannot be switched while no data come from the robot.")
+        tip += stale_                 ? tr("\nCannot be switched while the robot sends no data.")
                : !obstacle_.isEmpty() ? QLatin1Char('\n') + obstacle_
                                       : tr("\nClick to switch it %1. P: pulse. Right click: pulse, rename.")
                                             .arg(state_ == State::On ? tr("off") : tr("on"));

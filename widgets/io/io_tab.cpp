@@ -191,12 +191,12 @@ void IoTab::focusSearch() {
 }
 
 void IoTab::sayNothingChosen() {
-    Q_EMIT session_.message(Severity::Info, tr("Go to a row of the tab I/O with the key Tab first."));
+    Q_EMIT session_.message(Severity::Info, tr("Select a row of the I/O tab with the Tab key first."));
 }
 
 int IoTab::chosenOutput() {
     if (replay_) {
-        Q_EMIT session_.message(Severity::Warning, tr("This is a replay: go back to live first."));
+        Q_EMIT session_.message(Severity::Warning, tr("Replay is active: return to live data first."));
         return -1;
     }
     for (int channel = 0; channel < kChannels; ++channel) {
@@ -300,7 +300,7 @@ void IoTab::refresh() {
             pending = false;
             notice_->show(NoticeBar::Kind::Warning,
                           {.title = tr("The robot did not confirm %1").arg(out->accessibleName()),
-                           .text = tr("Another program or the installation may own it."),
+                           .text = tr("Another program or the installation may control it."),
                            .cause = QLatin1String(kUnconfirmed)});
             unconfirmed_ = {channel, wanted};
         } else if (unconfirmed_.first == channel && (stale || unconfirmed_.second == on)) {
@@ -313,7 +313,7 @@ void IoTab::refresh() {
             out->setObstacle(texts::monitorOnlyObstacle(), tr("locked"));
         } else {
             out->setObstacle(stale ? QString() : session_.outputs().holders().digital(channel),
-                             tr("held by another"));
+                             tr("controlled by another program"));
         }
         out->setState(!known    ? State::Unknown
                       : pending ? (on ? State::PendingOff : State::PendingOn)
@@ -379,7 +379,7 @@ void IoTab::buildAnalog(QVBoxLayout* layout) {
                     session_.outputs().setAnalogOutput(channel, domain, level);
                 });
     }
-    registerHeading_ = heading(tr("Registers of the robot's programs"));
+    registerHeading_ = heading(tr("Registers of robot programs"));
     layout->addWidget(registerHeading_);
     registers_ = new RegisterPanel;
     layout->addWidget(registers_);
@@ -413,7 +413,7 @@ void IoTab::refreshAnalog(bool known, bool stale) {
                                              stale);
         analogOutputs_[channel]->setValue(robot.analogOutput(channel), domain(2 + channel),
                                           !std::isnan(robot.analogOutput(channel)), stale);
-        analogOutputs_[channel]->setObstacle(replay_ ? tr("This is a replay: go back to live first.")
+        analogOutputs_[channel]->setObstacle(replay_ ? tr("Replay is active: return to live data first.")
                                              : state_.monitorOnly ? texts::monitorOnlyObstacle()
                                              : stale              ? tr("No data from the robot.")
                                                                   : session_.outputs().holders().analog);

@@ -28,8 +28,8 @@ void OutputGripper::follow(const SessionState& state, std::int64_t nowNs) {
         pending_.reset();
     } else if (pending_ && nowNs - pending_->sinceNs > kGripperConfirmNs) {
         pending_.reset();
-        complaint_ =
-            tr("The robot did not confirm the outputs. Another program or the installation may own them.");
+        complaint_ = tr(
+            "The robot did not confirm the outputs. Another program or the installation may control them.");
     }
 }
 
@@ -59,9 +59,9 @@ QString OutputGripper::text() const {
         case Hand::Unknown:
             return tr("unknown");
         case Hand::Open:
-            return tr("told to open");
+            return tr("open requested");
         case Hand::Closed:
-            return tr("told to close");
+            return tr("close requested");
         case Hand::Neither:
             return tr("both outputs off");
         case Hand::Both:

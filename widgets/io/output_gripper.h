@@ -31,7 +31,7 @@ public:
     /// What closes or opens it; pending until the robot reports it.
     Command command(bool close, std::int64_t nowNs);
 
-    /// "told to close", "pending…", "unknown"
+    /// "close requested", "pending…", "unknown"
     QString text() const;
     /// Why it cannot be closed or opened, of the outputs themselves; empty when it can.
     QString obstacle(const OutputHolders& holders) const;

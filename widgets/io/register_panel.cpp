@@ -67,11 +67,11 @@ RegisterPanel::RegisterPanel(QWidget* parent)
 
     kind_->addItems({tr("Int"), tr("Number"), tr("Bit")});
     kind_->setObjectName(QStringLiteral("io.register.kind"));
-    kind_->setAccessibleName(tr("Kind of input register"));
+    kind_->setAccessibleName(tr("Input register type"));
     number_->setObjectName(QStringLiteral("io.register.number"));
-    number_->setAccessibleName(tr("Number of the input register"));
+    number_->setAccessibleName(tr("Input register number"));
     value_->setObjectName(QStringLiteral("io.register.value"));
-    value_->setAccessibleName(tr("Value for the input register"));
+    value_->setAccessibleName(tr("Input register value"));
     write_->setObjectName(QStringLiteral("io.register.write"));
     kind_->setFixedWidth(std::max(100, kind_->sizeHint().width()));
     number_->setDecimals(0);

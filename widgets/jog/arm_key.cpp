@@ -32,11 +32,10 @@ void ArmKey::setArmed(bool armed) {
     setChecked(armed);
     setText(armed ? tr("Keyboard armed") : tr("Arm keyboard"));
     setAccessibleName(text());
-    setToolTip(
-        armed
-            ? tr("Arrows move X and Y, PgUp and PgDn move Z, with Alt they turn, 1 to 6 with + and − turn "
-                 "a joint. Space and Esc stop. Click, or wait half a minute: the keyboard is disarmed.")
-            : tr("Then the arrow keys move the arm while they are held; a frame stands around the window."));
+    setToolTip(armed ? tr("Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + "
+                          "and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.")
+                     : tr("While armed, the arrow keys move the arm as long as they are held. A frame "
+                          "surrounds the window."));
 }
 
 QSize ArmKey::sizeHint() const {

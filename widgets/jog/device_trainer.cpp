@@ -126,8 +126,8 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     , bars_(new DeviceBars(this))
     , deadMan_(new QLabel)
     , direction_(new QLabel)
-    , use_(new QCheckBox(tr("Moves the arm (until the program ends)")))
-    , dominant_(new QCheckBox(tr("Only the axis that is out furthest"))) {
+    , use_(new QCheckBox(tr("Moves the arm (until Tiller is closed)")))
+    , dominant_(new QCheckBox(tr("Dominant axis only"))) {
     setObjectName(QStringLiteral("deviceTrainer"));
     setWindowTitle(tr("Gamepad and SpaceMouse"));
     list_->setObjectName(QStringLiteral("device.list"));
@@ -135,7 +135,7 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     use_->setObjectName(QStringLiteral("device.use"));
     dominant_->setObjectName(QStringLiteral("device.dominant"));
     direction_->setObjectName(QStringLiteral("device.direction"));
-    direction_->setAccessibleName(tr("Which way the arm would go"));
+    direction_->setAccessibleName(tr("Direction in which the arm would move"));
     deadMan_->setObjectName(QStringLiteral("device.deadMan"));
     hint_->setWordWrap(true);
     hint_->setProperty("role", "secondary");
@@ -159,10 +159,9 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     boxes->addWidget(use_);
     layout->addLayout(boxes);
     auto* keyboard =
-        new QLabel(tr("Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt they turn, "
-                      "1 to 6 with + and − "
-                      "a joint, Home, End align, Backspace back, F freedrive. Ctrl slower, Shift faster. "
-                      "Space and Esc stop."));
+        new QLabel(tr("Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 "
+                      "to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, "
+                      "Shift faster. Space and Esc stop."));
     keyboard->setWordWrap(true);
     keyboard->setProperty("role", "secondary");
     layout->addWidget(keyboard);
@@ -214,7 +213,7 @@ void DeviceTrainer::refresh() {
     dominant_->setEnabled(device != nullptr);
     dominant_->setChecked(device != nullptr && devices_.shape(*device).dominantAxis);
     if (device == nullptr) {
-        hint_->setText(tr("No gamepad and no SpaceMouse is there. Plug one in: it appears by itself."));
+        hint_->setText(tr("No gamepad or SpaceMouse found. Connect one; it is detected automatically."));
         deadMan_->setText(QStringLiteral("–"));
         way_ = QStringLiteral("–");
         direction_->setText(way_);

@@ -59,7 +59,7 @@ control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base
 
 QString payloadDoubt(const SessionState& state) {
     if (state.moving) {
-        return FreedriveText::tr("Let the arm come to rest before freedrive.");
+        return FreedriveText::tr("Wait until the arm is at standstill before Freedrive.");
     }
     const double force = state.tcpForce.force.norm();
     const double torque = state.tcpForce.torque.norm();
@@ -68,8 +68,7 @@ QString payloadDoubt(const SessionState& state) {
     }
     const QString felt = force > kPayloadForce ? format::newtons(force) : format::newtonMetres(torque);
     return FreedriveText::tr(
-               "The arm feels %1 with a payload of %2 kg: it would move by itself. Let go of the tool, or "
-               "correct "
+               "The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct "
                "payload and TCP.")
         .arg(felt, format::number(state.payloadMass, 2));
 }

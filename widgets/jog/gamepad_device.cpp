@@ -62,8 +62,9 @@ public:
         // other may stay the same for a while in a quiet hand.
         shape.silenceAtMost = std::chrono::milliseconds(gyro_ ? 100 : 2000);
         shape.deadManName = QCoreApplication::translate("Gamepad", "left shoulder");
-        shape.directions = QCoreApplication::translate(
-            "Gamepad", "Left stick X and Y, right stick Z and turn. Right shoulder: the sticks turn.");
+        shape.directions = QCoreApplication::translate("Gamepad",
+                                                       "Left stick: X and Y. Right stick: Z and rotation. "
+                                                       "Hold the right shoulder to rotate with both sticks.");
         return shape;
     }
     std::optional<DeviceReading> read() override {

@@ -112,7 +112,7 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
     limiter_ = new LimiterLine(body);
     pose_ = new PoseView(body);
     detailTab_ = new SegmentedControl({tr("Pose"), tr("Joints")}, body);
-    detailTab_->setNames(QStringLiteral("jogDetail"), tr("Shown below the pad"));
+    detailTab_->setNames(QStringLiteral("jogDetail"), tr("Frame of the displayed pose"));
     joints_ = new JointRows(body);
     layout->addLayout(inset(pad_, kAbovePad, 0), 10);
     layout->addLayout(inset(limiter_, kAroundLimiter, kAroundLimiter));
@@ -415,7 +415,7 @@ void JogColumn::showReason() {
                           : track_->isEmpty() && !back_->isHolding() ? tr("The arm has not moved yet.")
                                                                      : QString());
     if (const QString last = countdown(); !last.isEmpty()) {
-        limiter_->setLimiter({last, tr("let go and press again")});
+        limiter_->setLimiter({last, tr("release and press again")});
     } else if (!refusal_.isEmpty() && reason.isEmpty()) {
         limiter_->setLimiter({refusal_, {}});
     } else {
@@ -516,8 +516,7 @@ void JogColumn::buildBottom(QVBoxLayout* layout) {
     homeKey_ = make(tr("Home"), "homeKey", tr("Moves every joint to the home position while held"));
     align_ = make(tr("Align"), "alignKey",
                   tr("Turns the tool to the nearest axis of the chosen frame while held"));
-    back_ =
-        make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Goes back the way the arm came while held"));
+    back_ = make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Retraces the last motion while held"));
     back_->setAccessibleName(tr("Back"));
     auto* row = new QHBoxLayout;
     row->setContentsMargins(kSideMargin, kAboveKeys, kSideMargin, 0);
@@ -709,7 +708,7 @@ QString JogColumn::deviceObstacle() const {
         return reason;
     }
     // One hand at a time.
-    return isHolding() ? tr("Another key is held.") : QString();
+    return isHolding() ? tr("Another key is already held.") : QString();
 }
 
 // ---- what it says ----------------------------------------------------------------------------------
@@ -736,7 +735,7 @@ QString JogColumn::quietText() const {
     }
     const control::StopMeasurement& stop = state_.lastStop;
     if (!state_.lastStopSeen) {
-        return tr("Last stop: not seen, data ended while the arm moved");
+        return tr("Last stop: not measured, data stopped while the arm was moving");
     }
     if (stop.count == 0) {
         return {};
@@ -754,8 +753,8 @@ void JogColumn::zeroHere() {
 void JogColumn::setFreedriveAxes(FreedriveAxes axes) {
     freedrive_->guard().stop(StopCause::SelectionChanged);
     freedriveAxes_ = axes;
-    freedrive_->setToolTip(
-        tr("The arm follows the hand while held: %1. Right click: other axes").arg(freedriveAxesText(axes)));
+    freedrive_->setToolTip(tr("Move the arm by hand while this key is held: %1. Right-click to select axes")
+                               .arg(freedriveAxesText(axes)));
     freedrive_->setAccessibleName(tr("Freedrive, %1").arg(freedriveAxesText(axes)));
     freedrive_->setText(axes == FreedriveAxes::All ? tr("Freedrive") : tr("Freedrive…"));
 }

@@ -43,7 +43,7 @@ void JogKey::setTravel(const QString& text, bool near) {
     }
     travel_ = text;
     near_ = near;
-    setAccessibleDescription(text.isEmpty() ? QString() : tr("%1 left this way").arg(text));
+    setAccessibleDescription(text.isEmpty() ? QString() : tr("%1 left in this direction").arg(text));
     update();
 }
 

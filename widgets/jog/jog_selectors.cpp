@@ -80,15 +80,15 @@ JogSelectors::JogSelectors(std::function<control::MotionLimits()> limits, QWidge
     motion_->setNames(QStringLiteral("jogMotion"), tr("Motion"));
     motion_->segment(kHoldSegment)->setToolTip(tr("Moves while the key is held"));
     turn_ = new SegmentedControl({tr("Hold"), {}, {}, {}, {}}, this);
-    turn_->setNames(QStringLiteral("jogTurn"), tr("Turn"));
-    turn_->segment(kHoldSegment)->setToolTip(tr("Turns while the key is held"));
+    turn_->setNames(QStringLiteral("jogTurn"), tr("Rotation"));
+    turn_->segment(kHoldSegment)->setToolTip(tr("Rotates while the key is held"));
     speed_ = new SegmentedControl(QStringList(kSpeedClassCount), this);
     speed_->setNames(QStringLiteral("jogSpeed"), tr("Speed"));
     speed_->setCurrentIndex(kStartSpeedClass);
     int row = 0;
     for (const auto& [text, control] : {std::pair{tr("Frame"), frame_},
                                         {tr("Motion"), motion_},
-                                        {tr("Turn"), turn_},
+                                        {tr("Rotation"), turn_},
                                         {tr("Speed"), speed_}}) {
         auto* label = new QLabel(text, this);
         label->setFont(textFont(15));
@@ -146,7 +146,7 @@ void JogSelectors::chooseFrame(int segment) {
 void JogSelectors::showFrames() {
     frame_->setSegmentEnabled(
         static_cast<int>(FrameChoice::View), hasView_,
-        hasView_ ? tr("Axes of the picture: X right, Y away from you, Z up") : tr("Needs the 3D view"));
+        hasView_ ? tr("Axes of the view: X right, Y away from you, Z up") : tr("Needs the 3D view"));
     const bool any = !frames_.isEmpty();
     const QString name =
         any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
@@ -155,7 +155,7 @@ void JogSelectors::showFrames() {
         QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kLongestName);
     frame_->setText(kTaughtSegment, frames_.size() > 1 ? shown + QStringLiteral(" ▾") : shown);
     frame_->setSegmentEnabled(kTaughtSegment, any,
-                              any ? name : tr("No frame taught yet. Teach one in the tab Frames."));
+                              any ? name : tr("No frame taught yet. Teach a frame in the Frames tab."));
 }
 
 void JogSelectors::setViewRotation(const Eigen::Matrix3d& R_base_view) {
@@ -305,10 +305,10 @@ void JogSelectors::refreshTexts() {
         const int segment = static_cast<int>(choice);
         motion_->setText(segment, format::shortLengthNumber(step.length));
         motion_->segment(segment)->setToolTip(
-            tr("One step a press: %1").arg(format::shortLength(step.length)));
+            tr("One step per press: %1").arg(format::shortLength(step.length)));
         turn_->setText(segment, angleNumber(step.angle));
         turn_->segment(segment)->setToolTip(
-            tr("One turn a press, of the tool or a joint: %1").arg(angleText(step.angle)));
+            tr("One rotation step per press, tool or joint: %1").arg(angleText(step.angle)));
     }
     const bool contact = selection_.motion == MotionChoice::UntilContact;
     // The last key of each row has the unit of the row.
@@ -316,20 +316,19 @@ void JogSelectors::refreshTexts() {
                                         ? tr("≤ %1").arg(format::number(selection_.contactForce, 0) + " N")
                                         : format::shortLength(other_.length));
     motion_->segment(kOtherSegment)
-        ->setToolTip(
-            contact ? tr("Slowly until the tool touches something with %1 N, while held. Click again for "
-                         "other steps")
-                          .arg(selection_.contactForce, 0, 'f', 0)
-                    : tr("One step a press: %1. Click again for other steps")
-                          .arg(format::shortLength(other_.length)));
+        ->setToolTip(contact ? tr("Moves slowly while held until the contact force reaches %1 N. Click again "
+                                  "for other steps")
+                                   .arg(selection_.contactForce, 0, 'f', 0)
+                             : tr("One step per press: %1. Click again for other steps")
+                                   .arg(format::shortLength(other_.length)));
     turn_->setText(kOtherSegment, angleText(other_.angle));
     turn_->segment(kOtherSegment)
-        ->setToolTip(tr("One turn a press, of the tool or a joint: %1. Click again for other turns")
+        ->setToolTip(tr("One rotation step per press, tool or joint: %1. Click again for other angles")
                          .arg(angleText(other_.angle)));
     for (int i = 0; i < kSpeedClassCount; ++i) {
         const SpeedClass& speed = speedClasses()[static_cast<std::size_t>(i)];
         speed_->setText(i, format::speedNumber(speed.tcp));
-        speed_->segment(i)->setToolTip(tr("%1 · turns %2 · joints %3 · Ctrl × 0.1, Shift × 3")
+        speed_->segment(i)->setToolTip(tr("%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3")
                                            .arg(format::speed(speed.tcp),
                                                 format::degreesPerSecond(speed.rotation),
                                                 format::degreesPerSecond(speed.joint)));
@@ -368,7 +367,7 @@ void JogSelectors::fillAngleMenu(QMenu& menu) {
         const double angle = preset.size().angle;
         menu.addAction(angleText(angle), this, [this, angle] { setStepAngle(angle); });
     }
-    menu.addAction(tr("Other turn…"), this, [this] { askFor(Entry::Turn); });
+    menu.addAction(tr("Other angle…"), this, [this] { askFor(Entry::Turn); });
 }
 
 void JogSelectors::fillLengthMenu(QMenu& menu) {
@@ -399,17 +398,18 @@ void JogSelectors::askFor(Entry entry) {
                          coarse ? 4 : 2, [this, unit](double value) { setStepLength(value * unit); });
             break;
         case Entry::Turn:
-            askForNumber(tr("Turn in degrees"), 2, 0.01, 179, 2,
+            askForNumber(tr("Angle in degrees"), 2, 0.01, 179, 2,
                          [this](double value) { setStepAngle(toRadians(value)); });
             break;
         case Entry::Speed:
-            askForNumber(tr("Speed of the TCP in %1").arg(format::speedUnit()),
-                         chosenSpeed(selection_).tcp / unit, 0.0005 / unit, limits_().tcpSpeed / unit,
-                         coarse ? 3 : 1, [this, unit](double value) { setFreeSpeed(value * unit); });
+            askForNumber(tr("TCP speed in %1").arg(format::speedUnit()), chosenSpeed(selection_).tcp / unit,
+                         0.0005 / unit, limits_().tcpSpeed / unit, coarse ? 3 : 1,
+                         [this, unit](double value) { setFreeSpeed(value * unit); });
             break;
         case Entry::ContactForce:
-            askForNumber(tr("Force that ends the motion, in N"), selection_.contactForce, kLeastContactForce,
-                         kMostContactForce, 0, [this](double value) { setUntilContact(value); });
+            askForNumber(tr("Contact force that ends the motion, in N"), selection_.contactForce,
+                         kLeastContactForce, kMostContactForce, 0,
+                         [this](double value) { setUntilContact(value); });
             break;
     }
 }

@@ -50,11 +50,11 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
         {Singularity::Shoulder, 0, measure.shoulder < kShoulderWarnMetres,
          LimiterAdviceText::tr("Wrist above the base axis"),
          LimiterAdviceText::tr("Wrist above the base axis: %1 of the speed"),
-         LimiterAdviceText::tr("move outwards"), LimiterAdviceText::tr("jog %1 or turn the base")},
+         LimiterAdviceText::tr("move outwards"), LimiterAdviceText::tr("jog %1 or rotate the base")},
         {Singularity::Wrist, 4, degrees(measure.wrist) < kSineWarnDegrees,
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 of the speed"),
-         LimiterAdviceText::tr("turn wrist 2"), LimiterAdviceText::tr("jog %1 or turn wrist 2")}};
+         LimiterAdviceText::tr("rotate wrist 2"), LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
     // What slows the jog down comes first; after it ended there the controller still says so.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
     for (const bool slowing : {true, false}) {
@@ -123,26 +123,27 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
         const int key = wayOut(state, R_base_frame, nearest);
         return {LimiterAdviceText::tr("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
-                key < 0 ? LimiterAdviceText::tr("turn %1 %2").arg(name, back)
-                        : LimiterAdviceText::tr("jog %1 or turn %2 %3").arg(travelKeyName(key), name, back)};
+                key < 0
+                    ? LimiterAdviceText::tr("rotate %1 %2").arg(name, back)
+                    : LimiterAdviceText::tr("jog %1 or rotate %2 %3").arg(travelKeyName(key), name, back)};
     }
     if (state.motionActive && state.limiter.scale < 0.98) {
         const QString percent = format::percent(state.limiter.scale);
         switch (state.limiter.kind) {
             case control::LimiterKind::TcpSpeed:
-                return {LimiterAdviceText::tr("TCP at its speed cap: %1").arg(percent),
-                        LimiterAdviceText::tr("the cap is in the settings")};
+                return {LimiterAdviceText::tr("TCP at the speed cap of %1").arg(percent),
+                        LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::ElbowSpeed:
-                return {LimiterAdviceText::tr("Elbow at its speed cap: %1").arg(percent),
+                return {LimiterAdviceText::tr("Elbow at the speed cap of %1").arg(percent),
                         LimiterAdviceText::tr("move less sideways")};
             case control::LimiterKind::RotationSpeed:
-                return {LimiterAdviceText::tr("Turning at its cap: %1").arg(percent),
-                        LimiterAdviceText::tr("the cap is in the settings")};
+                return {LimiterAdviceText::tr("Rotation at its cap of %1").arg(percent),
+                        LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::JointSpeed:
                 if (state.limiter.joint >= 0) {
-                    return {LimiterAdviceText::tr("%1 at its top speed: %2")
+                    return {LimiterAdviceText::tr("%1 at its maximum speed of %2")
                                 .arg(jointName(state.limiter.joint), percent),
-                            LimiterAdviceText::tr("choose a slower class")};
+                            LimiterAdviceText::tr("choose a lower speed")};
                 }
                 break;
             default:

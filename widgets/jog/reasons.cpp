@@ -31,10 +31,10 @@ QString cannotMoveReason(const SessionState& state) {
             return ReasonsText::tr("Connecting…");
         case LinkState::Lost:
             return state.linkReason.isEmpty()
-                       ? ReasonsText::tr("No data from the robot. Reconnecting by itself.")
+                       ? ReasonsText::tr("No data from the robot. Reconnecting automatically.")
                        : state.linkReason;
         case LinkState::Stale:
-            return ReasonsText::tr("Robot data is late. Waiting for it to come back.");
+            return ReasonsText::tr("Robot data are late. Waiting for new data.");
         case LinkState::Live:
             break;
     }

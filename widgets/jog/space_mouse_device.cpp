@@ -24,7 +24,7 @@ public:
         shape.kind = kSpaceMouseKind;  // it reports all the time while the cap is out
         shape.deadManName = QCoreApplication::translate("SpaceMouse", "left key");
         shape.directions =
-            QCoreApplication::translate("SpaceMouse", "The cap moves and turns as the tool shall.");
+            QCoreApplication::translate("SpaceMouse", "The tool follows the motion of the cap.");
         return shape;
     }
     std::optional<DeviceReading> read() override {

@@ -104,7 +104,7 @@ QString TravelWatch::heldText() const {
         const control::Limiter& end = travel_.at(static_cast<std::size_t>(*held)).end;
         switch (end.kind) {
             case control::LimiterKind::JointLimit:
-                return tr("%1: %2 left, then %3 is at its limit")
+                return tr("%1: %2 left to the limit of %3")
                     .arg(key->text(), key->travel(), jointName(end.joint));
             case control::LimiterKind::SelfCollision:
             case control::LimiterKind::Obstacle:
@@ -113,8 +113,7 @@ QString TravelWatch::heldText() const {
                     .arg(key->text(), key->travel(), linkText(end.link), format::length(end.distance, 0),
                          limiterText(end, state_.check->surroundings()));
             default:
-                return tr("%1: %2 left, then the end of the reach or a singularity")
-                    .arg(key->text(), key->travel());
+                return tr("%1: %2 left to the end of reach or a singularity").arg(key->text(), key->travel());
         }
     }
     return {};

@@ -127,8 +127,8 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
                                                       : shown(entry, kClock);
         case Qt::ToolTipRole:
             if (index.column() == Open && !entry.recording.isEmpty()) {
-                return entry.moment ? tr("Open the recording at this moment")
-                                    : tr("Open the recording of this incident, at the moment of the stop");
+                return entry.moment ? tr("Open the recording at this time")
+                                    : tr("Open the recording of this incident at the time of the stop");
             }
             return details(index.row());
         case Qt::FontRole:

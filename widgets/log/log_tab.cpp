@@ -51,7 +51,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     setAccessibleName(tr("Log"));
     severity_->setNames(QStringLiteral("log.severity"), tr("Show from severity"));
     search_->setObjectName(QStringLiteral("log.search"));
-    search_->setAccessibleName(tr("Filter the log by words"));
+    search_->setAccessibleName(tr("Filter the log by text"));
     search_->setPlaceholderText(tr("Filter"));
     search_->setClearButtonEnabled(true);
     search_->setMinimumWidth(search_->fontMetrics().horizontalAdvance(search_->placeholderText()) + 32);
@@ -64,12 +64,12 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
         return result;
     };
     QToolButton* copyKey = button(QStringLiteral("log.copy"), tr("Copy"),
-                                  tr("Copy the selected lines, or all that are shown (Ctrl+C)"));
+                                  tr("Copy the selected entries, or all visible entries (Ctrl+C)"));
     QToolButton* exportKey =
-        button(QStringLiteral("log.export"), tr("Export…"), tr("Write the lines that are shown to a file"));
+        button(QStringLiteral("log.export"), tr("Export…"), tr("Write the visible entries to a file"));
 
     open_ = button(QStringLiteral("log.openRecording"), tr("Open recording"),
-                   tr("Open the recording of the selected line: incidents have one"));
+                   tr("Open the recording of the selected entry (incidents have a recording)"));
     open_->hide();
 
     auto* tools = new QHBoxLayout;
@@ -110,7 +110,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     layout->addLayout(tools);
     layout->addWidget(table_, 1);
     details_->setObjectName(QStringLiteral("log.details"));
-    details_->setAccessibleName(tr("The selected line in full"));
+    details_->setAccessibleName(tr("Details of the selected entry"));
     details_->setWordWrap(true);
     details_->setMargin(12);
     details_->setTextFormat(Qt::PlainText);

@@ -29,7 +29,7 @@ ComparisonBand::ComparisonBand(QWidget* parent)
     compare_->setObjectName(QStringLiteral("plots.comparison.compare"));
     compare_->setText(tr("Compare…"));
     compare_->setAccessibleName(compare_->text());
-    compare_->setToolTip(tr("Compare this recording with the model of its arm, with other limits"));
+    compare_->setToolTip(tr("Compare this recording with the arm model, with different limits"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(kFlagRoom, 4, 8, 4);
     layout->setSpacing(8);
@@ -61,8 +61,8 @@ void ComparisonBand::tell(const QString& words, const QString& details, Key key,
     const QString text = key == Key::Cancel ? tr("Cancel") : tr("Go there");
     key_->setText(text);
     key_->setAccessibleName(text);
-    key_->setToolTip(key == Key::Cancel ? tr("Compare no further")
-                                        : tr("Put cursor A where arm and model part"));
+    key_->setToolTip(key == Key::Cancel ? tr("Stop comparing")
+                                        : tr("Place cursor A where arm and model diverge"));
     compare_->setEnabled(key != Key::Cancel);
     if (parted != parted_) {
         parted_ = parted;

@@ -26,9 +26,9 @@ ComparisonDialog::ComparisonDialog(const divergence::Limits& limits, std::option
     : QDialog(parent), model_(new ChoiceBox) {
     setObjectName(QStringLiteral("plots.comparison.dialog"));
     setWindowTitle(tr("Compare with the model of the arm"));
-    auto* words = new QLabel(tr(
-        "What the joints were told is given to the simulated arm, and what that does is compared with what "
-        "was recorded. Nothing touches the simulated arm, and it knows no friction."));
+    auto* words =
+        new QLabel(tr("The simulated arm follows the recorded joint targets, and its motion is compared with "
+                      "the recorded motion. The model has no contact and no friction."));
     words->setWordWrap(true);
     words->setMinimumWidth(kWidth);
     model_->setObjectName(QStringLiteral("plots.comparison.model"));
@@ -50,7 +50,7 @@ ComparisonDialog::ComparisonDialog(const divergence::Limits& limits, std::option
     for (FigureBox* each : {joint_, tcp_, current_, force_, lasting_}) {
         form->addRow(each->accessibleName(), each);
     }
-    auto* none = new QLabel(tr("What has a limit of 0 is not compared."));
+    auto* none = new QLabel(tr("Signals with a limit of 0 are not compared."));
     none->setProperty("role", QStringLiteral("secondary"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     compare_ = buttons->button(QDialogButtonBox::Ok);

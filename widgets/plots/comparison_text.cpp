@@ -48,7 +48,8 @@ QString outcomeLine(const divergence::Outcome& outcome) {
         for (const std::string& field : outcome.missing) {
             fields << QString::fromStdString(field);
         }
-        return ComparisonText::tr("%1: not compared, the recording has no %2; record all signals, to MCAP")
+        return ComparisonText::tr(
+                   "%1: not compared because the recording has no %2; record all signals to MCAP")
             .arg(name, fields.join(QStringLiteral(", ")));
     }
     if (!outcome.greatest) {
@@ -56,11 +57,11 @@ QString outcomeLine(const divergence::Outcome& outcome) {
     }
     const QString limit = amountText(outcome.quantity, outcome.limit);
     if (!outcome.parted) {
-        return ComparisonText::tr("%1: never beyond %2, at most %3 at %4 s")
+        return ComparisonText::tr("%1: within %2 at all times, maximum %3 at %4 s")
             .arg(name, limit, amountText(outcome.quantity, outcome.greatest->amount),
                  seconds(*outcome.greatest));
     }
-    return ComparisonText::tr("%1: beyond %2 from %3 s on (%4), at most %5 at %6 s")
+    return ComparisonText::tr("%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s")
         .arg(name, limit, seconds(*outcome.parted), partingMark(*outcome.parted),
              amountText(outcome.quantity, outcome.greatest->amount), seconds(*outcome.greatest));
 }
@@ -90,16 +91,16 @@ QString partingText(const divergence::Difference& parting) {
     const QString amount = amountText(parting.quantity, parting.amount);
     switch (parting.quantity) {
         case Quantity::JointPosition:
-            return ComparisonText::tr("Arm and model part at %1 s: %2 is %3 off")
+            return ComparisonText::tr("Arm and model diverge at %1 s: %2 deviates by %3")
                 .arg(seconds(parting), jointName(parting.joint), amount);
         case Quantity::TcpPosition:
-            return ComparisonText::tr("Arm and model part at %1 s: the TCP is %2 off")
+            return ComparisonText::tr("Arm and model diverge at %1 s: the TCP deviates by %2")
                 .arg(seconds(parting), amount);
         case Quantity::JointCurrent:
-            return ComparisonText::tr("Arm and model part at %1 s: %2 needs %3 more or less than it should")
+            return ComparisonText::tr("Arm and model diverge at %1 s: the current of %2 deviates by %3")
                 .arg(seconds(parting), jointName(parting.joint), amount);
         case Quantity::TcpForce:
-            return ComparisonText::tr("Arm and model part at %1 s: a force of %2 pushes the TCP")
+            return ComparisonText::tr("Arm and model diverge at %1 s: a force of %2 acts on the TCP")
                 .arg(seconds(parting), amount);
     }
     return {};
@@ -110,22 +111,22 @@ QString reportText(const divergence::Report& report) {
         return partingText(*first);
     }
     const QString model = QString::fromLatin1(robotModel(report.model).name);
-    return report.firstCompared
-               ? ComparisonText::tr("The arm did what the model of a %1 does").arg(model)
-               : ComparisonText::tr(
-                     "Nothing could be compared: the arm had no power all the time, or was led by hand.");
+    return report.firstCompared ? ComparisonText::tr("The arm moved as the model of a %1 does").arg(model)
+                                : ComparisonText::tr(
+                                      "Nothing to compare: the arm was powered off or guided by hand for the "
+                                      "whole recording.");
 }
 
 QString reportDetails(const divergence::Report& report) {
     QStringList lines;
     if (report.partedFromStart()) {
         lines << ComparisonText::tr(
-            "They never were together: check the payload that the robot was told of, the model, and what "
-            "touches the arm.");
+            "They differ from the first sample on: check the configured payload, the robot model, and "
+            "contact with the arm.");
     } else if (report.first()) {
         lines << ComparisonText::tr(
-            "From there on something pushed or held the arm, its load was another one, or a joint did not "
-            "follow.");
+            "From there on, the arm was pushed or held, its payload differed, or a joint did not follow its "
+            "target.");
     }
     for (const divergence::Outcome& outcome : report.outcomes) {
         lines << outcomeLine(outcome);
@@ -137,13 +138,12 @@ QString comparisonError(const Error& error) {
     switch (error.code) {
         case ErrorCode::FieldUnknown:
             return ComparisonText::tr(
-                "This recording cannot be compared with a model: it lacks what the joints were told, or "
-                "where "
-                "they were. Record all signals, to MCAP.");
+                "This recording cannot be compared with a model: target or actual joint positions are "
+                "missing. Record all signals to MCAP.");
         case ErrorCode::InvalidArgument:
             return ComparisonText::tr(
-                "This recording cannot be compared with a model: its rows are too far apart. Record every "
-                "packet.");
+                "This recording cannot be compared with a model: its sampling interval is too long. Record "
+                "every packet.");
         case ErrorCode::Cancelled:
             return ComparisonText::tr("Not compared with the model of the arm.");
         default:

@@ -43,13 +43,13 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     , canvas_(new AnalysisCanvas) {
     setObjectName(QStringLiteral("plots.analysis"));
     setAccessibleName(tr("Spectrum and XY"));
-    kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Kind of analysis"));
+    kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Type of analysis"));
     // What it shows or hides beside it makes way for it: it must not go from under the pointer.
     kind_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     y_->setObjectName(QStringLiteral("plots.analysis.signal"));
     y_->setAccessibleName(tr("Signal"));
     x_->setObjectName(QStringLiteral("plots.analysis.over"));
-    x_->setAccessibleName(tr("Over this signal"));
+    x_->setAccessibleName(tr("X-axis signal"));
     title_->setObjectName(QStringLiteral("plots.analysis.title"));
     title_->setFont(textFont(13));
     title_->setProperty("role", "secondary");
@@ -164,7 +164,7 @@ void PlotAnalysis::fill() {
     x_->setVisible(xy);
     if (y_->count() == 0) {
         cancel();
-        tellWhyNot(tr("Put a signal onto the plots first."));
+        tellWhyNot(tr("Add a signal to the plots first."));
         return;
     }
     const int signal = y_->currentData().toInt();
@@ -201,7 +201,7 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
         task.every = (task.end - task.begin + kMostPoints - 1) / kMostPoints;
         if (isFar(task) && !store_.stretchOf(task.wanted, task.begin, task.end)) {
             tellWhyNot(
-                tr("These two are not of the same recording: place the cursors A and B around a shorter "
+                tr("These signals are from different recordings: place the cursors A and B around a shorter "
                    "range."));
             return std::nullopt;
         }
@@ -209,9 +209,8 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
     }
     task.end = std::min(task.end, task.begin + kMostSamples);
     if (history->hasGap(task.begin + 1, task.end)) {
-        tellWhyNot(
-            tr("Samples are missing in this range: place the cursors A and B so that there is no gap "
-               "between them."));
+        tellWhyNot(tr(
+            "Samples are missing in this range: place the cursors A and B so that no gap is between them."));
         return std::nullopt;
     }
     task.period = (history->time(task.end - 1) - history->time(task.begin)) /
@@ -377,12 +376,12 @@ void PlotAnalysis::present(const Task& task, const Outcome& outcome) {
         const auto count = static_cast<int>(outcome.points.size());
         const QString samples = task.every == 1
                                     ? tr("%n sample(s)", nullptr, count)
-                                    : tr("%n sample(s), one in %1", nullptr, count).arg(task.every);
+                                    : tr("%n sample(s), every %1th shown", nullptr, count).arg(task.every);
         title_->setText(tr("%1 · %2 … %3 s").arg(samples, from, to));
         canvas_->show(outcome.points, nameOf(task.wanted.front()), nameOf(task.wanted.back()), {});
         return;
     }
-    title_->setText(tr("Hann window of %1 samples · %2 Hz a line · mean of %3 · %4 … %5 s")
+    title_->setText(tr("Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s")
                         .arg(outcome.segment)
                         .arg(format::number(outcome.resolution, kSecondDigits))
                         .arg(outcome.segments)

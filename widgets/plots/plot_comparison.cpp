@@ -80,7 +80,7 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
     entry.model = model;
     if (!model) {
         entry.state = State::Failed;
-        entry.problem = tr("Not compared with the model of the arm: which arm this is of is not known.");
+        entry.problem = tr("Not compared with the arm model: the recording does not state the robot model.");
     }
     const CancelToken cancel = entry.cancel;
     entries_.insert(recording, entry);
@@ -170,7 +170,7 @@ void PlotComparison::mark(const QString& recording, const divergence::Report& re
         return;
     }
     place_.marks.addOf(recording, {place_.store.timesOf(recording)->firstTime() + first->seconds,
-                                   tr("Arm and model part: %1").arg(partingMark(*first)), true});
+                                   tr("Arm and model diverge: %1").arg(partingMark(*first)), true});
     constexpr int kWarning = 30;
     place_.replay.setFurtherEvents(
         recording, {{first->seconds, kWarning, QStringLiteral("tiller"), partingText(*first)}});

@@ -206,7 +206,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     connect(marks_.get(), &PlotMarks::crossed, this, [this](const Threshold& threshold, double time) {
         Q_EMIT session_.message(
             Severity::Warning,
-            tr("%1, at %2 s of the plots' time").arg(marks_->words(threshold), format::number(time, 3)));
+            tr("%1, at %2 s on the time axis").arg(marks_->words(threshold), format::number(time, 3)));
     });
     connect(pages_, &PlotPages::zeroChanged, this, &PlotDock::updateHeader);
     connect(pages_, &PlotPages::arrangementChanged, this, [this] {
@@ -326,7 +326,7 @@ void PlotDock::addNote(double time, const QString& text) {
 
 void PlotDock::askForNote(double time) {
     bool done = false;
-    const QString text = QInputDialog::getText(this, tr("Note"), tr("What happened at this moment?"),
+    const QString text = QInputDialog::getText(this, tr("Note"), tr("What happened at this time?"),
                                                QLineEdit::Normal, {}, &done);
     if (done) {
         addNote(time, text);
@@ -344,7 +344,7 @@ void PlotDock::setTimeAxis(TimeAxis axis) {
 
 void PlotDock::copyPicture() {
     QApplication::clipboard()->setImage(pages_->grab().toImage());
-    Q_EMIT session_.message(Severity::Info, tr("The plots are in the clipboard as a picture."),
+    Q_EMIT session_.message(Severity::Info, tr("The plots were copied to the clipboard as an image."),
                             Origin::Operator);
 }
 
@@ -384,13 +384,13 @@ void PlotDock::buildPagesMenu() {
               &PlotDock::setAnalysisShown);
     addSwitch("plots.layout.zero", tr("Zero the force shown"), view().isForceZeroed(),
               &PlotDock::setForceZeroed);
-    menu->addAction(tr("Export the shown range…"), this, &PlotDock::askExport)
+    menu->addAction(tr("Export the visible range…"), this, &PlotDock::askExport)
         ->setObjectName(QStringLiteral("plots.layout.export"));
     QMenu* axes = menu->addMenu(tr("Time axis"));
     axes->setObjectName(QStringLiteral("plots.layout.time"));
-    for (const auto& [axis, text] : {std::pair{TimeAxis::Relative, tr("Before the newest sample")},
+    for (const auto& [axis, text] : {std::pair{TimeAxis::Relative, tr("Relative to the newest sample")},
                                      {TimeAxis::Controller, tr("Controller time")},
-                                     {TimeAxis::Clock, tr("Time of the day")}}) {
+                                     {TimeAxis::Clock, tr("Time of day")}}) {
         QAction* action = axes->addAction(text);
         action->setObjectName(QStringLiteral("plots.layout.time.choice"));
         action->setCheckable(true);
@@ -408,23 +408,23 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.addPage", tr("New page"), [this] {
         addPage();
     })->setEnabled(pages_->count() < PlotLayout::kMostPages);
-    add(menu, "plots.layout.removePage", tr("Take this page away"), [this] {
+    add(menu, "plots.layout.removePage", tr("Remove this page"), [this] {
         pages_->removePage(pages_->current());
     })->setEnabled(pages_->count() > 1);
     add(menu, "plots.layout.standard", tr("Standard plots"), [this] { pages_->arrange({}); });
     menu->addSeparator();
     add(menu, "plots.layout.openRecording", tr("Open a recording…"), [this] { askForRecording(); });
-    add(menu, "plots.layout.closeRecordings", tr("Close the recordings"), [this] {
+    add(menu, "plots.layout.closeRecordings", tr("Close recordings"), [this] {
         closeRecordings();
     })->setEnabled(store_->hasRecordings());
     add(menu, "plots.layout.compare", tr("Compare with the model of the arm…"), [this] {
         compareWithModel();
     })->setEnabled(!comparison_->recordingInFront().isEmpty());
     menu->addSeparator();
-    add(menu, "plots.layout.copy", tr("Copy the plots as a picture"), [this] { copyPicture(); });
+    add(menu, "plots.layout.copy", tr("Copy plots as image"), [this] { copyPicture(); });
     menu->addSeparator();
-    add(menu, "plots.layout.save", tr("Save this arrangement…"), [this] { askToSaveArrangement(); });
-    add(menu, "plots.layout.open", tr("Open an arrangement…"), [this] { askToOpenArrangement(); });
+    add(menu, "plots.layout.save", tr("Save layout…"), [this] { askToSaveArrangement(); });
+    add(menu, "plots.layout.open", tr("Open layout…"), [this] { askToOpenArrangement(); });
     menu->addSeparator();
     QMenu* budgets = menu->addMenu(tr("Memory for the history"));
     budgets->setObjectName(QStringLiteral("plots.layout.budget"));
@@ -440,7 +440,7 @@ void PlotDock::buildPagesMenu() {
 }
 
 Result<void> PlotDock::saveArrangement(const QString& path) const {
-    return writeFileAtomically(path, arrangement(), tr("save the arrangement to %1").arg(path));
+    return writeFileAtomically(path, arrangement(), tr("save the layout to %1").arg(path));
 }
 
 Result<void> PlotDock::openArrangement(const QString& path) {
@@ -547,7 +547,7 @@ bool PlotDock::turnTo(const QString& recording) {
         pages_->setCurrent(page);
     } else if (!pages_->addPage(pageFor(recording))) {
         Q_EMIT session_.message(Severity::Warning,
-                                tr("There are as many pages of plots as there may be: take one away first."));
+                                tr("The maximum number of plot pages is reached: remove a page first."));
         return true;
     }
     const SeriesBuffer& times = *store_->timesOf(recording);
@@ -636,8 +636,8 @@ void PlotDock::askForRecording() {
 }
 
 void PlotDock::askToSaveArrangement() {
-    QString path = QFileDialog::getSaveFileName(this, tr("Save the arrangement of the plots"), QString(),
-                                                tr("Arrangement of plots (*.json)"));
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Save plot layout"), QString(), tr("Plot layouts (*.json)"));
     if (path.isEmpty()) {
         return;
     }
@@ -650,8 +650,8 @@ void PlotDock::askToSaveArrangement() {
 }
 
 void PlotDock::askToOpenArrangement() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open an arrangement of plots"), QString(),
-                                                      tr("Arrangement of plots (*.json)"));
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open plot layout"), QString(), tr("Plot layouts (*.json)"));
     if (path.isEmpty()) {
         return;
     }
@@ -699,23 +699,23 @@ void PlotDock::buildHeader() {
     readout_->setElideMode(Qt::ElideRight);
     readout_->setMinimumWidth(kLeastReadout);  // with a text or without: the keys keep their place
     readout_->setToolTip(
-        tr("Click in the plots to place the cursors A and B; drag them, or use the keys A, B "
-           "and the arrows. Click a name in a legend to hide its curve, with Ctrl to read that signal."));
+        tr("Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. "
+           "Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors."));
     signalsKey_ = quietButton(QStringLiteral("plots.signals"), tr("List of signals"), this);
     signalsKey_->setText(tr("Signals"));
     signalsKey_->setToolTip(
-        tr("Everything the robot tells: drag it onto a plot, to its edge for a plot of its own, or double "
-           "click"));
+        tr("All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new "
+           "plot, or double-click it"));
     signalsKey_->setCheckable(true);
     connect(signalsKey_, &QToolButton::clicked, this, &PlotDock::setSignalsShown);
     valuesKey_ = quietButton(QStringLiteral("plots.valuesKey"), tr("Values at the cursors"), this);
     valuesKey_->setText(tr("Values"));
     valuesKey_->setToolTip(
-        tr("What every signal has at the cursors A and B, and what lies between them: smallest, "
-           "largest, mean, RMS, deviation, slope"));
+        tr("Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard "
+           "deviation, slope"));
     valuesKey_->setCheckable(true);
     connect(valuesKey_, &QToolButton::clicked, this, &PlotDock::setValuesShown);
-    pagesKey_ = quietButton(QStringLiteral("plots.layout"), tr("Pages and arrangement of the plots"), this);
+    pagesKey_ = quietButton(QStringLiteral("plots.layout"), tr("Pages and layout of the plots"), this);
     pagesKey_->setText(tr("Layout ▾"));
     pagesKey_->setPopupMode(QToolButton::InstantPopup);
     auto* pagesMenu = new QMenu(pagesKey_);
@@ -728,9 +728,9 @@ void PlotDock::buildHeader() {
     line->setFixedSize(1, 16);
 
     span_ = quietButton(QStringLiteral("plots.span"), tr("Time window"), this);
-    span_->setToolTip(tr(
-        "How much time the plots show. The wheel over the plots zooms; over the values at the left, or with "
-        "Ctrl, it zooms them, and a double click there lets the curves decide again."));
+    span_->setToolTip(
+        tr("Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, "
+           "it zooms the values. Double-click the value axis to scale automatically."));
     span_->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(span_);
     menu->setObjectName(QStringLiteral("plots.span.menu"));
@@ -748,9 +748,9 @@ void PlotDock::buildHeader() {
     zero_->setText(tr("Zero"));
     zero_->setCheckable(true);
     connect(zero_, &QToolButton::clicked, this, &PlotDock::setForceZeroed);
-    export_ = quietButton(QStringLiteral("plots.export"), tr("Export the shown range"), this);
+    export_ = quietButton(QStringLiteral("plots.export"), tr("Export the visible range"), this);
     export_->setText(tr("Export…"));
-    export_->setToolTip(tr("Save what is shown as a picture (PNG) or as values (CSV)"));
+    export_->setToolTip(tr("Save the visible range as an image (PNG) or as values (CSV)"));
     connect(export_, &QToolButton::clicked, this, &PlotDock::askExport);
     record_ = quietButton(QStringLiteral("plots.record"), tr("Record to a CSV file"), this);
     connect(record_, &QToolButton::clicked, this, &PlotDock::toggleRecording);
@@ -792,8 +792,8 @@ void PlotDock::setForceZeroed(bool zeroed) {
         view().clearZero();
     } else if (!view().zeroForce()) {
         Q_EMIT session_.message(Severity::Warning,
-                                tr("The force was not zeroed: the plots show no samples. Connect to a robot, "
-                                   "or scroll to a time with samples."));
+                                tr("Cannot zero the force: the plots show no samples. Connect to a robot, or "
+                                   "scroll to a time with samples."));
     }
     updateHeader();
 }
@@ -883,13 +883,13 @@ void PlotDock::updateHeader() {
     }
     setTextIfNew(span_, spanText + QStringLiteral(" ▾"));
     setTextIfNew(pause_, window.follows() ? tr("Pause") : tr("Resume"));
-    pause_->setToolTip(window.follows() ? tr("Hold the plots still; data and recording go on")
+    pause_->setToolTip(window.follows() ? tr("Freeze the plots; data and recording continue")
                                         : tr("Back to the newest samples"));
     zero_->setChecked(view().isForceZeroed());
     zero_->setToolTip(view().isForceZeroed()
-                          ? tr("Show the force as the robot measures it again. %1").arg(view().zeroText())
-                          : tr("Count the force from what it is now. Only what the plots show: the robot, "
-                               "recordings and exported values keep what was measured."));
+                          ? tr("Show the force as measured by the robot. %1").arg(view().zeroText())
+                          : tr("Subtract the current force in the plots. The robot, recordings and exported "
+                               "values are not changed."));
     const QString record =
         recording_ ? tr("● REC %1").arg(format::duration(recordingSeconds_)) : tr("● Record");
     setTextIfNew(record_, record);
@@ -899,8 +899,8 @@ void PlotDock::updateHeader() {
                                           : tr("Record to a CSV file"));
     record_->setToolTip(
         recording_ ? recordingText(session_.state().recording)
-        : mcap     ? tr("Record what the robot sends to an MCAP file; the key beside it says what and where")
-                   : tr("Record what the robot sends to a CSV file; the key beside it says what and where"));
+        : mcap     ? tr("Record robot data to an MCAP file. The arrow button sets signals and folder")
+                   : tr("Record robot data to a CSV file. The arrow button sets signals and folder"));
     if (record_->property("recording").toBool() != recording_) {
         record_->setProperty("recording", recording_);
         styleHeader();
@@ -909,7 +909,7 @@ void PlotDock::updateHeader() {
 
 QString PlotDock::recordingText(const RecordingState& recording) {
     const double rate = recording.seconds > 0 ? static_cast<double>(recording.bytes) / recording.seconds : 0;
-    return tr("%1 · %2 a second · %3 free · %n packet(s) lost", nullptr, static_cast<int>(recording.lost))
+    return tr("%1 · %2 per second · %3 free · %n packet(s) lost", nullptr, static_cast<int>(recording.lost))
         .arg(format::bytes(recording.bytes), format::bytes(std::llround(rate)),
              format::bytes(recording.freeBytes));
 }
@@ -985,9 +985,8 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
 }
 
 void PlotDock::sayNothingToExport() {
-    Q_EMIT session_.message(Severity::Warning,
-                            tr("Nothing was exported: the plots show no samples. Connect to a robot, or "
-                               "scroll to a time with samples."));
+    Q_EMIT session_.message(Severity::Warning, tr("Cannot export: the plots show no samples. Connect to a "
+                                                  "robot, or scroll to a time with samples."));
 }
 
 bool PlotDock::exportTo(const QString& path) {
@@ -998,7 +997,7 @@ bool PlotDock::exportTo(const QString& path) {
     }
     const Result<void> result = csv ? exportCsv(path) : exportPicture(path);
     if (result) {
-        Q_EMIT session_.message(Severity::Info, tr("Exported the shown range to %1").arg(path));
+        Q_EMIT session_.message(Severity::Info, tr("Exported the visible range to %1").arg(path));
     } else if (csv && result.error().code == ErrorCode::InvalidArgument) {
         sayNothingToExport();
     } else {
@@ -1021,7 +1020,7 @@ void PlotDock::askExport() {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss"));
     QString filter = filters.first();
-    QString path = QFileDialog::getSaveFileName(this, tr("Export the shown range"),
+    QString path = QFileDialog::getSaveFileName(this, tr("Export the visible range"),
                                                 QDir(folder).filePath(QStringLiteral("plots_") + stamp),
                                                 filters.join(QStringLiteral(";;")), &filter);
     if (path.isEmpty()) {
@@ -1054,7 +1053,7 @@ void PlotDock::setRecordingChoice(const RecordingChoice& choice) {
 }
 
 void PlotDock::buildRecordMenu() {
-    recordMenu_ = quietButton(QStringLiteral("plots.recordMenu"), tr("What is recorded"), this);
+    recordMenu_ = quietButton(QStringLiteral("plots.recordMenu"), tr("Recording options"), this);
     recordMenu_->setText(QStringLiteral("▾"));
     recordMenu_->setToolTip(tr("Rows, signals, folder and file name of the next recording"));
     recordMenu_->setPopupMode(QToolButton::InstantPopup);
@@ -1087,8 +1086,8 @@ void PlotDock::showRecordMenu() {
     }
     for (const int every : sparse) {
         QAction* action =
-            add("plots.record.every", every == 1 ? tr("A row for every packet")
-                                                 : tr("A row for every %n packet(s)", nullptr, every));
+            add("plots.record.every",
+                every == 1 ? tr("One row per packet") : tr("One row every %n packet(s)", nullptr, every));
         action->setCheckable(true);
         action->setChecked(every == choice_.every);
         action->setData(every);
@@ -1122,7 +1121,7 @@ void PlotDock::showRecordMenu() {
     QAction* place = add("plots.record.folder", tr("Folder %1…").arg(QDir(folder).dirName()));
     place->setToolTip(QDir::toNativeSeparators(folder));
     connect(place, &QAction::triggered, this, &PlotDock::askForFolder);
-    connect(add("plots.record.openFolder", tr("Show the folder")), &QAction::triggered, this, [folder] {
+    connect(add("plots.record.openFolder", tr("Open folder")), &QAction::triggered, this, [folder] {
         QDir().mkpath(folder);
         QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
     });

@@ -49,8 +49,7 @@ int columnsOf(const PlotView& view) {
 void PlotMenu::fill(QMenu& menu, const QPointF& place) {
     PlotView* view = &view_;
     if (const auto lane = view_.laneAt(place)) {
-        addAction(menu, "plots.menu.removeLane",
-                  tr("Take the lane %1 away").arg(store_.info(*lane).longLabel),
+        addAction(menu, "plots.menu.removeLane", tr("Remove lane %1").arg(store_.info(*lane).longLabel),
                   [view, signal = *lane] { view->removeLane(signal); });
         return;
     }
@@ -68,7 +67,7 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
         menu.addSeparator();
     }
     addPlot(menu, pane);
-    addAction(menu, "plots.menu.note", tr("Note here…"),
+    addAction(menu, "plots.menu.note", tr("Add note here…"),
               [view, time = view_.timeAt(place.x())] { Q_EMIT view->noteWanted(time); });
 }
 
@@ -79,7 +78,7 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
     addAction(menu, "plots.menu.hide",
               pane.isHidden(signal) ? tr("Show %1").arg(name) : tr("Hide %1").arg(name),
               [view, signal] { view->setHidden(signal, !view->isHidden(signal)); });
-    addAction(menu, "plots.menu.read", tr("Let the cursors read %1").arg(name),
+    addAction(menu, "plots.menu.read", tr("Read %1 at the cursors").arg(name),
               [view, signal] { view->setReadoutSignal(signal); });
     addAction(
         menu, "plots.menu.move", tr("Move %1 to a plot of its own").arg(name),
@@ -90,7 +89,7 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
             view->setPage(page);
         })
         ->setEnabled(pane.shown().size() > 1 && view_.panes().size() < PlotLayout::kMostPanes);
-    addAction(menu, "plots.menu.remove", tr("Take %1 away").arg(name),
+    addAction(menu, "plots.menu.remove", tr("Remove %1").arg(name),
               [view, at, signal] { view->removeSignal(at, signal); });
 }
 
@@ -103,12 +102,12 @@ void PlotMenu::addThresholds(QMenu& menu, const PlotPane& pane, int signal, doub
     for (const bool above : {true, false}) {
         const Threshold threshold{info.key, limit, above};
         addAction(menu, above ? "plots.menu.alarmAbove" : "plots.menu.alarmBelow",
-                  tr("Alarm when %1").arg(marks->words(threshold)),
+                  tr("Warn when %1").arg(marks->words(threshold)),
                   [marks, threshold] { marks->add(threshold); });
     }
     for (const Threshold& threshold : marks->thresholds()) {
         if (threshold.key == info.key) {
-            addAction(menu, "plots.menu.noAlarm", tr("No alarm when %1").arg(marks->words(threshold)),
+            addAction(menu, "plots.menu.noAlarm", tr("Do not warn when %1").arg(marks->words(threshold)),
                       [marks, threshold] { marks->remove(threshold); });
         }
     }
@@ -134,7 +133,7 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
             derivationText(QStringLiteral("d(%1)/dt").arg(info.longLabel), perSecond,
                            QStringLiteral("deriv(%1, 0.02)").arg(key)),
             PlotView::Place::Below);
-        add("plots.menu.mean", tr("Moving mean of %1 over half a second").arg(info.longLabel),
+        add("plots.menu.mean", tr("Moving mean of %1 over 0.5 s").arg(info.longLabel),
             derivationText(tr("Mean %1").arg(info.longLabel), info.unit,
                            QStringLiteral("mean(%1, 0.5)").arg(key)),
             PlotView::Place::Into);
@@ -172,14 +171,14 @@ void PlotMenu::addPlot(QMenu& menu, const PlotPane& pane) {
     addAction(menu, "plots.menu.below", tr("New plot below"), [addPane, column = pane.column()] {
         addPane(column);
     })->setEnabled(room);
-    addAction(menu, "plots.menu.beside", tr("New plot beside"), [addPane, columns] {
+    addAction(menu, "plots.menu.beside", tr("New plot to the right"), [addPane, columns] {
         addPane(columns);
     })->setEnabled(room && columns < PlotLayout::kMostColumns);
-    addAction(menu, "plots.menu.removePane", tr("Take this plot away"), [view, at] {
+    addAction(menu, "plots.menu.removePane", tr("Remove this plot"), [view, at] {
         view->removePane(at);
     })->setEnabled(view_.panes().size() > 1 || !pane.shown().empty());
     menu.addSeparator();
-    addAction(menu, "plots.menu.release", tr("Let the curves decide about the scale"), [view, at] {
+    addAction(menu, "plots.menu.release", tr("Scale to the curves"), [view, at] {
         view->releaseValues(*view->panes()[static_cast<std::size_t>(at)]);
     })->setEnabled(pane.isZoomed());
     addAction(menu, "plots.menu.fit", tr("Show all"), [view] { view->fit(); });

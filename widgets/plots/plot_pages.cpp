@@ -206,7 +206,7 @@ QString PlotPages::nameOf(int page) const {
 void PlotPages::nameTabs() {
     for (int page = 0; page < count(); ++page) {
         tabs_->setTabText(page, nameOf(page));
-        tabs_->setTabToolTip(page, tr("Double click: another name"));
+        tabs_->setTabToolTip(page, tr("Double-click to rename"));
     }
     tabs_->setVisible(count() > 1);
 }

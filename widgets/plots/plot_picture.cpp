@@ -115,8 +115,8 @@ Result<void> exportPicture(const PlotView& view, SignalStore& store, const State
     if (ending != QLatin1String("png") && ending != QLatin1String("svg") && ending != QLatin1String("pdf")) {
         return Error{
             ErrorCode::InvalidArgument, context,
-            QCoreApplication::translate("tiller::PlotDock",
-                                        "name the file .png, .svg or .pdf for a picture, .csv for values")};
+            QCoreApplication::translate(
+                "tiller::PlotDock", "use the suffix .png, .svg or .pdf for an image, or .csv for values")};
     }
     Page page(view, store, lane, text);
     const QByteArray bytes = ending == QLatin1String("png")   ? png(page)

@@ -93,7 +93,7 @@ void PlotValues::fill() {
                                .arg(format::number(between, 4), format::number(1 / std::abs(between), 3)));
     } else {
         between_->setText(
-            tr("Click into the plots to place A, then B: what lies between them is summed up here."));
+            tr("Click in the plots to place A, then B. Statistics of the range between them appear here."));
     }
     std::vector<int> shown;
     for (const auto& pane : view_->panes()) {
@@ -106,9 +106,10 @@ void PlotValues::fill() {
     if (a && b) {
         sums_.want(shown, *a, *b);
         if (const QString& problem = sums_.problem(); !problem.isEmpty()) {
-            between_->setText(tr("Not all of the range could be summed up: %1").arg(problem));
+            between_->setText(tr("Statistics are incomplete: %1").arg(problem));
         } else if (sums_.part() < 1) {
-            between_->setText(tr("%1 · summing up: %2").arg(between_->text(), format::percent(sums_.part())));
+            between_->setText(
+                tr("%1 · calculating: %2").arg(between_->text(), format::percent(sums_.part())));
         }
     }
     const bool isUnderWay = a && b && sums_.part() < 1 && sums_.problem().isEmpty();

@@ -71,13 +71,10 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
     setObjectName(QStringLiteral("plots.view"));
     setAccessibleName(tr("Plots over time"));
     setAccessibleDescription(
-        tr("A and B place the cursors, the arrow keys move them, up and down choose the signal they read; "
-           "H hides its curve, Ctrl+Delete takes it away; plus and minus change the time window, with Ctrl "
-           "the scale "
-           "of the values, Ctrl+0 lets the curves decide about it again; N writes a note; F shows all; End "
-           "goes back to the "
-           "newest "
-           "samples"));
+        tr("A and B place the cursors, left and right move them, up and down select the signal they read. H "
+           "hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the "
+           "value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the "
+           "newest samples"));
     setScene(scene_.get());
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -771,7 +768,7 @@ void PlotView::drawForeground(QPainter* painter, const QRectF&) {
             marks << zeroText();
         }
         if (pane->isZoomed()) {
-            marks << tr("Scale held · double click the axis to let it go");
+            marks << tr("Fixed scale · double-click the axis to scale automatically");
         }
         drawMark(*painter, *pane, marks.join(QStringLiteral("   ")));
         drawThresholds(*painter, *pane);
@@ -1025,7 +1022,7 @@ QString PlotView::zeroText() const {
         const SignalInfo& info = store_.info(signal);
         parts << info.label + QLatin1Char(' ') + format::signedNumber(offsets_.value(signal), info.digits);
     }
-    return tr("Zeroed: %1 %2 taken off")
+    return tr("Zeroed (offset %1 %2)")
         .arg(parts.join(QStringLiteral(" · ")), store_.info(forces().front()).unit);
 }
 

@@ -37,7 +37,7 @@ void Practice::turn(int by) {
 
 QString Practice::obstacle() const {
     if (!state_.hasData() || state_.link != LinkState::Live) {
-        return tr("Start the simulated robot first: it is in the robot menu.");
+        return tr("Start the simulated robot first (robot menu).");
     }
     if (const QString other = hooks_.obstacle(state_); !other.isEmpty()) {
         return other;
@@ -45,7 +45,8 @@ QString Practice::obstacle() const {
     if (state_.robotMode != RobotMode::Running) {
         return tr("Power the arm on and release the brakes first.");
     }
-    return allowsMotion(state_.safety()) ? QString() : tr("The arm is in a stop. Recover from it first.");
+    return allowsMotion(state_.safety()) ? QString()
+                                         : tr("The arm is stopped by the safety system. Recover first.");
 }
 
 void Practice::start() {
@@ -70,7 +71,9 @@ QString Practice::text() const {
         return check_->text();
     }
     const QString why = obstacle();
-    return !why.isEmpty() ? why : isDone(task_) ? tr("Done. Start does it once more.") : tr("Press Start.");
+    return !why.isEmpty()  ? why
+           : isDone(task_) ? tr("Done. Press Start to repeat the task.")
+                           : tr("Press Start.");
 }
 
 void Practice::setAnswer(std::optional<double> figure) {

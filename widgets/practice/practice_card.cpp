@@ -40,7 +40,7 @@ PracticeCard::PracticeCard(Practice& practice, QWidget& view)
     answer_->setObjectName(QStringLiteral("practice.answer"));
     answer_->setAccessibleName(tr("Force Fz in newtons"));
     answer_->setMaxLength(12);
-    answer_->setPlaceholderText(tr("figure, then Return"));
+    answer_->setPlaceholderText(tr("enter value, press Return"));
     auto* unit = new QLabel(tr("Fz [N]"));
     auto* answer = new QHBoxLayout(answerRow_);
     answer->setContentsMargins(0, 0, 0, 0);
@@ -65,8 +65,8 @@ PracticeCard::PracticeCard(Practice& practice, QWidget& view)
     start_->setObjectName(QStringLiteral("practice.start"));
     done_->setObjectName(QStringLiteral("practice.done"));
     done_->setProperty("primary", true);
-    keys().addWidget(turnKey("practice.back", QStringLiteral("‹"), tr("The task before"), -1));
-    keys().addWidget(turnKey("practice.next", QStringLiteral("›"), tr("The next task"), 1));
+    keys().addWidget(turnKey("practice.back", QStringLiteral("‹"), tr("Previous task"), -1));
+    keys().addWidget(turnKey("practice.next", QStringLiteral("›"), tr("Next task"), 1));
     keys().addWidget(start_, 1);
     keys().addWidget(done_, 1);
     for (QPushButton* key : {start_, done_}) {
@@ -107,10 +107,10 @@ void PracticeCard::showTask() {
     check_->setDone(practice_.passed() || (!practice_.isRunning() && practice_.isDone(task)));
     const QString why = practice_.obstacle();
     setUsable(*start_, why.isEmpty());
-    start_->setToolTip(why.isEmpty() ? tr("Begins the task, or begins it anew") : why);
+    start_->setToolTip(why.isEmpty() ? tr("Starts or restarts the task") : why);
     setUsable(*done_, practice_.passed());
-    done_->setToolTip(practice_.passed() ? tr("Goes on to the next task")
-                                         : tr("Possible once the check above says so"));
+    done_->setToolTip(practice_.passed() ? tr("Continues with the next task")
+                                         : tr("Available after the check above has passed"));
     setUsable(*answer_, practice_.isRunning());
 }
 

@@ -40,13 +40,13 @@ public:
         if (!stopped_) {
             say(PracticeText::tr("Waiting for the stop."));
         } else if (state.safety() == SafetyMode::ProtectiveStop) {
-            say(PracticeText::tr("The arm is in a protective stop. Press Recover in the header."));
+            say(PracticeText::tr("The arm is in a protective stop. Press Recover… in the header."));
         } else if (!isReady(state)) {
-            say(PracticeText::tr("Unlocked. The arm does not run yet: follow the recovery page."));
+            say(PracticeText::tr("Unlocked. The arm is not running yet: follow the recovery page."));
         } else if (!state.canMove()) {
             say(PracticeText::tr("Unlocked. Take control again."));
         } else {
-            pass(PracticeText::tr("The arm runs and is under your control again."));
+            pass(PracticeText::tr("The arm is running and under your control again."));
         }
     }
 
@@ -66,14 +66,14 @@ public:
         if (state.hasData()) {
             remember(state.tcpPose.position);
         }
-        QString text = PracticeText::tr("No new frame yet. Three points is in the tab Frames.");
+        QString text = PracticeText::tr("No new frame yet. Use 3 points in the Frames tab.");
         for (const project::Frame& frame : project.frames) {
             if (known_.contains(frame.id)) {
                 continue;
             }
             text = problemOf(frame);
             if (text.isEmpty()) {
-                pass(PracticeText::tr("“%1” lies as it was asked for.").arg(frame.name));
+                pass(PracticeText::tr("“%1” meets the requirements.").arg(frame.name));
                 return;
             }
         }
@@ -101,21 +101,25 @@ private:
         const double z = slant(R.col(2).dot(Eigen::Vector3d::UnitZ()));
         if (z > kSlant) {
             return PracticeText::tr(
-                       "“%1”: its Z is %2° off the base's. The third point lies on the side of +Y.")
+                       "“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the "
+                       "+Y side.")
                 .arg(frame.name)
                 .arg(z, 0, 'f', 0);
         }
         if (x > kSlant) {
-            return PracticeText::tr("“%1”: its X is %2° off the base's Y.").arg(frame.name).arg(x, 0, 'f', 0);
+            return PracticeText::tr("“%1”: its X axis differs from the base Y axis by %2°.")
+                .arg(frame.name)
+                .arg(x, 0, 'f', 0);
         }
         const Eigen::Vector3d origin = frame.T_base_frame.position;
         const bool been = (last_ - origin).norm() < kAtOrigin ||
                           std::any_of(places_.begin(), places_.end(), [&](const Eigen::Vector3d& place) {
                               return (place - origin).norm() < kAtOrigin;
                           });
-        return been ? QString()
-                    : PracticeText::tr("“%1” was not taken with the arm: the TCP has not been at its origin.")
-                          .arg(frame.name);
+        return been
+                   ? QString()
+                   : PracticeText::tr("“%1” was not taught with the arm: the TCP has not been at its origin.")
+                         .arg(frame.name);
     }
 
     QSet<QUuid> known_;
@@ -135,7 +139,7 @@ public:
     void follow(const SessionState& state, const project::Project& project) override {
         const int row = project.waypoints.indexOf(waypoint_);
         if (row < 0 || !from_) {
-            say(PracticeText::tr("The waypoint is not there any more. Start puts a new one."));
+            say(PracticeText::tr("The waypoint was deleted. Start adds a new one."));
             return;
         }
         const project::Waypoint& point = project.waypoints.at(row);
@@ -147,19 +151,19 @@ public:
         const Eigen::Vector3d wanted(kPartMoved, 0, 0);
         if (by.norm() < kClose) {
             const double way = state.hasData() ? state.tcpPose.position.x() - from_->position.x() : 0;
-            say(PracticeText::tr("“%1” is where it was. The arm is %2 along X from it.")
+            say(PracticeText::tr("“%1” has not changed. The arm is %2 away from it along X.")
                     .arg(point.name, length(way)));
         } else if ((by - wanted).norm() > kTolerance) {
-            say(PracticeText::tr("“%1” has moved by %2, and is %3 from where it should be.")
+            say(PracticeText::tr("“%1” has moved by %2 and is %3 from the expected position.")
                     .arg(point.name, length(by.norm()), length((by - wanted).norm())));
         } else if (project::poseDifference(*from_, *now).angle > kTurn) {
-            say(PracticeText::tr("“%1” is at the place, but the tool was turned.").arg(point.name));
+            say(PracticeText::tr("“%1” is at the expected position, but the tool orientation changed.")
+                    .arg(point.name));
         } else if (state.hasData() && (state.tcpPose.position - now->position).norm() < kTolerance) {
             pass(PracticeText::tr("“%1” is at the part again.").arg(point.name));
         } else {
-            say(PracticeText::tr(
-                    "“%1” is at the place, but the arm is not there. Touch up with the arm at the "
-                    "part.")
+            say(PracticeText::tr("“%1” is at the expected position, but the arm is not. Touch up the "
+                                 "waypoint with the arm at the part.")
                     .arg(point.name));
         }
     }
@@ -186,15 +190,16 @@ public:
         }
         if (!at_) {
             say(state.jogActive && limited && state.limiter.scale < 1
-                    ? PracticeText::tr("Slowed down to %1. Go on.").arg(format::percent(state.limiter.scale))
-                    : PracticeText::tr("No limit yet. The line below the pad will name it."));
+                    ? PracticeText::tr("Slowed down to %1. Continue.")
+                          .arg(format::percent(state.limiter.scale))
+                    : PracticeText::tr("No limit reached yet. The line below the pad will name it."));
             return;
         }
         const double back = (state.tcpPose.position - *at_).norm();
         if (back < kBack) {
-            say(PracticeText::tr("That is the limit. Now back: %1 of %2.").arg(length(back), length(kBack)));
+            say(PracticeText::tr("Limit reached. Now jog back: %1 of %2.").arg(length(back), length(kBack)));
         } else {
-            pass(PracticeText::tr("Found it, and out of it again."));
+            pass(PracticeText::tr("You reached the limit and moved out of it again."));
         }
     }
 
@@ -247,14 +252,14 @@ private:
         } else if (!mean_) {
             say(seconds_ > 0 && seconds_ < kSeconds
                     ? PracticeText::tr("That recording is too short. Record again.")
-                    : PracticeText::tr("No recording yet. Record is above the plots."));
+                    : PracticeText::tr("No recording yet. Press Record above the plots."));
         } else if (!answer_) {
             say(PracticeText::tr("Recorded. Enter the force that the plot shows."));
         } else if (std::abs(std::abs(*answer_) - *mean_) > kTolerance) {
-            say(PracticeText::tr("%1 is not what was recorded. Look at the curve Fz.")
+            say(PracticeText::tr("%1 does not match the recording. Look at the Fz curve.")
                     .arg(format::newtons(*answer_)));
         } else {
-            pass(PracticeText::tr("Right: it was %1.").arg(format::newtons(*mean_)));
+            pass(PracticeText::tr("Correct: it was %1.").arg(format::newtons(*mean_)));
         }
     }
 
@@ -304,33 +309,29 @@ QString practiceText(PracticeTask task) {
     switch (task) {
         case PracticeTask::Recover:
             return PracticeText::tr(
-                "Start makes the simulated arm collide, and it goes into a protective stop. Look at what "
-                "stopped "
-                "it, wait for the five seconds, unlock it and take control again.");
+                "Start makes the simulated arm collide and enter a protective stop. Find out what stopped "
+                "it, wait five seconds, unlock it and take control again.");
         case PracticeTask::TeachFrame:
             return PracticeText::tr(
-                "Teach a frame from three points in the tab Frames. Its X shall go along the base's Y+, its "
-                "Z "
-                "up: take the origin, then a point further along Y+, then one further along X−.");
+                "Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ "
+                "direction and its Z axis up: take the origin, then a point further along Y+, then a point "
+                "further along X−.");
         case PracticeTask::TouchUp:
-            return PracticeText::tr(
-                       "Start puts a waypoint “part” where the arm stands. The part has since moved by %1 "
-                       "along the "
-                       "base's X+. Jog there, select the waypoint and touch it up (U).")
-                .arg(length(kPartMoved));
+            return PracticeText::
+                tr("Start adds a waypoint “part” at the current position of the arm. The part then moves by "
+                   "%1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).")
+                    .arg(length(kPartMoved));
         case PracticeTask::FindLimit:
             return PracticeText::tr(
-                       "Jog away from the base, outwards, until a limit slows the arm down to half. The line "
-                       "below the "
-                       "pad names it and the way out. Then jog %1 back.")
+                       "Jog outwards, away from the base, until a limit reduces the speed to half. The line "
+                       "below the pad names the limit and how to leave it. Then jog back by %1.")
                 .arg(length(0.050));
         case PracticeTask::Measure:
             break;
     }
     return PracticeText::tr(
-        "Start makes a hand press on the tool from above. Record for at least three seconds and stop. Read "
-        "in "
-        "the plots how large the force Fz is, and enter it.");
+        "Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read "
+        "the force Fz in the plots and enter it.");
 }
 
 project::Waypoint practiceWaypoint(const SessionState& state, const project::Project& project) {

@@ -39,7 +39,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     , view_(view)
     , height_(height)
     , title_(new QLabel(title, this))
-    , fold_(quietKey(name + QStringLiteral(".fold"), tr("Fold"), this))
+    , fold_(quietKey(name + QStringLiteral(".fold"), tr("Collapse"), this))
     , close_(quietKey(name + QStringLiteral(".close"), tr("Close"), this))
     , scroll_(new SteadyScrollArea(this))
     , inside_(new QWidget)
@@ -49,7 +49,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     hide();
     title_->setFont(textFont(15, QFont::Bold));
     title_->setTextFormat(Qt::PlainText);
-    // "Fold" and "×" as drawings: the same width in every language.
+    // Drawn symbols have the same width in every language.
     close_->setText(QStringLiteral("×"));
     fold_->setCheckable(true);
 
@@ -177,9 +177,9 @@ void ViewCard::place() {
     fold_->setChecked(folded);
     fold_->setEnabled(!noRoom_);
     fold_->setIcon(themedIcon(folded ? QStringLiteral("up") : QStringLiteral("down")));
-    const QString what = noRoom_  ? tr("The view is too small to unfold this")
-                         : folded ? tr("Unfold")
-                                  : tr("Fold");
+    const QString what = noRoom_  ? tr("The view is too small to expand this")
+                         : folded ? tr("Expand")
+                                  : tr("Collapse");
     fold_->setAccessibleName(what);
     fold_->setToolTip(what);
     const int height = folded ? head : std::min(wantedHeight(), room);

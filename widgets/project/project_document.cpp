@@ -214,7 +214,7 @@ void ProjectDocument::moveWaypointsBefore(const QList<int>& rows, int before) {
     }
     const QVector<QUuid> order = front + moved + back;
     if (order != old) {
-        undo_.push(new ReorderWaypoints(*this, order, tr("Change the order")));
+        undo_.push(new ReorderWaypoints(*this, order, tr("Change order")));
     }
 }
 

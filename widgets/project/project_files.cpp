@@ -45,7 +45,7 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
         Q_EMIT noticeResolved(QLatin1String(kElsewhere));
         Q_EMIT message(
             Severity::Info,
-            tr("The other window has closed %1. Changes here are saved again.").arg(store_.name()));
+            tr("The other window closed %1. Changes in this window are saved again.").arg(store_.name()));
     });
     connect(&store_, &ProjectStore::changedByOther, this, &ProjectFiles::onChangedByOther);
     connect(&store_, &ProjectStore::pathChanged, this, [this] {
@@ -60,7 +60,7 @@ void ProjectFiles::warn(const QString& title, const Error& error, const QString&
     // The version is the file's here, never the robot's.
     const QString text =
         error.code == ErrorCode::VersionUnsupported
-            ? tr("%1. Update Tiller to open it. The file was left as it is.").arg(error.context)
+            ? tr("%1. Update Tiller to open it. The file was not changed.").arg(error.context)
             : texts::errorText(error);
     Q_EMIT message(Severity::Error, text);
     Q_EMIT noticeWanted({.title = title, .text = text, .cause = cause});
@@ -86,12 +86,11 @@ void ProjectFiles::onOpenElsewhere() {
 
 void ProjectFiles::onChangedByOther() {
     const QString title = tr("Another window or program has changed %1").arg(store_.name());
-    const QString text =
-        store_.isModified()
-            ? tr("This window has changes of its own, which are not saved. Reload drops them, Keep both "
-                 "saves this window's project to a second file.")
-            : tr("Reload shows the new content. Keep both saves this window's project to a second file. "
-                 "Changes are not saved until you decide.");
+    const QString text = store_.isModified()
+                             ? tr("This window has unsaved changes. Reload discards them. Keep both saves "
+                                  "the project of this window to a second file.")
+                             : tr("Reload shows the new content. Keep both saves the project of this window "
+                                  "to a second file. Changes are not saved until you decide.");
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
     Q_EMIT noticeWanted({.title = title,
                          .text = text,
@@ -134,13 +133,13 @@ void ProjectFiles::offerKept() {
     }
     const project::KeptCopy newest = kept.first();
     const QString name = newest.name.isEmpty() ? tr("A project without a file") : newest.name;
-    const QString title = tr("Unsaved work was kept");
+    const QString title = tr("Unsaved work is available");
     const QString text = tr("“%1” was changed on %2 and not saved to a file.")
                              .arg(name, QLocale().toString(newest.at.toLocalTime(), QLocale::ShortFormat));
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
     Q_EMIT noticeWanted({.title = title,
                          .text = text,
-                         .accept = tr("Open it"),
+                         .accept = tr("Open"),
                          .accepted =
                              [this, newest] {
                                  if (!mayLeave(QApplication::activeWindow())) {
@@ -214,16 +213,15 @@ bool ProjectFiles::mayLeave(QWidget* over) {
         return true;
     }
     const QString why =
-        !store_.copyName().isEmpty()
-            ? tr("“%1” is a copy and has changes that are in no file.").arg(store_.copyName())
+        !store_.copyName().isEmpty() ? tr("“%1” is a copy with unsaved changes.").arg(store_.copyName())
         : hasFile
             ? tr("%1 has changes that are not saved. %2").arg(store_.name(), texts::errorText(saved.error()))
-            : tr("The project has changes that are in no file.");
+            : tr("The project has unsaved changes.");
     QMessageBox question(QMessageBox::Question, tr("Save project"), why, QMessageBox::NoButton, over);
     question.setObjectName(QStringLiteral("unsavedCopy"));
     QPushButton* save = question.addButton(tr("Save as…"), QMessageBox::AcceptRole);
     save->setObjectName(QStringLiteral("unsavedCopy.save"));
-    QPushButton* drop = question.addButton(tr("Drop the changes"), QMessageBox::DestructiveRole);
+    QPushButton* drop = question.addButton(tr("Discard changes"), QMessageBox::DestructiveRole);
     drop->setObjectName(QStringLiteral("unsavedCopy.drop"));
     QPushButton* stay = question.addButton(tr("Cancel"), QMessageBox::RejectRole);
     stay->setObjectName(QStringLiteral("unsavedCopy.stay"));
@@ -249,24 +247,24 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
         return;
     }
     const int whole = found->document.waypoints.size();
-    Q_EMIT noticeWanted(
-        {.title = title,
-         .text = tr("%1. Waypoints that can be read: %2, that cannot: %3. The damaged file is kept.")
-                     .arg(error.context)
-                     .arg(whole)
-                     .arg(found->lostWaypoints),
-         .accept = tr("Open %n waypoints", nullptr, whole),
-         .accepted =
-             [this, path] {
-                 // What was open when the file was found damaged may have been changed since.
-                 if (!mayLeave(QApplication::activeWindow())) {
-                     return;
-                 }
-                 if (const auto recovered = store_.openRecovered(path); !recovered) {
-                     warn(tr("The project could not be opened"), recovered.error(), QLatin1String(kDamaged));
-                 }
-             },
-         .cause = QLatin1String(kDamaged)});
+    Q_EMIT noticeWanted({.title = title,
+                         .text = tr("%1. Readable waypoints: %2, unreadable: %3. The damaged file is kept.")
+                                     .arg(error.context)
+                                     .arg(whole)
+                                     .arg(found->lostWaypoints),
+                         .accept = tr("Open %n waypoints", nullptr, whole),
+                         .accepted =
+                             [this, path] {
+                                 // What was open when the file was found damaged may have been changed since.
+                                 if (!mayLeave(QApplication::activeWindow())) {
+                                     return;
+                                 }
+                                 if (const auto recovered = store_.openRecovered(path); !recovered) {
+                                     warn(tr("The project could not be opened"), recovered.error(),
+                                          QLatin1String(kDamaged));
+                                 }
+                             },
+                         .cause = QLatin1String(kDamaged)});
 }
 
 void ProjectFiles::saveAs(const QString& path) {

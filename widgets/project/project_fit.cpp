@@ -90,16 +90,15 @@ std::optional<project::Tool> ProjectFit::otherTcp() const {
 }
 
 QString ProjectFit::modelText() const {
-    return tr("The project was taught with a %1, and a %2 is connected. The same joints bring the tool to "
-              "other "
-              "places.")
+    return tr("The project was taught with a %1, but a %2 is connected. The same joint positions lead to "
+              "different poses.")
         .arg(QLatin1String(robotModel(*document_.project().robot).name),
              QLatin1String(robotModel(session_.state().model).name));
 }
 
 QString ProjectFit::tcpText(const project::Tool& tool) const {
     const project::PoseDifference by = project::poseDifference(tool.tcpOffset, session_.state().tcpOffset);
-    return tr("The project uses the TCP “%1”, and the robot has another one, %2 from it.")
+    return tr("The project uses the TCP “%1”. The active TCP of the robot differs by %2.")
         .arg(tool.name, format::difference(by.distance, by.angle));
 }
 
@@ -137,7 +136,7 @@ void ProjectFit::ask() {
     } else {
         Q_EMIT message(Severity::Info, session_.state().hasData()
                                            ? tr("The project fits the connected robot.")
-                                           : tr("Connect the robot that the project is to be used with."));
+                                           : tr("Connect the robot for this project."));
     }
 }
 
@@ -154,14 +153,12 @@ void ProjectFit::askAboutModel() {
                                      QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
-        tr("Keep the poses: the joints are computed again, and the tool goes to the same places. Keep the "
-           "joints: the "
-           "arm has the same posture, and the tool goes elsewhere. Until this is answered, nothing moves to "
-           "a place of "
-           "the project."));
-    QPushButton* poses = question->addButton(tr("Keep the poses"), QMessageBox::AcceptRole);
+        tr("Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep "
+           "joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, "
+           "moves to positions of the project are blocked."));
+    QPushButton* poses = question->addButton(tr("Keep poses"), QMessageBox::AcceptRole);
     poses->setObjectName(QStringLiteral("projectFit.poses"));
-    QPushButton* joints = question->addButton(tr("Keep the joints"), QMessageBox::AcceptRole);
+    QPushButton* joints = question->addButton(tr("Keep joints"), QMessageBox::AcceptRole);
     joints->setObjectName(QStringLiteral("projectFit.joints"));
     QPushButton* cancel = question->addButton(QMessageBox::Cancel);
     cancel->setObjectName(QStringLiteral("projectFit.cancel"));
@@ -183,13 +180,12 @@ void ProjectFit::askAboutModel() {
 }
 
 void ProjectFit::askAboutTcp(const project::Tool& tool) {
-    auto* question = new QMessageBox(QMessageBox::Question, tr("Another TCP than the project’s"),
-                                     tcpText(tool), QMessageBox::NoButton, over_);
+    auto* question = new QMessageBox(QMessageBox::Question, tr("TCP differs from the project"), tcpText(tool),
+                                     QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
-        tr("With the TCP of the robot, the flange goes to where it was taught. Until this is answered, "
-           "nothing moves to "
-           "a place of the project."));
+        tr("With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to "
+           "positions of the project are blocked."));
     QPushButton* set =
         question->addButton(tr("Set “%1” on the robot").arg(tool.name), QMessageBox::AcceptRole);
     set->setObjectName(QStringLiteral("projectFit.setTcp"));
@@ -225,20 +221,19 @@ void ProjectFit::change(project::Keep keep) {
         left << tr("Out of reach: %1.").arg(namesText(made.unreachable));
     }
     if (!made.removed.isEmpty()) {
-        left << tr("Removed, because the arm cannot reach them: %1. Undo brings them back.")
-                    .arg(namesText(made.removed));
+        left << tr("Removed because out of reach: %1. Undo restores them.").arg(namesText(made.removed));
     }
     if (!left.isEmpty()) {
         const QString text = left.join(QLatin1Char(' '));
         Q_EMIT message(Severity::Warning, text);
-        Q_EMIT noticeWanted({.title = tr("Not everything can be reached"), .text = text});
+        Q_EMIT noticeWanted({.title = tr("Some positions are out of reach"), .text = text});
     }
 }
 
 /// After Cancel: where the question can be had again.
 void ProjectFit::remind() {
     noticed_ = true;
-    Q_EMIT noticeWanted({.title = tr("Nothing moves to the places of this project"),
+    Q_EMIT noticeWanted({.title = tr("Moves to positions of this project are blocked"),
                          .text = modelText(),
                          .accept = tr("Choose…"),
                          .accepted = [this] { ask(); },

@@ -51,9 +51,9 @@ SceneView::SceneView(QWidget* parent)
     setObjectName(QStringLiteral("scene"));
     setAccessibleName(tr("View of the arm"));
     setAccessibleDescription(
-        tr("Drag or use the arrow keys to look from another side, with Shift or the right button to move the "
-           "picture, the wheel or plus and minus to come nearer, double click or Home for the first view. "
-           "Nothing here moves the robot."));
+        tr("Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with "
+           "the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here "
+           "moves the robot."));
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);  // the ground is drawn over all of it
     camera_.reset(collision::uprightHeight(model_));
@@ -308,11 +308,11 @@ QString SceneView::ghostFigures() const {
     const QString turn = format::degrees(std::abs(report_->largestTurn), 0);
     const QString seconds = format::number(report_->duration, 1);
     if (!limitText_.isEmpty()) {
-        return tr("ghost “%1” · %2 · largest turn %3 %4 · %5 s at %6")
+        return tr("ghost “%1” · %2 · largest rotation %3 %4 · %5 s at %6")
             .arg(ghost_->name, limitText_, jointName(report_->largestTurnJoint), turn, seconds,
                  format::percent(speedFraction_));
     }
-    return tr("ghost “%1” · reachable · largest turn %2 %3 · %4 s at %5")
+    return tr("ghost “%1” · reachable · largest rotation %2 %3 · %4 s at %5")
         .arg(ghost_->name, jointName(report_->largestTurnJoint), turn, seconds,
              format::percent(speedFraction_));
 }
@@ -407,8 +407,8 @@ void SceneView::placeKeys() {
 
 QString SceneView::hiddenText() const {
     return hiddenLabels_ == 0   ? QString()
-           : hiddenLabels_ == 1 ? tr("1 name hidden: come nearer")
-                                : tr("%n names hidden: come nearer", nullptr, hiddenLabels_);
+           : hiddenLabels_ == 1 ? tr("1 name hidden: zoom in")
+                                : tr("%n names hidden: zoom in", nullptr, hiddenLabels_);
 }
 
 void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF& arrowName) {
@@ -436,9 +436,9 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
         const auto addGhost = [&](const Ghost& ghost, const QString& text) {
             add(kinematics::forwardTcp(model_.dh, ghost.q, tcpOffset_).position, text.arg(ghost.name), true);
         };
-        addGhost(*secondGhost_, tr("“%1” as it will be"));
+        addGhost(*secondGhost_, tr("“%1” after the change"));
         if (ghost_ && ghost_->reachable) {
-            addGhost(*ghost_, tr("“%1” as it was"));
+            addGhost(*ghost_, tr("“%1” before the change"));
         }
     }
     for (const WaypointMark& waypoint : waypoints_) {

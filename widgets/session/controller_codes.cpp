@@ -27,40 +27,40 @@ public:
         {152, QT_TR_NOOP("Near a safety plane"), QT_TR_NOOP("The arm came close to a safety plane."),
          QT_TR_NOOP("Jog away from the plane, or change the waypoint.")},
         {153, QT_TR_NOOP("Position deviates from path"),
-         QT_TR_NOOP("The arm is not where the controller sent it."),
-         QT_TR_NOOP("Look for an obstacle; check payload, centre of gravity and mounting; lower the "
-                    "acceleration.")},
+         QT_TR_NOOP("The arm is not at the commanded position."),
+         QT_TR_NOOP(
+             "Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.")},
         {154, QT_TR_NOOP("Singularity"),
-         QT_TR_NOOP("The straight move leads through a singular position of the arm."),
-         QT_TR_NOOP("Jog single joints out of it; use MoveJ through this region.")},
+         QT_TR_NOOP("The linear move passes through a singularity of the arm."),
+         QT_TR_NOOP("Jog individual joints out of it; use MoveJ through this region.")},
         {155, QT_TR_NOOP("Cannot hold its position"),
-         QT_TR_NOOP("The arm sagged or was pushed while it stood."),
+         QT_TR_NOOP("The arm sagged or was pushed at standstill."),
          QT_TR_NOOP("Check payload, centre of gravity and mounting.")},
         {156, QT_TR_NOOP("Wrong payload or mounting"),
-         QT_TR_NOOP("The forces do not fit the payload, or something pushed the arm when Freedrive began."),
-         QT_TR_NOOP("Correct payload and mounting, let go of the arm, and try again.")},
-        {157, QT_TR_NOOP("Collision noticed by a joint"),
-         QT_TR_NOOP("A joint needed more torque than the motion explains."),
+         QT_TR_NOOP(
+             "The measured forces do not match the payload, or the arm was pushed when Freedrive started."),
+         QT_TR_NOOP("Correct payload and mounting, release the arm, and try again.")},
+        {157, QT_TR_NOOP("Collision detected by a joint"),
+         QT_TR_NOOP("A joint needed more torque than the motion requires."),
          QT_TR_NOOP("Remove the obstacle; if there was none, check the payload.")},
-        {158, QT_TR_NOOP("Collision noticed by the tool force"),
-         QT_TR_NOOP("The force at the tool exceeded what is allowed."),
+        {158, QT_TR_NOOP("Collision detected by the tool force"),
+         QT_TR_NOOP("The force at the tool exceeded its limit."),
          QT_TR_NOOP("Remove the obstacle; if there was none, check the payload.")},
         {159, QT_TR_NOOP("Position deviation"), QT_TR_NOOP("A joint left its commanded position."),
-         QT_TR_NOOP("Look for an obstacle and check payload and mounting.")},
+         QT_TR_NOOP("Check for obstacles, and check payload and mounting.")},
         {163, QT_TR_NOOP("Too many protective stops"),
          QT_TR_NOOP("One joint had more than fifty protective stops in eight hours."),
-         QT_TR_NOOP("Find the cause of the stops before going on; then restart the "
-                    "controller.")},
+         QT_TR_NOOP("Find the cause of the stops before you continue; then restart the controller.")},
         {203, QT_TR_NOOP("Sudden change of target position"),
-         QT_TR_NOOP("A program asked for a jump in position."),
-         QT_TR_NOOP("Let the program begin where the arm is, and keep its servo steps small.")},
-        {204, QT_TR_NOOP("Sudden change of target speed"), QT_TR_NOOP("A program asked for a jump in speed."),
-         QT_TR_NOOP("Lower the acceleration, or smooth the path.")},
-        {209, QT_TR_NOOP("Protective stop by a program"),
-         QT_TR_NOOP("The running program itself asked for the stop."),
-         QT_TR_NOOP("See the program's own messages before it.")},
+         QT_TR_NOOP("A program commanded a step in position."),
+         QT_TR_NOOP("Start the program at the current position of the arm, and keep its servo steps small.")},
+        {204, QT_TR_NOOP("Sudden change of target speed"), QT_TR_NOOP("A program commanded a step in speed."),
+         QT_TR_NOOP("Reduce the acceleration, or smooth the path.")},
+        {209, QT_TR_NOOP("Protective stop requested by a program"),
+         QT_TR_NOOP("The running program requested the stop."),
+         QT_TR_NOOP("See the messages of the program before this one.")},
         {210, QT_TR_NOOP("Robot is in Local control"),
-         QT_TR_NOOP("A script was sent, but the robot listens to its pendant only."),
+         QT_TR_NOOP("A script was sent, but the robot accepts commands from its teach pendant only."),
          QT_TR_NOOP("Switch to Remote control on the teach pendant.")},
     });
 
@@ -71,7 +71,7 @@ public:
             }
         }
         return {tr("Controller message C%1").arg(code), tr("The controller reported this number."),
-                tr("Look C%1 up in the manufacturer's error code directory.").arg(code), false};
+                tr("Look up C%1 in the manufacturer's error code directory.").arg(code), false};
     }
 };
 

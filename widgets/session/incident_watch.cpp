@@ -95,7 +95,7 @@ void IncidentWatch::tell(const recording::Incident& incident) {
         return;
     }
     Q_EMIT told(Severity::Warning, tr("Incident recorded: %1").arg(what),
-                tr("Everything from %1 s before it is in %2. Double-click this line to open it.")
+                tr("The recording %2 starts %1 s before the stop. Double-click this entry to open it.")
                     .arg(incident.secondsBefore, 0, 'f', 0)
                     .arg(QDir::toNativeSeparators(incident.path)),
                 incident.path);

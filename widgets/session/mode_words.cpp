@@ -32,23 +32,23 @@ const Row<Mode>* rowOf(const std::array<Row<Mode>, N>& table, Mode mode) {
 constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::NoController, QT_TRANSLATE_NOOP("ModeWords", "No controller"),
      QT_TRANSLATE_NOOP("ModeWords", "The robot's controller is not running. Restart the control box.")},
-    {RobotMode::Disconnected, QT_TRANSLATE_NOOP("ModeWords", "Arm off line"),
+    {RobotMode::Disconnected, QT_TRANSLATE_NOOP("ModeWords", "Arm disconnected"),
      QT_TRANSLATE_NOOP("ModeWords", "The controller has no connection to the arm. See the teach pendant.")},
     {RobotMode::ConfirmSafety, QT_TRANSLATE_NOOP("ModeWords", "Confirm safety"),
      QT_TRANSLATE_NOOP("ModeWords", "Confirm the safety configuration on the teach pendant.")},
     {RobotMode::Booting, QT_TRANSLATE_NOOP("ModeWords", "Booting"),
      QT_TRANSLATE_NOOP("ModeWords", "The arm is starting. Wait a few seconds.")},
     {RobotMode::PowerOff, QT_TRANSLATE_NOOP("ModeWords", "Power off"),
-     QT_TRANSLATE_NOOP("ModeWords", "The arm is off. Power it on.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The arm is powered off. Power it on.")},
     {RobotMode::PowerOn, QT_TRANSLATE_NOOP("ModeWords", "Power on"),
-     QT_TRANSLATE_NOOP("ModeWords", "The arm has power and is getting ready. Wait a moment.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The arm is powered and initializing. Wait a moment.")},
     {RobotMode::Idle, QT_TRANSLATE_NOOP("ModeWords", "Idle"),
      QT_TRANSLATE_NOOP("ModeWords", "The brakes are on. Release them.")},
     {RobotMode::Backdrive, QT_TRANSLATE_NOOP("ModeWords", "Backdrive"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "The arm is moved by hand past its brakes. Let go of the Freedrive button.")},
+                       "The arm is being moved by hand with brakes released. Release the Freedrive button.")},
     {RobotMode::Running, QT_TRANSLATE_NOOP("ModeWords", "Running"),
-     QT_TRANSLATE_NOOP("ModeWords", "Brakes are released. The arm stands still.")},
+     QT_TRANSLATE_NOOP("ModeWords", "Brakes are released. The arm is at standstill.")},
     {RobotMode::UpdatingFirmware, QT_TRANSLATE_NOOP("ModeWords", "Updating firmware"),
      QT_TRANSLATE_NOOP("ModeWords",
                        "The joints' firmware is being updated. Keep the power on until it is done.")},
@@ -58,7 +58,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::Normal, QT_TRANSLATE_NOOP("ModeWords", "Normal"),
      QT_TRANSLATE_NOOP("ModeWords", "No safety function is active.")},
     {SafetyMode::Reduced, QT_TRANSLATE_NOOP("ModeWords", "Reduced"),
-     QT_TRANSLATE_NOOP("ModeWords", "The robot keeps to its reduced limits.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The reduced safety limits are active.")},
     {SafetyMode::ProtectiveStop, QT_TRANSLATE_NOOP("ModeWords", "Protective stop"),
      QT_TRANSLATE_NOOP("ModeWords",
                        "The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).")},
@@ -67,7 +67,9 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
          "ModeWords",
          "The arm is outside a safety limit. Move it back within its limits on the teach pendant.")},
     {SafetyMode::SafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "Safeguard stop"),
-     QT_TRANSLATE_NOOP("ModeWords", "A safeguard is open. Close it; where a reset is configured, press it.")},
+     QT_TRANSLATE_NOOP(
+         "ModeWords",
+         "A safeguard is open. Close it and, if a reset is configured, press the reset button.")},
     {SafetyMode::SystemEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "System emergency stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -87,10 +89,10 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
          "ModeWords",
          "The safety system found a fault. Check the robot's log, then restart the safety system.")},
     {SafetyMode::ValidateJointId, QT_TRANSLATE_NOOP("ModeWords", "Validate joints"),
-     QT_TRANSLATE_NOOP("ModeWords", "A joint was exchanged. Validate the joints on the teach pendant.")},
+     QT_TRANSLATE_NOOP("ModeWords", "A joint was replaced. Validate the joints on the teach pendant.")},
     {SafetyMode::Undefined, QT_TRANSLATE_NOOP("ModeWords", "Undefined"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "The controller does not tell its safety mode. Look at the teach pendant.")},
+                       "The controller does not report its safety mode. Check the teach pendant.")},
     {SafetyMode::AutomaticModeSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "Automatic safeguard stop"),
      QT_TRANSLATE_NOOP("ModeWords",
                        "The safeguard of automatic mode is open. Close it, or change to manual mode.")},
@@ -109,7 +111,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::ProfisafeWaitingForParameters, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe waiting"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The robot waits for its PROFIsafe controller. Check the fieldbus and its parameters.")},
+         "The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.")},
     {SafetyMode::ProfisafeAutomaticModeSafeguardStop,
      QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe automatic stop"),
      QT_TRANSLATE_NOOP(
@@ -118,18 +120,16 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::ProfisafeSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe safeguard stop"),
      QT_TRANSLATE_NOOP("ModeWords", "The PROFIsafe controller holds a safeguard open. Close it there.")},
     {SafetyMode::ProfisafeEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe emergency stop"),
-     QT_TRANSLATE_NOOP(
-         "ModeWords",
-         "The PROFIsafe controller asks for an emergency stop. Release it there, then power on and "
-         "release the brakes.")},
+     QT_TRANSLATE_NOOP("ModeWords",
+                       "The PROFIsafe controller requests an emergency stop. Release it there, then power on "
+                       "and release the brakes.")},
     {SafetyMode::SafetyApiSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "Safety API stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords", "A program stops the arm through the safety interface. End the stop in that program.")},
     {kIoPlaneStop, QT_TRANSLATE_NOOP("ModeWords", "I/O plane stop"),
-     QT_TRANSLATE_NOOP(
-         "ModeWords",
-         "The tool crossed a safety plane that an input switched on. Move it out on the teach pendant, or "
-         "switch the input off.")},
+     QT_TRANSLATE_NOOP("ModeWords",
+                       "The tool crossed a safety plane that is enabled by an input. Move it out with the "
+                       "teach pendant, or switch the input off.")},
 });
 
 constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
@@ -137,15 +137,15 @@ constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
      QT_TRANSLATE_NOOP("ModeWords", "The program on the robot is ending.")},
     {RuntimeState::Stopped, QT_TRANSLATE_NOOP("ModeWords", "No program"),
      QT_TRANSLATE_NOOP("ModeWords", "No program runs on the robot.")},
-    {RuntimeState::Playing, QT_TRANSLATE_NOOP("ModeWords", "Program plays"),
+    {RuntimeState::Playing, QT_TRANSLATE_NOOP("ModeWords", "Program running"),
      QT_TRANSLATE_NOOP("ModeWords", "A program runs on the robot and may move the arm.")},
     {RuntimeState::Pausing, QT_TRANSLATE_NOOP("ModeWords", "Program pausing"),
-     QT_TRANSLATE_NOOP("ModeWords", "The program is coming to a halt.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The program is pausing.")},
     {RuntimeState::Paused, QT_TRANSLATE_NOOP("ModeWords", "Program paused"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "Play goes on with the interrupted motion; stop the program to drop it.")},
+                       "Play continues the interrupted motion. Stop the program to discard it.")},
     {RuntimeState::Resuming, QT_TRANSLATE_NOOP("ModeWords", "Program resuming"),
-     QT_TRANSLATE_NOOP("ModeWords", "The program is going on: the arm may move.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The program is resuming: the arm may move.")},
 });
 
 }  // namespace

@@ -21,12 +21,12 @@ public:
         const QString share = format::percent(limit.share);
         if (limit.isInside) {
             return limit.contact.distance <= collision::kTouching
-                       ? tr("%1 touches %2 already, and the move leads closer").arg(part, other)
+                       ? tr("%1 is in contact with %2, and the move leads closer").arg(part, other)
                        : tr("%1 is only %2 from %3, and the move leads closer")
                              .arg(part, format::shortLength(contact.distance), other);
         }
         return contact.distance <= collision::kTouching
-                   ? tr("%1 meets %2 after %3 of the path").arg(part, other, share)
+                   ? tr("%1 collides with %2 after %3 of the path").arg(part, other, share)
                    : tr("%1 comes within %2 of %3 after %4 of the path")
                          .arg(part, format::shortLength(limit.safetyDistance), other, share);
     }
@@ -49,25 +49,25 @@ public:
         const bool ends = limit.ends();
         switch (limit.singular) {
             case Singular::Wrist:
-                return ends ? tr("The line runs into the wrist singularity after %1 of the path").arg(share)
+                return ends ? tr("The path enters the wrist singularity after %1 of its length").arg(share)
                             : tr("Slow near the wrist singularity at %1 of the path").arg(share);
             case Singular::Elbow:
-                return ends ? tr("The line runs into the stretched elbow after %1 of the path").arg(share)
-                            : tr("Slow near the stretched elbow at %1 of the path").arg(share);
+                return ends ? tr("The path enters the elbow singularity after %1 of its length").arg(share)
+                            : tr("Slow near the elbow singularity at %1 of the path").arg(share);
             case Singular::Shoulder:
-                return ends ? tr("The line runs into the axis of the base after %1 of the path").arg(share)
-                            : tr("Slow near the axis of the base at %1 of the path").arg(share);
+                return ends ? tr("The path enters the shoulder singularity after %1 of its length").arg(share)
+                            : tr("Slow near the shoulder singularity at %1 of the path").arg(share);
             case Singular::None:
                 break;
         }
-        return tr("A joint would have to turn at once after %1 of the path").arg(share);
+        return tr("A joint would have to jump after %1 of the path").arg(share);
     }
 
     static QString other(const collision::MoveLimit& limit) {
         const QString share = format::percent(limit.share);
         return limit.kind == collision::MoveLimit::Kind::JointRange
-                   ? tr("%1 leaves its range after %2 of the path").arg(jointName(limit.joint), share)
-                   : tr("The line leaves the arm's reach after %1 of the path").arg(share);
+                   ? tr("%1 exceeds its range after %2 of the path").arg(jointName(limit.joint), share)
+                   : tr("The path leaves the reach of the arm after %1 of its length").arg(share);
     }
 
     static QString link(int link) {

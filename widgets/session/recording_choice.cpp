@@ -93,7 +93,7 @@ QString recordingFolder() {
 QString patternProblem(const QString& pattern) {
     const QString name = withoutEnding(pattern);
     if (name.isEmpty() || name.startsWith(QLatin1Char('.'))) {
-        return RecordingChoiceText::tr("A file needs a name that does not begin with a point.");
+        return RecordingChoiceText::tr("A file name must not be empty or begin with a period.");
     }
     const auto forbidden = std::find_if(name.begin(), name.end(), isForbidden);
     if (forbidden != name.end()) {

@@ -31,10 +31,10 @@ RecoveryGuide wayUp(const SessionState& state, RecoveryStep next) {
                 state.monitorOnly ? texts::monitorOnlyObstacle()
                 : !guide.takesControl
                     ? RecoveryGuideText::tr(
-                          "The arm can be moved. What was armed before the stop does not move it: every "
-                          "motion needs a new press.")
+                          "The arm can be moved. Motions from before the stop do not resume: every motion "
+                          "needs a new press.")
                     : RecoveryGuideText::tr(
-                          "The arm is ready. Take control to move it, or go on on the teach pendant.");
+                          "The arm is ready. Take control to move it, or continue on the teach pendant.");
             if (state.control == ControlState::Taking) {
                 guide.waiting = RecoveryGuideText::tr("Taking control…");
             }
@@ -67,9 +67,9 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     switch (next) {
         case RecoveryStep::Unlock: {
             guide.checks = {
-                RecoveryGuideText::tr("I looked at the arm: nobody touches it, nothing is caught."),
-                RecoveryGuideText::tr("What stopped it is known and removed."),
-                RecoveryGuideText::tr("Payload and TCP are those of the tool that is mounted.")};
+                RecoveryGuideText::tr("I inspected the arm: no one touches it and nothing is trapped."),
+                RecoveryGuideText::tr("The cause of the stop is known and removed."),
+                RecoveryGuideText::tr("Payload and TCP match the mounted tool.")};
             const double left = dashboard::kUnlockAfter - sinceStop;
             if (left > 0) {
                 guide.countdown = static_cast<int>(std::ceil(left));
@@ -79,11 +79,12 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
         }
         case RecoveryStep::RestartSafety:
             guide.checks = {
-                RecoveryGuideText::tr("I looked at the arm and at the robot's log: the cause is known."),
-                RecoveryGuideText::tr("The cause is removed, and nobody is in the arm's reach.")};
+                RecoveryGuideText::tr("I inspected the arm and the robot's log: the cause is known."),
+                RecoveryGuideText::tr("The cause is removed, and no one is within reach of the arm.")};
             break;
         default:
-            guide.waiting = RecoveryGuideText::tr("Nothing to press here: it ends when its cause is gone.");
+            guide.waiting =
+                RecoveryGuideText::tr("No action needed here: this state ends when its cause is removed.");
             break;
     }
     return guide;

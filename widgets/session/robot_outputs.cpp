@@ -232,9 +232,8 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
 QString RobotOutputs::pulseObstacle() const {
     return d_.link && d_.state.control == ControlState::InControl
                ? QString()
-               : tr("The robot itself times a pulse, which needs control. Take control first, or switch the "
-                    "output on "
-                    "and off.");
+               : tr("Pulses are timed by the robot and need control. Take control first, or switch the "
+                    "output on and off.");
 }
 
 void RobotOutputs::pulseDigitalOutput(int output, double seconds) {
@@ -270,11 +269,10 @@ void RobotOutputs::followPulses() {
     std::erase_if(pulses_, overdue);
     for (const RunningPulse& pulse : ended) {
         if ((d_.state.digitalOutputs >> pulse.output & 1U) != 0) {
-            Q_EMIT session_.message(
-                Severity::Warning,
-                tr("The robot did not end the pulse of %1, because its program was ended or paused. "
-                   "Tiller switches the output off.")
-                    .arg(terminalText(ioTerminal(true, pulse.output))));
+            Q_EMIT session_.message(Severity::Warning,
+                                    tr("The robot did not end the pulse of %1 because its program was "
+                                       "stopped or paused. Tiller switches the output off.")
+                                        .arg(terminalText(ioTerminal(true, pulse.output))));
             setDigitalOutput(pulse.output, false);
         }
     }

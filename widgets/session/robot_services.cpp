@@ -149,7 +149,7 @@ void RobotServices::followForeignStop(const SampleBatch& batch) {
         case ForeignStop::Outcome::Failed:
             Q_EMIT session_.message(
                 Severity::Error,
-                tr("The program on the robot was not stopped: stop it on the teach pendant. %1")
+                tr("The program on the robot could not be stopped: stop it on the teach pendant. %1")
                     .arg(texts::errorText(d_.link->foreignStop->error())));
             break;
     }
@@ -204,8 +204,8 @@ void RobotServices::leaveForLocal() {
     }
     session_.stop(control::StopCause::ControlLost);
     const QString why =
-        tr("The robot was switched to Local control: motion was stopped and control given back. Switch it to "
-           "Remote control on the teach pendant, then take control again.");
+        tr("The robot was switched to Local control: the motion was stopped and control was given back. "
+           "Switch the robot to Remote control on the teach pendant, then take control again.");
     Q_EMIT session_.message(Severity::Warning, why, Origin::Robot);
     d_.taking.cancel();
     const std::uint64_t generation = d_.generation;

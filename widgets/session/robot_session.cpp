@@ -277,7 +277,7 @@ void RobotSession::takeControl(ForeignProgram program) {
             if (result) {
                 Q_EMIT message(Severity::Info, tr("In control"), Origin::Operator);
             } else if (result.error().code == ErrorCode::Cancelled) {
-                Q_EMIT message(Severity::Info, tr("Taking control was ended by a stop"));
+                Q_EMIT message(Severity::Info, tr("Taking control was cancelled by a stop"));
             } else {
                 d_->refusal = texts::errorText(result.error());
                 d_->localRefuses =
@@ -565,10 +565,9 @@ void RobotSession::reportChanges() {
     if (d_->loss != d_->lossSeen) {
         d_->lossSeen = d_->loss;
         if (d_->loss == control::ControlLoss::LinkLost) {
-            Q_EMIT message(
-                Severity::Error,
-                tr("Control was given up: the control connection has been silent for half a second, or "
-                   "has ended. STOP, Space and Esc still stop the robot. Take control again."));
+            Q_EMIT message(Severity::Error,
+                           tr("Control was given up: the control connection did not respond for 0.5 s or was "
+                              "closed. STOP, Space and Esc still stop the robot. Take control again."));
         }
     }
     if (state.hasData() && state.safety() != d_->safetySeen) {
@@ -629,7 +628,8 @@ void RobotSession::reportControllerMessages() {
             case MessageKind::RequestValue:
                 Q_EMIT message(
                     Severity::Warning,
-                    tr("The program on the robot waits for an answer on the teach pendant: %1").arg(m.text),
+                    tr("The program on the robot is waiting for an answer on the teach pendant: %1")
+                        .arg(m.text),
                     Origin::Robot);
                 break;
             default:

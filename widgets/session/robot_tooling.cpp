@@ -14,16 +14,15 @@ constexpr std::chrono::milliseconds kToolingTime{2000};
 
 void RobotTooling::set(const QString& done, std::function<Result<void>(const Deadline&)> order) {
     if (!d_.link || !d_.state.canMove()) {
-        Q_EMIT session_.message(Severity::Warning,
-                                d_.state.controlReason.isEmpty()
-                                    ? tr("The arm is not under control. Take control first.")
-                                    : d_.state.controlReason);
+        Q_EMIT session_.message(Severity::Warning, d_.state.controlReason.isEmpty()
+                                                       ? tr("Tiller is not in control. Take control first.")
+                                                       : d_.state.controlReason);
         return;
     }
     if (d_.state.moving || d_.state.motionActive) {
         Q_EMIT session_.message(
             Severity::Warning,
-            tr("TCP and payload are set while the arm stands still. Let it come to rest."));
+            tr("TCP and payload can be set only at standstill. Wait until the arm has stopped."));
         return;
     }
     const std::uint64_t generation = d_.generation;

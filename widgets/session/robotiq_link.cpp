@@ -128,8 +128,8 @@ void RobotiqLink::take(const Look& found, bool afterCommand) {
         lose(errorText(found.error()));
     } else if (!found->has_value()) {
         lose(
-            tr("The gripper gives no values. Power the arm on; if it stays so, check the gripper's cable at "
-               "the wrist."));
+            tr("The gripper sends no values. Power the arm on; if the problem persists, check the gripper "
+               "cable at the wrist."));
     } else {
         if (failures_ > 0) {
             Q_EMIT session_.message(Severity::Info, tr("The gripper answers again"), Origin::Robot);
@@ -180,9 +180,8 @@ void RobotiqLink::note(const io::RobotiqState& now) {
         Q_EMIT session_.message(Severity::Info, tr("The gripper is active"), Origin::Robot);
     } else if (activating_ && activating_->elapsed() > kActivationMs) {
         activating_.reset();
-        Q_EMIT session_.message(Severity::Error,
-                                tr("The gripper did not become active. See that nothing blocks its fingers, "
-                                   "then press Activate again."));
+        Q_EMIT session_.message(Severity::Error, tr("The gripper was not activated. Check that nothing "
+                                                    "blocks its fingers, then press Activate again."));
     }
     if (now.holds() && !held_) {
         Q_EMIT session_.message(
@@ -294,23 +293,22 @@ void RobotiqLink::post(const Command& command) {
 QString RobotiqLink::errorText(const Error& error) const {
     switch (error.code) {
         case ErrorCode::ConnectionRefused:
-            return tr("Nobody answers for the gripper at %1:%2. Install Robotiq's URCap on the robot and "
-                      "choose "
+            return tr("No gripper service answers at %1:%2. Install Robotiq's URCap on the robot and select "
                       "the gripper in its Installation.")
                 .arg(host_)
                 .arg(port_);
         case ErrorCode::Timeout:
             return tr(
                 "The gripper does not answer. Check its cable at the wrist and its page in the robot's "
-                "Installation; restart the robot if it stays so.");
+                "Installation; restart the robot if the problem persists.");
         case ErrorCode::ConnectionClosed:
         case ErrorCode::NotConnected:
             return tr(
-                "The connection to the gripper was ended by the robot, which may be restarting. It comes "
-                "back by itself; the gripper goes on holding.");
+                "The robot closed the connection to the gripper and may be restarting. Tiller reconnects "
+                "automatically; the gripper keeps its grip.");
         case ErrorCode::Rejected:
             return tr(
-                "The gripper did not take it. Activate it; if it is active, look at its page in the "
+                "The gripper did not accept the command. Activate it; if it is active, check its page in the "
                 "robot's Installation.");
         default:
             return texts::errorText(error);
@@ -327,33 +325,36 @@ QString RobotiqLink::textOf(io::RobotiqFault fault) {
         case RobotiqFault::None:
             return {};
         case RobotiqFault::ActionDelayed:
-            return tr("The gripper is being activated: what was asked for is done afterwards.");
+            return tr("The gripper is activating; the command runs afterwards.");
         case RobotiqFault::NotActivated:
-            return tr("The gripper was sent somewhere before it was active. Press Activate.");
+            return tr("The gripper received a motion command before it was active. Press Activate.");
         case RobotiqFault::Temperature:
             return tr("The gripper is too hot. Let it cool down, then press Activate.");
         case RobotiqFault::Communication:
             return tr(
-                "The gripper heard nothing for a second. Check its cable at the wrist, then press "
+                "The gripper received no command for one second. Check its cable at the wrist, then press "
                 "Activate.");
         case RobotiqFault::UnderVoltage:
             return tr(
-                "The gripper has too little voltage. Set the tool's voltage to 24 V, then press Activate.");
+                "The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press "
+                "Activate.");
         case RobotiqFault::ReleaseActive:
             return tr(
-                "The gripper's automatic release is under way. Wait until it ends, then press Activate.");
+                "The automatic release of the gripper is in progress. Wait until it is complete, then press "
+                "Activate.");
         case RobotiqFault::ReleaseFinished:
-            return tr("The gripper's automatic release has ended. Press Activate.");
+            return tr("The automatic release of the gripper is complete. Press Activate.");
         case RobotiqFault::Internal:
-            return tr("The gripper has an internal fault. Press Activate; if it comes again, ask Robotiq.");
+            return tr(
+                "The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.");
         case RobotiqFault::Activation:
-            return tr("The activation failed. See that nothing blocks the fingers, then press Activate.");
+            return tr("The activation failed. Check that nothing blocks the fingers, then press Activate.");
         case RobotiqFault::Overcurrent:
             return tr(
-                "The gripper draws too much current. See that nothing blocks the fingers, then press "
+                "The gripper draws too much current. Check that nothing blocks the fingers, then press "
                 "Activate.");
     }
-    return tr("The gripper reports fault %1. Press Activate; if it comes again, see its manual.")
+    return tr("The gripper reports fault %1. Press Activate; if the fault returns, see its manual.")
         .arg(static_cast<int>(fault));
 }
 

@@ -263,9 +263,9 @@ QString SessionBackend::obstacle() const {
             return RobotSession::tr("Connecting to %1…").arg(address.host);
         case LinkState::Lost:
             return RobotSession::tr(
-                "No data from the robot. Reconnecting by itself; motion does not resume.");
+                "No data from the robot. Reconnecting automatically; motion does not resume.");
         case LinkState::Stale:
-            return RobotSession::tr("Data from the robot are late.");
+            return RobotSession::tr("Robot data are late.");
         case LinkState::Live:
             break;
     }

@@ -33,7 +33,7 @@ void SessionRecording::setProject(const QString& name, const QByteArray& content
 
 void SessionRecording::start(const RecordingOrder& order) {
     if (!d_.link) {
-        Q_EMIT session_.message(Severity::Warning, tr("Nothing is recorded: connect to a robot first."));
+        Q_EMIT session_.message(Severity::Warning, tr("Cannot record: connect to a robot first."));
         return;
     }
     const receive::Receiver& receiver = *d_.link->receiver;

@@ -18,40 +18,35 @@ struct TextsText {
 QString advice(ErrorCode code) {
     switch (code) {
         case ErrorCode::AddressInvalid:
-            return TextsText::tr(
-                "Check the address: four numbers as in 192.168.0.10, or a name the network knows.");
+            return TextsText::tr("Check the address: four numbers, e.g. 192.168.0.10, or a host name.");
         case ErrorCode::HostUnreachable:
             return TextsText::tr(
-                "Check that the robot is switched on, the cable is plugged in, and this PC is in the same "
+                "Check that the robot is switched on, the cable is plugged in, and this PC is on the same "
                 "network.");
         case ErrorCode::ConnectionRefused:
             return TextsText::tr(
-                "Switch the interface on at the robot: Settings, Security, Services. A robot that has just "
-                "been "
+                "Enable the interface on the robot: Settings, Security, Services. A robot that has just been "
                 "started may need another minute.");
         case ErrorCode::ConnectionClosed:
             return TextsText::tr(
-                "The robot ended the connection: it may be restarting, or was switched between Local and "
+                "The robot closed the connection: it may be restarting, or it was switched between Local and "
                 "Remote.");
         case ErrorCode::Timeout:
-            return TextsText::tr(
-                "The robot does not answer. Check the cable and that the address is the robot's own.");
+            return TextsText::tr("The robot does not answer. Check the cable and the address.");
         case ErrorCode::LinkLost:
             return TextsText::tr(
-                "Data stopped coming. Check the cable; the connection comes back by itself, motion does "
-                "not.");
+                "No more data received. Check the cable. Tiller reconnects automatically; motion does not "
+                "resume.");
         case ErrorCode::ProtocolError:
-            return TextsText::tr(
-                "What answers there does not speak RTDE as it should. Check address and port.");
+            return TextsText::tr("The answer violates the RTDE protocol. Check address and port.");
         case ErrorCode::VersionUnsupported:
             return TextsText::tr("The robot's software is too old for this.");
         case ErrorCode::FieldUnknown:
-            return TextsText::tr("The robot's software does not have this value.");
+            return TextsText::tr("The robot's software does not provide this value.");
         case ErrorCode::RegisterInUse:
             return TextsText::tr(
-                "Another program or a fieldbus on the robot owns these registers: close the other program, "
-                "or switch "
-                "the fieldbus off in the installation.");
+                "Another program or a fieldbus on the robot uses these registers: close the other program, "
+                "or disable the fieldbus in the installation.");
         case ErrorCode::NotConnected:
             return TextsText::tr("Connect to a robot first.");
         case ErrorCode::NotInControl:
@@ -59,21 +54,20 @@ QString advice(ErrorCode code) {
         case ErrorCode::UnsafeState:
             return TextsText::tr("Bring the robot to Running and its safety to Normal first.");
         case ErrorCode::RemoteControlRequired:
-            return TextsText::tr(
-                "Switch the robot to Remote control on the teach pendant, at the top right.");
+            return TextsText::tr("Switch the robot to Remote control at the top right of the teach pendant.");
         case ErrorCode::LimitExceeded:
-            return TextsText::tr("Choose a target inside the arm's range and a speed within the cap.");
+            return TextsText::tr("Choose a target within the range of the arm and a speed within the cap.");
         case ErrorCode::NoSolution:
-            return TextsText::tr("The arm cannot reach this pose: move the point nearer or turn the tool.");
+            return TextsText::tr("The arm cannot reach this pose: move the point closer or rotate the tool.");
         case ErrorCode::ScriptError:
             return TextsText::tr(
-                "The robot could not run the program it was sent. See the log for its own words.");
+                "The robot could not run the program. See the log for the message of the controller.");
         case ErrorCode::FileNotReadable:
-            return TextsText::tr("Check that the file exists and may be read.");
+            return TextsText::tr("Check that the file exists and that you have permission to read it.");
         case ErrorCode::FileNotWritable:
-            return TextsText::tr("Choose a folder you may write to.");
+            return TextsText::tr("Choose a folder that you have permission to write to.");
         case ErrorCode::FileCorrupt:
-            return TextsText::tr("The file was left as it is. Open a backup, or repair the named place.");
+            return TextsText::tr("The file was not changed. Open a backup, or repair the reported position.");
         case ErrorCode::DiskFull:
             return TextsText::tr("Free some space on the disk, then save or record again.");
         case ErrorCode::None:
@@ -98,15 +92,15 @@ QString happening(ErrorCode code) {
         case ErrorCode::ConnectionRefused:
             return TextsText::tr("Connection refused");
         case ErrorCode::ConnectionClosed:
-            return TextsText::tr("Connection ended by the robot");
+            return TextsText::tr("Connection closed by the robot");
         case ErrorCode::Timeout:
-            return TextsText::tr("No answer in time");
+            return TextsText::tr("Timed out");
         case ErrorCode::Cancelled:
             return TextsText::tr("Cancelled");
         case ErrorCode::LinkLost:
-            return TextsText::tr("Link lost");
+            return TextsText::tr("Connection lost");
         case ErrorCode::ProtocolError:
-            return TextsText::tr("Not understood");
+            return TextsText::tr("Protocol error");
         case ErrorCode::VersionUnsupported:
             return TextsText::tr("Not supported by this robot");
         case ErrorCode::FieldUnknown:
@@ -124,7 +118,7 @@ QString happening(ErrorCode code) {
         case ErrorCode::LimitExceeded:
             return TextsText::tr("Outside the limits");
         case ErrorCode::InvalidArgument:
-            return TextsText::tr("Not a valid value");
+            return TextsText::tr("Invalid value");
         case ErrorCode::NoSolution:
             return TextsText::tr("Out of reach");
         case ErrorCode::Stopped:
@@ -134,9 +128,9 @@ QString happening(ErrorCode code) {
         case ErrorCode::ScriptError:
             return TextsText::tr("Program error on the robot");
         case ErrorCode::FileNotReadable:
-            return TextsText::tr("File cannot be read");
+            return TextsText::tr("Cannot read the file");
         case ErrorCode::FileNotWritable:
-            return TextsText::tr("File cannot be written");
+            return TextsText::tr("Cannot write the file");
         case ErrorCode::FileCorrupt:
             return TextsText::tr("File is damaged");
         case ErrorCode::DiskFull:
@@ -177,7 +171,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::FocusLost:
             return TextsText::tr("focus lost");
         case StopCause::WindowDeactivated:
-            return TextsText::tr("window no longer active");
+            return TextsText::tr("window lost activation");
         case StopCause::WindowClosed:
             return TextsText::tr("window closed");
         case StopCause::DialogOpened:
@@ -199,11 +193,11 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::UnsafeMode:
             return TextsText::tr("robot or safety mode changed");
         case StopCause::EventLoopStalled:
-            return TextsText::tr("not refreshed in time");
+            return TextsText::tr("input not refreshed in time");
         case StopCause::Sleep:
             return TextsText::tr("PC going to sleep");
         case StopCause::LinkLost:
-            return TextsText::tr("link lost");
+            return TextsText::tr("connection lost");
         case StopCause::LimitReached:
             return TextsText::tr("limit reached");
         case StopCause::ControlLost:
@@ -219,9 +213,9 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::TargetTooFar:
             return TextsText::tr("target too far away for one step");
         case StopCause::HoldUnproven:
-            return TextsText::tr("no sign that it was still held");
+            return TextsText::tr("no confirmation that the key is still held");
         case StopCause::HeldTooLong:
-            return TextsText::tr("held for the longest time; press again");
+            return TextsText::tr("maximum hold time reached; press again");
         default:
             return TextsText::tr("ended");
     }
@@ -241,7 +235,7 @@ QString safetyModeObstacle(SafetyMode mode) {
 
 QString monitorOnlyObstacle() {
     return TextsText::tr(
-        "Monitor only: this window changes nothing on the robot. It is chosen in Settings or by "
+        "Monitor only: this window changes nothing on the robot. It is set in Settings or with "
         "--monitor-only.");
 }
 
@@ -251,17 +245,16 @@ QString serviceObstacle(const SessionState& state) {
     }
     const bool withoutApi = state.version.isPolyScopeX() && state.version < SoftwareVersion{10, 11, 0, 0} &&
                             state.service == dashboard::ServiceKind::Unknown;
-    return withoutApi
-               ? TextsText::tr(
-                     "PolyScope X before 10.11 takes no such commands over the network: use the tablet.")
-               : QString();
+    return withoutApi ? TextsText::tr(
+                            "PolyScope X before 10.11 does not accept such commands over the network: use "
+                            "the teach pendant.")
+                      : QString();
 }
 
 QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command) {
     return state.monitorOnly || dashboard::offers(state.service, command)
                ? serviceObstacle(state)
-               : TextsText::tr(
-                     "PolyScope X has no command for closing popups over the network: use the tablet.");
+               : TextsText::tr("PolyScope X cannot close popups over the network: use the teach pendant.");
 }
 
 QString remoteObstacle() {
@@ -274,7 +267,7 @@ QString controlLossText(control::ControlLoss loss) {
         case ControlLoss::None:
             return {};
         case ControlLoss::NotTaken:
-            return TextsText::tr("Only watching. Take control to move the arm.");
+            return TextsText::tr("Monitoring. Take control to move the arm.");
         case ControlLoss::Taking:
             return TextsText::tr("Taking control…");
         case ControlLoss::Released:
@@ -282,13 +275,13 @@ QString controlLossText(control::ControlLoss loss) {
         case ControlLoss::ScriptStopped:
             return TextsText::tr("The control program was stopped on the robot. Take control again.");
         case ControlLoss::EchoStalled:
-            return TextsText::tr("The control program does not answer. Take control again.");
+            return TextsText::tr("The control program does not respond. Take control again.");
         case ControlLoss::LinkLost:
-            return TextsText::tr("The link was lost. Take control again.");
+            return TextsText::tr("The connection was lost. Take control again.");
         case ControlLoss::DataStale:
-            return TextsText::tr("The control connection is silent.");
+            return TextsText::tr("The control connection does not respond.");
         case ControlLoss::OwnScript:
-            return TextsText::tr("A script of your own is running. Control comes back when it ends.");
+            return TextsText::tr("Your script is running. Control returns when it ends.");
     }
     return {};
 }

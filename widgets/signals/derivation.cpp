@@ -97,14 +97,14 @@ public:
                 words.append(fromParser(name));
                 const QString key = plain.nameOf(words.back());
                 if (!exists(key)) {
-                    return DerivationText::tr("There is no signal “%1”. The list of signals shows the names.")
+                    return DerivationText::tr("There is no signal “%1”. See the signal list for the names.")
                         .arg(key);
                 }
                 inputs_.append(key);
             }
             if (inputs_.isEmpty() || inputs_.size() > kMostInputs) {
-                return inputs_.isEmpty() ? DerivationText::tr("There is no signal in it.")
-                                         : DerivationText::tr("There are too many signals in it.");
+                return inputs_.isEmpty() ? DerivationText::tr("The expression contains no signal.")
+                                         : DerivationText::tr("The expression contains too many signals.");
             }
             values_.resize(static_cast<std::size_t>(inputs_.size()));
             for (qsizetype i = 0; i < inputs_.size(); ++i) {
@@ -112,7 +112,7 @@ public:
             }
             parser_.Eval();
             if (parser_.GetNumResults() != 1) {
-                return DerivationText::tr("It must give one number.");
+                return DerivationText::tr("The expression must evaluate to one number.");
             }
         } catch (const mu::Parser::exception_type& error) {
             return plain.inNames(fromParser(error.GetMsg()));
@@ -217,15 +217,15 @@ Result<std::shared_ptr<Derivation>> Derivation::make(const QString& text,
     const QRegularExpressionMatch form = kForm.match(text);
     if (!form.hasMatch()) {
         return wrong(
-            DerivationText::tr("Write it as a name, an equals sign and an expression: "
-                               "|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)"));
+            DerivationText::tr("Enter a name, an equals sign and an expression: |F| [N] = "
+                               "norm(actual_TCP_force_0, actual_TCP_force_1)"));
     }
     const QString expression = form.captured(3).trimmed();
     // The parser would write into the signal.
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
     const Plain plain(expression);
     if (plain.expression.contains(kAssigns)) {
-        return wrong(DerivationText::tr("There is one equals sign too many; a comparison has two: =="));
+        return wrong(DerivationText::tr("There is one equals sign too many. For a comparison, use =="));
     }
     std::shared_ptr<Derivation> made;
     if (const QRegularExpressionMatch stretch = kStretch.match(plain.expression); stretch.hasMatch()) {
@@ -233,11 +233,11 @@ Result<std::shared_ptr<Derivation>> Derivation::make(const QString& text,
         const double seconds = stretch.captured(3).toDouble(&isNumber);
         const QString input = plain.nameOf(stretch.captured(2));
         if (!exists(input)) {
-            return wrong(DerivationText::tr("There is no signal “%1”. The list of signals shows the names.")
-                             .arg(input));
+            return wrong(
+                DerivationText::tr("There is no signal “%1”. See the signal list for the names.").arg(input));
         }
         if (!isNumber || seconds < kShortestStretch || seconds > kLongestStretch) {
-            return wrong(DerivationText::tr("The stretch of time is between 0.001 and 60 seconds."));
+            return wrong(DerivationText::tr("The time window must be between 0.001 and 60 seconds."));
         }
         made = std::make_shared<Stretch>(input, seconds, stretch.captured(1) == QLatin1String("mean"));
     } else {

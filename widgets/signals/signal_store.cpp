@@ -178,7 +178,7 @@ Result<int> SignalStore::derive(const QString& text) {
         }
         if (signal.table != kNowhere && signal.table != from.table) {
             return Error{context.code, context.context,
-                         tr("%1 does not come in the same packets as the others.").arg(key)};
+                         tr("%1 is not part of the same RTDE packets as the other signals.").arg(key)};
         }
         signal.table = from.table;
         signal.inputs.push_back(input);
@@ -298,7 +298,7 @@ void SignalStore::compute(int signal) {
             done.computedPart = read ? 1 : done.computedPart;
             Q_EMIT computedFurther(signal);
             if (!read) {
-                Q_EMIT computationFailed(tr("%1 could not be computed to its end: %2")
+                Q_EMIT computationFailed(tr("%1 could not be computed completely: %2")
                                              .arg(info(signal).longLabel, read.error().toString()));
             }
         });
@@ -365,7 +365,7 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
     constexpr qsizetype kTimestamp = 10;  // with its comma
     if (static_cast<std::size_t>(fields.join(QLatin1Char(',')).size() + kTimestamp) >
         receive::longestFieldList()) {
-        problem_ = tr("These signals are more than a robot sends at once: take others away first.");
+        problem_ = tr("The robot cannot send so many signals at once: remove other signals first.");
         return false;
     }
     for (const QString& field : std::as_const(fields)) {
@@ -380,7 +380,7 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
 
 Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, double begin) {
     const Error empty{ErrorCode::InvalidArgument, tr("open %1").arg(file->path()),
-                      tr("There is no row in this recording.")};
+                      tr("The recording is empty.")};
     if (file->rows() == 0) {
         return empty;
     }
@@ -462,7 +462,7 @@ bool SignalStore::hasRoomFor(int signal, std::size_t bytes) {
     if (memoryBytes() + bytes <= limits_.bytes) {
         return true;
     }
-    problem_ = tr("There is too little memory for the history to show %1: choose more in the menu Layout.")
+    problem_ = tr("The history memory is too small to show %1: increase it in the Layout menu.")
                    .arg(info(signal).longLabel);
     return false;
 }

@@ -118,10 +118,10 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     derivation_->setObjectName(QStringLiteral("signals.derivation"));
     derivation_->setPlaceholderText(tr("New: |F| [N] = norm(…)"));
     derivation_->setAccessibleName(tr("Signal computed from others"));
-    derivation_->setToolTip(tr(
-        "A name, a unit in brackets if you like, and an expression over signals: drag them here for their "
-        "names. "
-        "norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and the usual functions. Return makes it."));
+    derivation_->setToolTip(
+        tr("Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to "
+           "insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and "
+           "standard functions. Press Return to create the signal."));
     problem_->setObjectName(QStringLiteral("signals.derivation.problem"));
     problem_->setFont(textFont(12));
     problem_->setProperty("role", "warning");
@@ -200,7 +200,7 @@ void SignalTree::fill() {
         if (absent_.contains(info.field)) {
             QStandardItem* item = family->hasChildren() ? family->child(family->rowCount() - 1) : family;
             item->setEnabled(false);
-            item->setToolTip(tr("%1: this robot does not send it.").arg(info.key));
+            item->setToolTip(tr("%1: not sent by this robot.").arg(info.key));
         }
     }
     view_->expand(shown_->index(0, 0));

@@ -33,11 +33,11 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
         return Error{ErrorCode::InvalidArgument, SpectrumText::tr("compute a spectrum"), why};
     };
     if (values.size() < kLeastForSpectrum || !(period > 0)) {
-        return refuse(SpectrumText::tr("There are fewer than %1 samples: choose a longer range.")
+        return refuse(SpectrumText::tr("There are fewer than %1 samples: select a longer range.")
                           .arg(kLeastForSpectrum));
     }
     if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
-        return refuse(SpectrumText::tr("Values are missing in this range: choose one without a gap."));
+        return refuse(SpectrumText::tr("Values are missing in this range: select a range without gaps."));
     }
     const std::size_t length = std::min(std::bit_floor(values.size()), kLongestSegment);
     std::vector<double> window(length);
@@ -50,7 +50,7 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
     const std::unique_ptr<kiss_fftr_state, FreePlan> plan(
         kiss_fftr_alloc(static_cast<int>(length), 0, nullptr, nullptr));
     if (!plan) {
-        return refuse(SpectrumText::tr("There is too little memory."));
+        return refuse(SpectrumText::tr("Not enough memory."));
     }
     double mean = 0;
     for (const double value : values) {

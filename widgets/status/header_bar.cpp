@@ -223,15 +223,16 @@ void HeaderBar::showLastStop() {
     const auto advice = [&note](const QString& text) {
         return note.isEmpty() ? text : text + QStringLiteral("\n") + note;
     };
-    lastStop_->setCaption(note.isEmpty() ? tr("LAST STOP") : tr("LAST STOP · no witness"));
+    lastStop_->setCaption(note.isEmpty() ? tr("LAST STOP") : tr("LAST STOP · no key check"));
     if (!state_.lastStopSeen) {
-        lastStop_->setState(tr("not seen"), StateChip::Shape::None, StateChip::Emphasis::Muted,
-                            advice(tr("Data ended while the arm moved: how it stopped is not known.")));
+        lastStop_->setState(
+            tr("not measured"), StateChip::Shape::None, StateChip::Emphasis::Muted,
+            advice(tr("Data stopped while the arm was moving: the stop could not be measured.")));
     } else if (last.count > 0) {
         lastStop_->setState(
             tr("%1 ms · %2").arg(last.durationMs, 0, 'f', 0).arg(format::length(last.distanceMm / 1e3, 1)),
             StateChip::Shape::None, StateChip::Emphasis::Normal,
-            advice(tr("From the stop to standstill, measured. Cause: %1")
+            advice(tr("Measured from stop command to standstill. Cause: %1")
                        .arg(texts::stopCauseText(last.cause))));
     } else {
         lastStop_->setState(QStringLiteral("–"), StateChip::Shape::None, StateChip::Emphasis::Muted,
@@ -259,7 +260,7 @@ void HeaderBar::showCap(double speedCap) {
     if (raised) {
         cap_->setText(tr("▲ Speed cap raised to %1").arg(format::speed(speedCap)));
         cap_->setToolTip(
-            tr("The arm may get faster than %1. Lower the cap in Settings; it ends with the program.")
+            tr("The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.")
                 .arg(format::speed(kOrdinaryCap)));
         cap_->setAccessibleName(cap_->text());
         QPalette colours;

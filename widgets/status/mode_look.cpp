@@ -95,7 +95,7 @@ ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive) {
         return {ModeLookText::tr("FREEDRIVE"),
                 Shape::Hand,
                 Emphasis::OperatorNeeded,
-                ModeLookText::tr("The arm follows the hand that moves it."),
+                ModeLookText::tr("The arm can be moved by hand."),
                 {}};
     }
     if (mode == RobotMode::Running && moving) {
@@ -192,15 +192,15 @@ QString linkConsequence(const LinkQuality& q) {
     const Worth worth = worthOf(q);
     if (worth == Worth::Gaps) {
         return ModeLookText::tr(
-            "Packets come late or not at all: jogging may stop by itself and plots have gaps. Use a cable, "
-            "not a radio link, and close other programs.");
+            "Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a "
+            "wireless link, and close other programs.");
     }
     if (worth == Worth::Slow) {
         return ModeLookText::tr(
-            "Commands take longer than 20 ms: the arm follows the key noticeably late. Jog slowly.");
+            "Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.");
     }
     return ModeLookText::tr(
-        "Good: the arm follows the key at once, and a cut link stops it within a quarter of a second.");
+        "Good: the arm responds to keys at once, and stops within 250 ms if the link fails.");
 }
 
 }  // namespace
@@ -218,7 +218,8 @@ ModeLook linkLook(const SessionState& state) {
             .arg(q.all.late)
             .arg(q.all.lost) +
         QLatin1Char('\n') +
-        ModeLookText::tr("Late is a packet that comes more than half a period after its time.");
+        ModeLookText::tr(
+            "A packet counts as late when it arrives more than half a period after its expected time.");
     switch (state.link) {
         case LinkState::Disconnected:
             return {QStringLiteral("–"), Shape::None, Emphasis::Muted,
@@ -317,14 +318,14 @@ QString nextStepAdvice(NextStep step) {
         case NextStep::None:
             break;
         case NextStep::Connect:
-            return ModeLookText::tr("Choose the simulator or the address of a robot");
+            return ModeLookText::tr("Select the simulator or enter the address of a robot");
         case NextStep::PowerOn:
             return ModeLookText::tr("Powers the arm. Brakes stay engaged.");
         case NextStep::ReleaseBrakes:
             return ModeLookText::tr("The arm may sag by a few millimetres. Keep clear.");
         case NextStep::Recover:
             return ModeLookText::tr(
-                "Shows what stopped the arm, the last five seconds, and the way back. Nothing moves.");
+                "Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.");
         case NextStep::TakeControl:
             return ModeLookText::tr(
                 "Starts the control program on the robot. Asks before it stops another program.");

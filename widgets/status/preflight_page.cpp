@@ -37,13 +37,13 @@ Look verdictLook(doctor::Verdict verdict) {
         case doctor::Verdict::Good:
             return {PreflightPage::tr("Good"), StateChip::Shape::Dot, theme.axisTexts[1]};
         case doctor::Verdict::Attention:
-            return {PreflightPage::tr("Look"), StateChip::Shape::WarningTriangle, theme.warning};
+            return {PreflightPage::tr("Check"), StateChip::Shape::WarningTriangle, theme.warning};
         case doctor::Verdict::Bad:
-            return {PreflightPage::tr("Bad"), StateChip::Shape::Octagon, theme.alarm};
+            return {PreflightPage::tr("Failed"), StateChip::Shape::Octagon, theme.alarm};
         case doctor::Verdict::Skipped:
             break;
     }
-    return {PreflightPage::tr("Not looked at"), StateChip::Shape::Circle, theme.secondary};
+    return {PreflightPage::tr("Not checked"), StateChip::Shape::Circle, theme.secondary};
 }
 
 }  // namespace
@@ -156,17 +156,16 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     layout->addWidget(note_);
     showNote();
 
-    consequence_ =
-        new QLabel(tr("Connected anyway, the window shows what data there are. What is red above may keep "
-                      "it from taking control, or end a motion while it runs."),
-                   this);
+    consequence_ = new QLabel(tr("If you connect anyway, the window shows the available data. The red items "
+                                 "above may prevent taking control or stop a running motion."),
+                              this);
     consequence_->setObjectName(QStringLiteral("preflightConsequence"));
     consequence_->setWordWrap(true);
     consequence_->hide();
     layout->addWidget(consequence_);
 
     auto* buttons = new QHBoxLayout;
-    again_ = new QPushButton(tr("Look again"), this);
+    again_ = new QPushButton(tr("Check again"), this);
     again_->setObjectName(QStringLiteral("preflightAgain"));
     again_->setAutoDefault(false);
     auto* cancel = new QPushButton(tr("Close"), this);
@@ -189,9 +188,9 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
 }
 
 void PreflightPage::showNote() {
-    note_->setText(tr("Keep everybody out of the arm's reach.\nKeep the emergency stop at hand: STOP in this "
-                      "window is a software stop.\nBegin slowly: the first speed is %1.\nWatch the arm, not "
-                      "the screen, while a key is held.\nLet go of the key and the arm stops.")
+    note_->setText(tr("Keep everyone out of reach of the arm.\nKeep the emergency stop at hand: STOP in this "
+                      "window is a software stop.\nStart slowly: the initial speed is %1.\nWatch the arm, "
+                      "not the screen, while you hold a key.\nRelease the key to stop the arm.")
                        .arg(format::speed(kFirstSpeed)));
 }
 
@@ -207,7 +206,7 @@ void PreflightPage::examine() {
     finished_ = false;
     again_->setEnabled(false);
     offer(true);
-    summary_->setText(tr("Looking at %1…").arg(patient_.host));
+    summary_->setText(tr("Checking %1…").arg(patient_.host));
     for (FindingRow* row : rows_) {
         row->showWaiting();
     }
@@ -243,7 +242,7 @@ void PreflightPage::conclude(const doctor::Report& report) {
     finished_ = true;
     again_->setEnabled(true);
     const doctor::Verdict verdict = doctor::overall(report);
-    summary_->setText(verdict == doctor::Verdict::Bad         ? tr("Something is in the way")
+    summary_->setText(verdict == doctor::Verdict::Bad         ? tr("Problems found")
                       : verdict == doctor::Verdict::Attention ? tr("Ready, with warnings")
                                                               : tr("Everything is ready"));
     offer(verdict != doctor::Verdict::Bad);

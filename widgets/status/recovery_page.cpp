@@ -155,8 +155,7 @@ void RecoveryPage::build() {
     what_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     where_ = label("recoveryWhere", "secondary");
     reports_ = label("recoveryReports", "");
-    const std::array<QString, 3> names = {tr("Force at the TCP"), tr("Joint current"),
-                                          tr("Speed of the TCP")};
+    const std::array<QString, 3> names = {tr("TCP force"), tr("Joint current"), tr("TCP speed")};
     for (std::size_t i = 0; i < plots_.size(); ++i) {
         plots_[i] = new StopPlot(names[i], this);
         plots_[i]->setObjectName(QStringLiteral("recoveryPlot%1").arg(i));
@@ -232,7 +231,7 @@ void RecoveryPage::showRecord() {
     int joint = record->suspect;
     if (joint >= 0) {
         where += QLatin1Char(' ') +
-                 tr("Suspected joint: %1, whose current left its target furthest.").arg(jointName(joint));
+                 tr("Suspected joint: %1 (largest deviation from its target current).").arg(jointName(joint));
     }
     where_->setText(where);
     reports_->setText(record->reports.join(QLatin1Char('\n')));
@@ -282,8 +281,8 @@ void RecoveryPage::showKey() {
     key_->setText(text);
     key_->setAccessibleName(text);
     waiting_->setText(!guide_.waiting.isEmpty() ? guide_.waiting
-                      : !ticked                 ? tr("Tick what you have looked at.")
-                      : sent_                   ? tr("Asked; waiting for the robot…")
+                      : !ticked                 ? tr("Tick the items that you have checked.")
+                      : sent_                   ? tr("Requested; waiting for the robot…")
                                                 : QString());
 }
 

@@ -137,7 +137,7 @@ void RobotPopup::followState(const SessionState& state) {
 
 QString RobotPopup::obstacleNow(const SessionState& state) const {
     if (refused_) {
-        return tr("It could not be closed from here: close it on the teach pendant.");
+        return tr("The popup could not be closed from here: close it on the teach pendant.");
     }
     return state.link == LinkState::Live ? texts::serviceObstacle(state, RobotCommand::ClosePopups)
                                          : tr("No data from the robot: close it on the teach pendant.");
@@ -201,7 +201,7 @@ void RobotPopup::showNewest() {
     const int others = count() - 1;
     const QString more = others > 0 ? tr("%n more on the robot.", nullptr, others) : QString();
     note_->setText((obstacle_.isEmpty()
-                        ? tr("A program that waits for it goes on once it is closed: keep clear of the arm.")
+                        ? tr("A waiting program continues when the popup is closed: keep clear of the arm.")
                         : obstacle_) +
                    (more.isEmpty() ? QString() : QLatin1Char(' ') + more));
     setAccessibleDescription(heading_->text() + QStringLiteral(". ") + newest.text);

@@ -11,7 +11,7 @@ namespace tiller {
 SimulationChip::SimulationChip(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("simulationChip"));
     setAccessibleName(tr("Simulation"));
-    setToolTip(tr("This robot is simulated. Nothing moves but pixels."));
+    setToolTip(tr("This robot is simulated. No real robot moves."));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 

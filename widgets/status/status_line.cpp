@@ -62,7 +62,7 @@ StatusLine::StatusLine(QWidget* parent)
     , messageSign_(new Sign(this))
     , message_(new ElidedLabel({}, this)) {
     setObjectName(QStringLiteral("statusLine"));
-    setAccessibleName(tr("Recording, session and last message"));
+    setAccessibleName(tr("Recording, project and last message"));
     setFixedHeight(heightNow());
     recording_->setObjectName(QStringLiteral("recordingState"));
     details_->setObjectName(QStringLiteral("recordingDetails"));
@@ -131,7 +131,7 @@ void StatusLine::applyState(const SessionState& state) {
                                        format::bytes(state_.freeBytes)));
         details_->setToolTip(state_.path);
     } else if (!state_.error.isEmpty()) {
-        recording_->setText(tr("Recording ended"));
+        recording_->setText(tr("Recording stopped"));
         details_->setFullText(state_.error);
     } else {
         recording_->setText(tr("Not recording"));

@@ -32,7 +32,7 @@ void StopButton::setKeysStop(bool keys) {
     const QString what = tr("Software stop. Not an emergency stop. Power stays on.");
     setToolTip(what + QLatin1Char('\n') +
                (keys ? tr("Space and Esc stop as well.")
-                     : tr("Click it: Space and Esc stop only while this window is in control.")));
+                     : tr("Click to stop. Space and Esc stop only while this window is in control.")));
     setAccessibleDescription(toolTip());
     update();
 }

@@ -69,7 +69,7 @@ PartModel* cellModel(ProjectDocument& document) {
         const project::CellGeometry& cell = document.cell();
         return name.isEmpty() ? CellPage::tr("A box or plane needs a name.")
                : cell.boxes.findByName(name) != nullptr || cell.planes.findByName(name) != nullptr
-                   ? CellPage::tr("“%1” is taken in this cell. Choose another name.").arg(name)
+                   ? CellPage::tr("The cell already contains “%1”. Choose another name.").arg(name)
                    : QString();
     };
     content.rename = [&document](int row, const QString& name) {
@@ -108,7 +108,7 @@ VectorEditor::VectorEditor(Kind kind, const QString& name, const std::array<QStr
         auto* box = new FigureBox;
         box->setObjectName(QStringLiteral("%1.%2").arg(name).arg(i));
         box->setAccessibleName(spoken.at(at));
-        box->setToolTip(tr("%1. Return applies it; nothing moves.").arg(spoken.at(at)));
+        box->setToolTip(tr("%1. Press Return to apply. The robot does not move.").arg(spoken.at(at)));
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setProperty("dense", true);
         box->setMinimumWidth(80);
@@ -168,46 +168,51 @@ void VectorEditor::changeEvent(QEvent* event) {
 // ---- the page -----------------------------------------------------------------------------------------------
 
 CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* parent)
-    : PartPage(QStringLiteral("cell"), tr("Cell"), cellModel(document),
-               tr("No boxes or planes yet.\nMove the TCP to a corner of an obstacle and press Corner here."),
+    : PartPage(QStringLiteral("cell"), CellPage::tr("Cell"), cellModel(document),
+               CellPage::tr(
+                   "No boxes or planes yet.\nMove the TCP to a corner of an obstacle and press Corner here."),
                new QWidget, parent)
     , document_(document)
     , state_(session.state())
     , selected_(new QWidget)
     , facts_(new QLabel)
-    , enabled_(new QCheckBox(tr("Checked")))
-    , pose_(new PoseEditor(QStringLiteral("cell.box"), tr("Centre"),
-                           tr("Of the box. Return applies it; nothing moves but the box.")))
-    , size_(new VectorEditor(VectorEditor::Kind::Size, QStringLiteral("cell.size"),
-                             {tr("LX"), tr("LY"), tr("LZ")},
-                             {tr("Length along X"), tr("Length along Y"), tr("Length along Z")}))
+    , enabled_(new QCheckBox(CellPage::tr("Checked")))
+    , pose_(new PoseEditor(
+          QStringLiteral("cell.box"), CellPage::tr("Centre"),
+          CellPage::tr(
+              "Centre of the box. Press Return to apply. Only the box changes; the robot does not move.")))
+    , size_(new VectorEditor(
+          VectorEditor::Kind::Size, QStringLiteral("cell.size"),
+          {CellPage::tr("LX"), CellPage::tr("LY"), CellPage::tr("LZ")},
+          {CellPage::tr("Length along X"), CellPage::tr("Length along Y"), CellPage::tr("Length along Z")}))
     , planeFigures_(new QWidget)
-    , point_(new VectorEditor(
-          VectorEditor::Kind::Point, QStringLiteral("cell.point"),
-          {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")},
-          {tr("Point on the plane X"), tr("Point on the plane Y"), tr("Point on the plane Z")}))
-    , normal_(new VectorEditor(VectorEditor::Kind::Direction, QStringLiteral("cell.normal"),
-                               {QStringLiteral("NX"), QStringLiteral("NY"), QStringLiteral("NZ")},
-                               {tr("Normal X, towards the arm"), tr("Normal Y, towards the arm"),
-                                tr("Normal Z, towards the arm")}))
-    , hasFloor_(new QCheckBox(tr("Floor")))
+    , point_(new VectorEditor(VectorEditor::Kind::Point, QStringLiteral("cell.point"),
+                              {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")},
+                              {CellPage::tr("Point on the plane X"), CellPage::tr("Point on the plane Y"),
+                               CellPage::tr("Point on the plane Z")}))
+    , normal_(new VectorEditor(
+          VectorEditor::Kind::Direction, QStringLiteral("cell.normal"),
+          {QStringLiteral("NX"), QStringLiteral("NY"), QStringLiteral("NZ")},
+          {CellPage::tr("Normal X, towards the arm"), CellPage::tr("Normal Y, towards the arm"),
+           CellPage::tr("Normal Z, towards the arm")}))
+    , hasFloor_(new QCheckBox(CellPage::tr("Floor")))
     , floor_(new FigureBox)
     , distance_(new FigureBox) {
     facts_->setObjectName(QStringLiteral("cell.facts"));
     enabled_->setObjectName(QStringLiteral("cell.enabled"));
-    enabled_->setToolTip(tr("When off, it is neither drawn nor checked."));
+    enabled_->setToolTip(CellPage::tr("When off, it is not drawn and not checked."));
     hasFloor_->setObjectName(QStringLiteral("cell.hasFloor"));
-    hasFloor_->setToolTip(tr("A horizontal plane that the arm stays above, in the base frame."));
+    hasFloor_->setToolTip(CellPage::tr("Horizontal plane in the base frame that the arm must stay above."));
     floor_->setObjectName(QStringLiteral("cell.floor"));
-    floor_->setAccessibleName(tr("Height of the floor"));
+    floor_->setAccessibleName(CellPage::tr("Height of the floor"));
     distance_->setObjectName(QStringLiteral("cell.safetyDistance"));
-    distance_->setAccessibleName(tr("Safety distance"));
-    distance_->setToolTip(
-        tr("Jogs stop at this distance from the arm itself and from the cell, and moves that come "
-           "nearer are refused."));
-    auto* floorHere = new QPushButton(tr("Here"));
+    distance_->setAccessibleName(CellPage::tr("Safety distance"));
+    distance_->setToolTip(CellPage::tr(
+        "Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are "
+        "refused."));
+    auto* floorHere = new QPushButton(CellPage::tr("Here"));
     floorHere->setObjectName(QStringLiteral("cell.floorHere"));
-    floorHere->setAccessibleName(tr("Set the floor to the height of the TCP"));
+    floorHere->setAccessibleName(CellPage::tr("Set the floor to the TCP height"));
     for (FigureBox* box : {floor_, distance_}) {
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setProperty("dense", true);
@@ -230,7 +235,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     selectedLayout->addWidget(size_);
     selectedLayout->addWidget(planeFigures_);
     selectedLayout->addStretch();
-    auto* keep = new QLabel(tr("Distance"));
+    auto* keep = new QLabel(CellPage::tr("Distance"));
     keep->setBuddy(distance_);
     auto* cellRow = new QHBoxLayout;
     cellRow->setSpacing(6);
@@ -260,8 +265,8 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     constexpr int kSizeColumn = 150;  // [px]
     table().setColumnWidth(PartModel::FirstFigure, kSizeColumn);
 
-    cornerKey_ = addKey(QStringLiteral("corner"), tr("Corner here"),
-                        tr("Take a corner of a box from the TCP"), 3, [this] { takeCorner(); });
+    cornerKey_ = addKey(QStringLiteral("corner"), CellPage::tr("Corner here"),
+                        CellPage::tr("Set a corner of a box to the TCP"), 3, [this] { takeCorner(); });
     cornerKey_->setProperty("primary", true);
     const auto planeHere = [this] {
         if (!refusedWithoutData()) {
@@ -273,25 +278,26 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
         addBox(Pose(0.5, 0, kNewEdge / 2, 0, 0, 0), Eigen::Vector3d::Constant(kNewEdge));
         pose_->editFirst();
     };
-    addKey(QStringLiteral("plane"), tr("Plane here"), tr("Add a plane through the TCP, across the tool"), 2,
-           planeHere);
-    addKey(QStringLiteral("box"), tr("New box"), tr("Add a box in figures"), 2, newBox);
-    addCommand(QStringLiteral("corner"), tr("Take a corner of a box from the TCP"), false,
+    addKey(QStringLiteral("plane"), CellPage::tr("Plane here"),
+           CellPage::tr("Add a plane through the TCP, perpendicular to the tool"), 2, planeHere);
+    addKey(QStringLiteral("box"), CellPage::tr("New box"), CellPage::tr("Add a box numerically"), 2, newBox);
+    addCommand(QStringLiteral("corner"), CellPage::tr("Set a corner of a box to the TCP"), false,
                [this] { takeCorner(); });
-    addCommand(QStringLiteral("plane"), tr("Add a plane through the TCP"), false, planeHere);
-    addCommand(QStringLiteral("box"), tr("Add a box in figures"), false, newBox);
-    addCommand(QStringLiteral("newPlane"), tr("Add a plane in figures"), false, [this] {
+    addCommand(QStringLiteral("plane"), CellPage::tr("Add a plane through the TCP"), false, planeHere);
+    addCommand(QStringLiteral("box"), CellPage::tr("Add a box numerically"), false, newBox);
+    addCommand(QStringLiteral("newPlane"), CellPage::tr("Add a plane numerically"), false, [this] {
         addPlane(planePose({0, 0.6, 0}, -Eigen::Vector3d::UnitY()));
     });
-    addCommand(QStringLiteral("moveToTcp"), tr("Move the box or plane to the TCP"), true,
+    addCommand(QStringLiteral("moveToTcp"), CellPage::tr("Move the box or plane to the TCP"), true,
                [this] { moveToTcp(); });
-    addCommand(QStringLiteral("enable"), tr("Check, or leave out, the box or plane"), true,
+    addCommand(QStringLiteral("enable"), CellPage::tr("Include or exclude the box or plane"), true,
                [this] { setEnabledInCell(!enabled_->isChecked()); });
-    addCommand(QStringLiteral("rename"), tr("Rename box or plane"), true,
+    addCommand(QStringLiteral("rename"), CellPage::tr("Rename box or plane"), true,
                [this] { table().renameCurrent(); });
-    addCommand(QStringLiteral("duplicate"), tr("Duplicate box or plane"), true, [this] { duplicate(); });
-    addCommand(QStringLiteral("delete"), tr("Delete box or plane"), true, [this] { remove(); });
-    addCommand(QStringLiteral("floor"), tr("Set the floor to the height of the TCP"), false, [this] {
+    addCommand(QStringLiteral("duplicate"), CellPage::tr("Duplicate box or plane"), true,
+               [this] { duplicate(); });
+    addCommand(QStringLiteral("delete"), CellPage::tr("Delete box or plane"), true, [this] { remove(); });
+    addCommand(QStringLiteral("floor"), CellPage::tr("Set the floor to the TCP height"), false, [this] {
         if (!refusedWithoutData()) {
             setFloor(state_.tcpPose.position.z());
         }
@@ -302,21 +308,21 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
         if (const project::CellBox* selected = box()) {
             project::CellBox after = *selected;
             after.pose = pose;
-            change(after, tr("Move “%1”").arg(after.name));
+            change(after, CellPage::tr("Move “%1”").arg(after.name));
         }
     });
     connect(size_, &VectorEditor::entered, this, [this](const Eigen::Vector3d& size) {
         if (const project::CellBox* selected = box()) {
             project::CellBox after = *selected;
             after.size = size;
-            change(after, tr("Resize “%1”").arg(after.name));
+            change(after, CellPage::tr("Resize “%1”").arg(after.name));
         }
     });
     connect(point_, &VectorEditor::entered, this, [this](const Eigen::Vector3d& point) {
         if (const project::CellPlane* selected = plane()) {
             project::CellPlane after = *selected;
             after.pose.position = point;
-            change(after, tr("Move “%1”").arg(after.name));
+            change(after, CellPage::tr("Move “%1”").arg(after.name));
         }
     });
     connect(normal_, &VectorEditor::entered, this, [this](const Eigen::Vector3d& normal) {
@@ -326,13 +332,13 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
             return;
         }
         if (normal.norm() < kNone) {
-            showProblem(tr("A normal of zeros has no direction. Enter one component first."));
+            showProblem(CellPage::tr("The normal must not be zero. Enter a component first."));
             refresh();
             return;
         }
         project::CellPlane after = *selected;
         after.pose = planePose(after.pose.position, normal.normalized());
-        change(after, tr("Turn “%1”").arg(after.name));
+        change(after, CellPage::tr("Rotate “%1”").arg(after.name));
     });
     connect(hasFloor_, &QCheckBox::clicked, this,
             [this](bool on) { setFloor(on ? std::optional(shownFloor_) : std::nullopt); });
@@ -366,8 +372,8 @@ QString CellPage::obstacle() const {
     if (state_.link == LinkState::Live) {
         return {};
     }
-    return state_.hasData() ? tr("The robot's data are old. Wait until they come again.")
-                            : tr("No robot is connected. Connect one, or try the simulator.");
+    return state_.hasData() ? CellPage::tr("Robot data are out of date. Wait for new data.")
+                            : CellPage::tr("No robot is connected. Connect one, or try the simulator.");
 }
 
 bool CellPage::refusedWithoutData() {
@@ -397,23 +403,23 @@ void CellPage::change(const project::CellPlane& plane, const QString& text) {
 void CellPage::addBox(const Pose& pose, const Eigen::Vector3d& size) {
     project::CellBox added;
     added.id = QUuid::createUuid();
-    added.name = document_.cell().boxes.nextName(tr("box"));
+    added.name = document_.cell().boxes.nextName(CellPage::tr("box"));
     added.pose = pose;
     added.size = size;
     project::CellGeometry after = document_.cell();
     after.boxes.append(added);
-    change(after, tr("Add “%1”").arg(added.name));
+    change(after, CellPage::tr("Add “%1”").arg(added.name));
     selectRow(document_.cell().boxes.indexOf(added.id));
 }
 
 void CellPage::addPlane(const Pose& pose) {
     project::CellPlane added;
     added.id = QUuid::createUuid();
-    added.name = document_.cell().planes.nextName(tr("plane"));
+    added.name = document_.cell().planes.nextName(CellPage::tr("plane"));
     added.pose = pose;
     project::CellGeometry after = document_.cell();
     after.planes.append(added);
-    change(after, tr("Add “%1”").arg(added.name));
+    change(after, CellPage::tr("Add “%1”").arg(added.name));
     selectRow(static_cast<int>(document_.cell().boxes.size()) + document_.cell().planes.indexOf(added.id));
 }
 
@@ -424,9 +430,9 @@ void CellPage::takeCorner() {
     const Eigen::Vector3d here = state_.tcpPose.position;
     if (!corner_) {
         corner_ = here;
-        notice().show(NoticeBar::Kind::Question, tr("First corner taken."),
-                      tr("Move the TCP to the opposite corner and press Other corner."), tr("Forget it"),
-                      [this] {
+        notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner taken."),
+                      CellPage::tr("Move the TCP to the opposite corner and press Other corner."),
+                      CellPage::tr("Discard"), [this] {
                           corner_.reset();
                           refresh();
                       });
@@ -434,8 +440,8 @@ void CellPage::takeCorner() {
         constexpr double kLeastEdge = 0.001;  // [m]
         const Eigen::Vector3d edges = (here - *corner_).cwiseAbs();
         if (edges.minCoeff() < kLeastEdge) {
-            showProblem(
-                tr("The two corners lie in one plane. Move the TCP to the opposite corner of the box."));
+            showProblem(CellPage::tr(
+                "The two corners are in one plane. Move the TCP to the opposite corner of the box."));
             return;
         }
         const Eigen::Vector3d centre = (here + *corner_) / 2;
@@ -468,9 +474,9 @@ void CellPage::moveToTcp() {
         return part;
     };
     if (const project::CellBox* selected = box()) {
-        change(moved(*selected), tr("Move “%1”").arg(selected->name));
+        change(moved(*selected), CellPage::tr("Move “%1”").arg(selected->name));
     } else if (const project::CellPlane* wall = plane()) {
-        change(moved(*wall), tr("Move “%1”").arg(wall->name));
+        change(moved(*wall), CellPage::tr("Move “%1”").arg(wall->name));
     }
 }
 
@@ -480,7 +486,7 @@ void CellPage::duplicate() {
         part.id = QUuid::createUuid();
         part.name = list.uniqueName(part.name);
         list.append(part);
-        change(after, tr("Duplicate “%1”").arg(part.name));
+        change(after, CellPage::tr("Duplicate “%1”").arg(part.name));
         return part.id;
     };
     if (const project::CellBox* selected = box()) {
@@ -494,11 +500,11 @@ void CellPage::duplicate() {
 void CellPage::remove() {
     project::CellGeometry after = document_.cell();
     if (const project::CellBox* selected = box()) {
-        const QString text = tr("Delete “%1”").arg(selected->name);
+        const QString text = CellPage::tr("Delete “%1”").arg(selected->name);
         after.boxes.remove(static_cast<std::size_t>(currentRow()));
         change(after, text);
     } else if (const project::CellPlane* wall = plane()) {
-        const QString text = tr("Delete “%1”").arg(wall->name);
+        const QString text = CellPage::tr("Delete “%1”").arg(wall->name);
         after.planes.remove(static_cast<std::size_t>(after.planes.indexOf(wall->id)));
         change(after, text);
     }
@@ -507,7 +513,8 @@ void CellPage::remove() {
 void CellPage::setEnabledInCell(bool enabled) {
     const auto set = [&](auto part) {
         part.enabled = enabled;
-        change(part, enabled ? tr("Check “%1”").arg(part.name) : tr("Leave out “%1”").arg(part.name));
+        change(part, enabled ? CellPage::tr("Include “%1”").arg(part.name)
+                             : CellPage::tr("Exclude “%1”").arg(part.name));
     };
     if (const project::CellBox* selected = box()) {
         set(*selected);
@@ -519,7 +526,7 @@ void CellPage::setEnabledInCell(bool enabled) {
 void CellPage::setFloor(const std::optional<double>& height) {
     project::CellGeometry after = document_.cell();
     after.floor = height;
-    change(after, height ? tr("Set the floor") : tr("Remove the floor"));
+    change(after, height ? CellPage::tr("Set the floor") : CellPage::tr("Remove the floor"));
 }
 
 void CellPage::takeFloor() {
@@ -536,7 +543,7 @@ void CellPage::takeDistance() {
         distance_->value() != distance_->valueFromText(distance_->textFromValue(shown))) {
         project::CellGeometry after = document_.cell();
         after.safetyDistance = distance_->value() * format::metresPerUnit();
-        change(after, tr("Change the safety distance"));
+        change(after, CellPage::tr("Change the safety distance"));
     }
 }
 
@@ -558,7 +565,7 @@ void CellPage::changeEvent(QEvent* event) {
 
 void CellPage::refresh() {
     const project::CellGeometry& cell = document_.cell();
-    cornerKey_->setText(corner_ ? tr("Other corner") : tr("Corner here"));
+    cornerKey_->setText(corner_ ? CellPage::tr("Other corner") : CellPage::tr("Corner here"));
     const project::CellBox* selected = box();
     const project::CellPlane* wall = plane();
     selected_->setVisible(selected != nullptr || wall != nullptr);
@@ -567,16 +574,16 @@ void CellPage::refresh() {
     planeFigures_->setVisible(wall != nullptr);
     const auto fact = [this](const auto& part, const QString& kind) {
         const project::Frame* frame = document_.frames().find(part.frame);
-        facts_->setText(
-            tr("%1 · %2 in %3").arg(part.name, kind, frame != nullptr ? frame->name : tr("Base")));
+        facts_->setText(CellPage::tr("%1 · %2 in %3")
+                            .arg(part.name, kind, frame != nullptr ? frame->name : CellPage::tr("Base")));
         enabled_->setChecked(part.enabled);
     };
     if (selected != nullptr) {
-        fact(*selected, tr("box"));
+        fact(*selected, CellPage::tr("box"));
         pose_->setPose(selected->pose);
         size_->setVector(selected->size);
     } else if (wall != nullptr) {
-        fact(*wall, tr("plane"));
+        fact(*wall, CellPage::tr("plane"));
         point_->setVector(wall->pose.position);
         normal_->setVector(rotationMatrix(wall->pose.rotation).col(2));
     }

@@ -38,8 +38,8 @@ PayloadEstimator::PayloadEstimator(MotionPort port, QWidget* parent)
     , poses_(new QLabel)
     , keep_(new QPushButton(tr("Keep payload"))) {
     setObjectName(QStringLiteral("payload.estimator"));
-    setAccessibleName(tr("Find the payload"));
-    auto* title = new QLabel(tr("Find the payload by weighing it in several poses"));
+    setAccessibleName(tr("Measure payload"));
+    auto* title = new QLabel(tr("Measure the payload in several poses"));
     title->setObjectName(QStringLiteral("payload.estimator.title"));
     title->setProperty("role", "strong");
     title->setWordWrap(true);
@@ -49,8 +49,8 @@ PayloadEstimator::PayloadEstimator(MotionPort port, QWidget* parent)
     next_->setObjectName(QStringLiteral("payload.estimator.next"));
     next_->setAccessibleName(tr("Next pose, hold"));
     next_->setToolTip(
-        tr("Turns the wrist to the next pose while the key is held, no faster than the jog speed. Look "
-           "that the tool has room to turn."));
+        tr("Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make "
+           "sure that the tool has space to rotate."));
     feedback_->setObjectName(QStringLiteral("payload.estimator.feedback"));
     feedback_->setWordWrap(true);
     poses_->setObjectName(QStringLiteral("payload.estimator.poses"));
@@ -60,7 +60,7 @@ PayloadEstimator::PayloadEstimator(MotionPort port, QWidget* parent)
     keep_->setAccessibleName(keep_->text());
     auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setObjectName(QStringLiteral("payload.estimator.cancel"));
-    cancel->setAccessibleName(tr("Cancel finding the payload"));
+    cancel->setAccessibleName(tr("Cancel payload measurement"));
 
     auto* keys = new QHBoxLayout;
     keys->addWidget(take_, 2);
@@ -137,7 +137,7 @@ JointPositions PayloadEstimator::nextPose() const {
 Result<MotionPort::Id> PayloadEstimator::beginMove() {
     if (!state_.canMove()) {
         return Error{ErrorCode::NoSolution,
-                     state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
+                     state_.controlReason.isEmpty() ? tr("Tiller is not in control. Take control first.")
                                                     : state_.controlReason,
                      {}};
     }
@@ -174,7 +174,7 @@ void PayloadEstimator::setState(const SessionState& state) {
     }
     next_->setUnavailable(state.canMove() ? QString()
                           : state.controlReason.isEmpty()
-                              ? tr("The arm is not under control. Take control first.")
+                              ? tr("Tiller is not in control. Take control first.")
                               : state.controlReason);
     next_->setConfirmed(next_->isHolding() && state.moving);
     if (taking_) {
@@ -183,11 +183,13 @@ void PayloadEstimator::setState(const SessionState& state) {
                 break;
             case StandstillMean::Outcome::Moved:
                 taking_ = false;
-                problem_ = tr("The arm moved. Let it come to rest, touch nothing, and take the pose again.");
+                problem_ =
+                    tr("The arm moved. Wait for standstill, keep the tool free of contact, and take the pose "
+                       "again.");
                 break;
             case StandstillMean::Outcome::NoForce:
                 taking_ = false;
-                problem_ = tr("The robot sends no forces. Enter mass and centre in figures instead.");
+                problem_ = tr("The robot sends no forces. Enter mass and centre of gravity instead.");
                 break;
             case StandstillMean::Outcome::Done:
                 taking_ = false;
@@ -204,7 +206,7 @@ void PayloadEstimator::setState(const SessionState& state) {
 QString PayloadEstimator::feedback() const {
     using Problem = kinematics::PayloadEstimate::Problem;
     if (taking_) {
-        return tr("Weighing… let nothing touch the tool.");
+        return tr("Measuring payload… Keep the tool free of contact.");
     }
     if (!problem_.isEmpty()) {
         return problem_;
@@ -212,33 +214,33 @@ QString PayloadEstimator::feedback() const {
     switch (estimate_.problem) {
         case Problem::None: {
             const QString result =
-                tr("%1 kg, centre at %2 from the flange. The poses agree within %3 and %4.")
+                tr("%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.")
                     .arg(format::number(estimate_.mass, 3), format::position(estimate_.centre),
                          format::newtons(estimate_.forceResidual),
                          format::newtonMetres(estimate_.torqueResidual));
             return estimate_.forceResidual > kPoorForce || estimate_.torqueResidual > kPoorTorque
-                       ? tr("%1 That is poor: pose %2 fits least. Remove it and take another one.")
+                       ? tr("%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.")
                              .arg(result)
                              .arg(estimate_.worst + 1)
                        : result;
         }
         case Problem::TooAlike:
             return tr(
-                "The tool is turned too little between the poses. Take one more, turned to another side.");
+                "The tool orientations are too similar. Take one more pose with the tool rotated in another "
+                "direction.");
         case Problem::NoWeight:
-            return tr("%1 kg: too light for the sensor to tell where its centre is. Enter it in figures.")
+            return tr("%1 kg: too light to measure the centre of gravity. Enter it manually.")
                 .arg(format::number(estimate_.mass, 3));
         case Problem::NotFinite:
-            return tr("The robot sends no forces. Enter mass and centre in figures instead.");
+            return tr("The robot sends no forces. Enter mass and centre of gravity instead.");
         case Problem::TooFew:
             break;
     }
     return readings_.empty()
-               ? tr("Let the arm come to rest, touch nothing, and take the pose. Then turn the wrist, by "
-                    "jogging or "
-                    "with Next pose, and take three more.")
-               : tr("Turn the wrist to another side and take the pose. Still needed: %n", nullptr,
-                    kinematics::kLeastPayloadPoses - static_cast<int>(readings_.size()));
+               ? tr("Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the "
+                    "wrist, by jogging or with Next pose, and take three more poses.")
+               : tr("Rotate the wrist in another direction and take the pose. Poses still needed: %n",
+                    nullptr, kinematics::kLeastPayloadPoses - static_cast<int>(readings_.size()));
 }
 
 void PayloadEstimator::refresh() {
@@ -246,7 +248,7 @@ void PayloadEstimator::refresh() {
     take_->setText(take);
     take_->setAccessibleName(take);
     take_->setEnabled(state_.hasData() && !taking_);
-    const QString again = estimate_.ok() ? tr("Remove the worst") : tr("Remove the last");
+    const QString again = estimate_.ok() ? tr("Remove least accurate pose") : tr("Remove last pose");
     again_->setText(again);
     again_->setAccessibleName(again);
     again_->setEnabled(!readings_.empty() && !taking_);
@@ -255,7 +257,7 @@ void PayloadEstimator::refresh() {
     for (std::size_t i = 0; i < readings_.size(); ++i) {
         QString line = tr("Pose %1  %2").arg(i + 1).arg(format::newtons(readings_[i].felt.force.norm()));
         if (estimate_.ok() && static_cast<int>(i) == estimate_.worst) {
-            line += tr("  ◀ fits least");
+            line += tr("  ◀ least accurate");
         }
         lines << line;
     }

@@ -46,7 +46,7 @@ PartModel* payloadModel(ProjectDocument& document) {
     content.nameProblem = [&document](int, const QString& name) {
         return name.isEmpty() ? PayloadPage::tr("A payload needs a name.")
                : document.tooling().payloads.findByName(name) != nullptr
-                   ? PayloadPage::tr("“%1” is taken by another payload. Choose another name.").arg(name)
+                   ? PayloadPage::tr("Another payload is named “%1”. Choose another name.").arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {
@@ -74,10 +74,10 @@ constexpr Preset kPresets[] = {
 }  // namespace
 
 PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent)
-    : PartPage(
-          QStringLiteral("payload"), tr("Payloads"), payloadModel(document),
-          tr("No payload yet.\nPress From robot to keep the one it has, or Weigh… to find it with the arm."),
-          new QWidget, parent)
+    : PartPage(QStringLiteral("payload"), tr("Payloads"), payloadModel(document),
+               tr("No payloads yet.\nPress From robot to store the active payload, or Measure… to measure it "
+                  "with the arm."),
+               new QWidget, parent)
     , session_(session)
     , document_(document)
     , state_(session.state())
@@ -96,7 +96,7 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
         auto* box = new FigureBox;
         box->setObjectName(QStringLiteral("payload.details.") + QLatin1String(kNames[i]));
         box->setAccessibleName(spoken[i]);
-        box->setToolTip(tr("Return applies it to the project; the robot keeps its own."));
+        box->setToolTip(tr("Press Return to apply to the project. The robot's payload does not change."));
         box->setDecimals(i == 0 ? 3 : 2);
         auto* title = new QLabel(titles[i]);
         title->setProperty("role", "secondary");
@@ -114,17 +114,16 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
     addKey(QStringLiteral("use"), tr("Set on robot"), tr("Use this payload and set it on the robot"), 3,
            [this] { use(); })
         ->setProperty("primary", true);
-    addKey(QStringLiteral("weigh"), tr("Weigh…"), tr("Find the payload with the arm"), 2, [this] {
+    addKey(QStringLiteral("weigh"), tr("Measure…"), tr("Measure the payload with the arm"), 2, [this] {
         estimator_->setState(state_);
         estimator_->begin();
         notice().dismiss();
         showInstead(estimator_);
     });
-    addKey(QStringLiteral("check"), tr("Is it true?"), tr("Check whether the payload is true"), 2,
-           [this] { checkTruth(); });
-    addCommand(QStringLiteral("fromRobot"), tr("Keep the payload the robot has"), false,
+    addKey(QStringLiteral("check"), tr("Verify"), tr("Verify the payload"), 2, [this] { checkTruth(); });
+    addCommand(QStringLiteral("fromRobot"), tr("Store the active payload of the robot"), false,
                [this] { addFromRobot(); });
-    addCommand(QStringLiteral("new"), tr("New payload in figures"), false, [this] {
+    addCommand(QStringLiteral("new"), tr("Enter new payload"), false, [this] {
         project::Payload payload;
         payload.name = document_.tooling().payloads.nextName(tr("payload"));
         insert(payload);
@@ -219,7 +218,7 @@ void PayloadPage::addFromRobot() {
 void PayloadPage::use() {
     const project::Payload* payload = current();
     if (payload == nullptr) {
-        showProblem(tr("Select a payload to set."));
+        showProblem(tr("Select the payload to set."));
         return;
     }
     const project::Payload chosen = *payload;
@@ -233,7 +232,7 @@ void PayloadPage::use() {
     notice().resolve(QLatin1String(kPayloadDifference));
     notice().dismiss();
     if (!state_.canMove()) {
-        showProblem(state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
+        showProblem(state_.controlReason.isEmpty() ? tr("Tiller is not in control. Take control first.")
                                                    : state_.controlReason);
         return;
     }
@@ -272,7 +271,7 @@ void PayloadPage::checkTruth() {
     mean_.begin();
     checking_ = true;
     notice().dismiss();
-    facts_->setText(tr("Weighing… let nothing touch the tool."));
+    facts_->setText(tr("Measuring payload… Keep the tool free of contact."));
 }
 
 void PayloadPage::followCheck() {
@@ -280,37 +279,37 @@ void PayloadPage::followCheck() {
         case StandstillMean::Outcome::Collecting:
             return;
         case StandstillMean::Outcome::Moved:
-            showProblem(tr("The arm moved. Let it come to rest, touch nothing, and check again."));
+            showProblem(
+                tr("The arm moved. Wait for standstill, keep the tool free of contact, and check again."));
             break;
         case StandstillMean::Outcome::NoForce:
-            showProblem(tr("The robot sends no forces: its payload cannot be checked."));
+            showProblem(tr("The robot sends no forces: the payload cannot be verified."));
             break;
         case StandstillMean::Outcome::Done: {
             const Wrench left = mean_.remaining();
             const double force = left.force.norm();
             const double torque = left.torque.norm();
-            const QString felt = tr("With %1 kg the arm feels %2 and %3 at rest.")
+            const QString felt = tr("With %1 kg, the arm measures %2 and %3 at standstill.")
                                      .arg(format::number(mean_.payloadMass(), 3), format::newtons(force),
                                           format::newtonMetres(torque));
             if (force <= kTrueForce && torque <= kTrueTorque) {
-                Q_EMIT message(Severity::Info, tr("The payload is true. %1").arg(felt));
-                notice().show(NoticeBar::Kind::Question, tr("The payload is true"), felt);
+                Q_EMIT message(Severity::Info, tr("The payload is correct. %1").arg(felt));
+                notice().show(NoticeBar::Kind::Question, tr("The payload is correct"), felt);
                 break;
             }
             // What pulls down is weight the robot was not told of, what pushes up weight that is not there.
             const double missing = -left.force.z() / kinematics::kStandardGravity;
             const QString advice =
                 std::abs(missing) > 0.1
-                    ? (missing > 0 ? tr("About %1 kg more hang there than it was told of.")
-                                   : tr("About %1 kg less hang there than it was told of."))
+                    ? (missing > 0 ? tr("The load is about %1 kg heavier than the configured payload.")
+                                   : tr("The load is about %1 kg lighter than the configured payload."))
                           .arg(format::number(std::abs(missing), 2))
-                    : tr("Its centre is elsewhere, or something touches the tool.");
-            const QString text =
-                tr("%1 %2 Weigh it, or choose another payload. Zeroing the force sensor hides a "
-                   "wrong payload until the tool turns.")
-                    .arg(felt, advice);
-            Q_EMIT message(Severity::Warning, tr("The payload is not true. %1 %2").arg(felt, advice));
-            notice().show(NoticeBar::Kind::Warning, tr("The payload is not true"), text);
+                    : tr("The centre of gravity differs, or something is touching the tool.");
+            const QString text = tr("%1 %2 Measure it, or select another payload. Zeroing the force sensor "
+                                    "hides a wrong payload until the tool rotates.")
+                                     .arg(felt, advice);
+            Q_EMIT message(Severity::Warning, tr("The payload is wrong. %1 %2").arg(felt, advice));
+            notice().show(NoticeBar::Kind::Warning, tr("The payload is wrong"), text);
             break;
         }
     }
@@ -339,8 +338,8 @@ void PayloadPage::refresh() {
         return;
     }
     facts_->setText(!state_.hasData()     ? payload->name
-                    : isOnRobot(*payload) ? tr("%1, as the robot has it").arg(payload->name)
-                                          : tr("%1; the robot was told %2 kg, centre %3")
+                    : isOnRobot(*payload) ? tr("%1, active on the robot").arg(payload->name)
+                                          : tr("%1; the robot has %2 kg, centre of gravity %3")
                                                 .arg(payload->name, format::number(state_.payloadMass, 3),
                                                      format::position(state_.payloadCentre)));
 }
@@ -393,9 +392,10 @@ void PayloadPage::compare() {
     asked_ = *used;
     askedMass_ = state_.payloadMass;
     askedCentre_ = state_.payloadCentre;
-    const QString title = tr("The robot has another payload than “%1”").arg(used->name);
+    const QString title = tr("The robot's payload differs from “%1”").arg(used->name);
     const QString text =
-        tr("On the robot: %1 kg, centre %2. In the project: %3 kg, centre %4. Nothing was changed.")
+        tr("On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing "
+           "was changed.")
             .arg(format::number(state_.payloadMass, 3), format::position(state_.payloadCentre),
                  format::number(used->mass, 3), format::position(used->centre));
     Q_EMIT message(Severity::Warning, title + QStringLiteral(": ") + text);

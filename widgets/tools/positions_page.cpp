@@ -44,7 +44,7 @@ PartModel* positionModel(ProjectDocument& document) {
     content.nameProblem = [&document](int, const QString& name) {
         return name.isEmpty() ? PositionsPage::tr("A position needs a name.")
                : document.positions().list.findByName(name) != nullptr
-                   ? PositionsPage::tr("“%1” is taken by another position. Choose another name.").arg(name)
+                   ? PositionsPage::tr("Another position is named “%1”. Choose another name.").arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {
@@ -62,7 +62,7 @@ PartModel* positionModel(ProjectDocument& document) {
 
 PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, QWidget* parent)
     : PartPage(QStringLiteral("position"), tr("Positions"), positionModel(document),
-               tr("No positions yet.\nJog the arm to a place and press Set home here, or Add here."),
+               tr("No positions yet.\nJog the arm to a position and press Set home here, or Add here."),
                new QWidget, parent)
     , document_(document)
     , state_(session.state())
@@ -78,7 +78,9 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
         auto* box = new FigureBox;
         box->setObjectName(QStringLiteral("position.details.%1").arg(i));
         box->setAccessibleName(jointName(i));
-        box->setToolTip(tr("%1. Return applies it; nothing moves but the position.").arg(jointName(i)));
+        box->setToolTip(
+            tr("%1. Press Return to apply. Only the stored position changes; the robot does not move.")
+                .arg(jointName(i)));
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setProperty("dense", true);
         box->setMinimumWidth(80);
@@ -90,12 +92,13 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
         connect(box, &QAbstractSpinBox::editingFinished, this, [this, i] { takeJoint(i); });
     }
     hasHeight_->setObjectName(QStringLiteral("position.hasHeight"));
-    hasHeight_->setToolTip(tr("Above it, in the base frame, nothing stands: there the TCP may go sideways."));
+    hasHeight_->setToolTip(tr(
+        "Height in the base frame above which there are no obstacles: above it the TCP may move sideways."));
     height_->setObjectName(QStringLiteral("position.height"));
     height_->setAccessibleName(tr("Safe height"));
     auto* heightHere = new QPushButton(tr("Here"));
     heightHere->setObjectName(QStringLiteral("position.heightHere"));
-    heightHere->setAccessibleName(tr("The safe height is where the TCP is now"));
+    heightHere->setAccessibleName(tr("Set the safe height to the current TCP height"));
     auto* heightRow = new QHBoxLayout;
     heightRow->addWidget(hasHeight_);
     heightRow->addWidget(height_, 1);
@@ -110,16 +113,16 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
     addKey(QStringLiteral("setHome"), tr("Set home here"), tr("Set home here"), 3, [this] {
         setHomeHere();
     })->setProperty("primary", true);
-    addKey(QStringLiteral("add"), tr("Add here"), tr("Keep the position the arm has"), 2,
+    addKey(QStringLiteral("add"), tr("Add here"), tr("Store the current position of the arm"), 2,
            [this] { addHere(); });
     addKey(QStringLiteral("useAsHome"), tr("Use as home"), tr("Use the selected position as home"), 2,
            [this] { useAsHome(); });
     addCommand(QStringLiteral("setHome"), tr("Set home here"), false, [this] { setHomeHere(); });
     addCommand(QStringLiteral("touchUp"), tr("Touch up the position"), true, [this] { touchUp(); });
-    addCommand(QStringLiteral("noHome"), tr("Use the usual home again"), false, [this] {
+    addCommand(QStringLiteral("noHome"), tr("Reset to default home"), false, [this] {
         project::Positions after = document_.positions();
         after.home = {};
-        document_.changePositions(after, tr("Use the usual home"));
+        document_.changePositions(after, tr("Reset to default home"));
     });
     addCommand(QStringLiteral("rename"), tr("Rename position"), true, [this] { table().renameCurrent(); });
     addCommand(QStringLiteral("delete"), tr("Delete position"), true, [this] { remove(); });
@@ -150,7 +153,7 @@ QString PositionsPage::obstacle() const {
     if (state_.link == LinkState::Live) {
         return {};
     }
-    return state_.hasData() ? tr("The robot's data are old. Wait until they come again.")
+    return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
                             : tr("No robot is connected. Connect one, or try the simulator.");
 }
 
@@ -177,8 +180,9 @@ void PositionsPage::setHomeHere() {
         return;
     }
     if (const project::NamedPosition* home = document_.positions().homePosition()) {
-        notice().show(NoticeBar::Kind::Question, tr("Set “%1” to where the arm stands?").arg(home->name),
-                      tr("The key Home goes there from now on."), tr("Set home"), [this, q = state_.q] {
+        notice().show(NoticeBar::Kind::Question,
+                      tr("Set “%1” to the current position of the arm?").arg(home->name),
+                      tr("The Home key will move the arm there."), tr("Set home"), [this, q = state_.q] {
                           if (const project::NamedPosition* now = document_.positions().homePosition()) {
                               project::NamedPosition after = *now;
                               after.joints = q;
@@ -306,7 +310,8 @@ void PositionsPage::refresh() {
     }
     if (position == nullptr) {
         shownPosition_.reset();
-        facts_->setText(tr("The key Home goes to the usual home: upright, clear of itself."));
+        facts_->setText(
+            tr("The Home key moves to the default home position: arm upright, without self-collision."));
         return;
     }
     if (!(shownPosition_ == *position)) {
@@ -318,9 +323,8 @@ void PositionsPage::refresh() {
             shown_[at] = joints_[at]->value();
         }
     }
-    const QString what = position->id == positions.home
-                             ? tr("%1: the key Home goes there").arg(position->name)
-                             : position->name;
+    const QString what = position->id == positions.home ? tr("%1: target of the Home key").arg(position->name)
+                                                        : position->name;
     if (!state_.hasData()) {
         facts_->setText(what);
         return;

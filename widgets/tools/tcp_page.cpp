@@ -45,7 +45,7 @@ PartModel* tcpModel(ProjectDocument& document) {
     content.nameProblem = [&document](int, const QString& name) {
         return name.isEmpty() ? TcpPage::tr("A TCP needs a name.")
                : document.tooling().tools.findByName(name) != nullptr
-                   ? TcpPage::tr("“%1” is taken by another TCP. Choose another name.").arg(name)
+                   ? TcpPage::tr("Another TCP is named “%1”. Choose another name.").arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {
@@ -62,14 +62,16 @@ PartModel* tcpModel(ProjectDocument& document) {
 }  // namespace
 
 TcpPage::TcpPage(RobotSession& session, ProjectDocument& document, QWidget* parent)
-    : PartPage(QStringLiteral("tcp"), tr("TCPs"), tcpModel(document),
-               tr("No TCP yet.\nPress From robot to keep the one it has, or Teach… to find it with the arm."),
-               new QWidget, parent)
+    : PartPage(
+          QStringLiteral("tcp"), tr("TCPs"), tcpModel(document),
+          tr("No TCPs yet.\nPress From robot to store the active TCP, or Teach… to teach one with the arm."),
+          new QWidget, parent)
     , session_(session)
     , document_(document)
     , state_(session.state())
     , pose_(new PoseEditor(QStringLiteral("tcp.details"), tr("TCP"),
-                           tr("From the flange. Return applies it to the project; the robot keeps its own.")))
+                           tr("Relative to the flange. Press Return to apply to the project. The robot's TCP "
+                              "does not change.")))
     , facts_(new QLabel)
     , teacher_(new TcpTeacher(this)) {
     teacher_->hide();
@@ -88,13 +90,13 @@ TcpPage::TcpPage(RobotSession& session, ProjectDocument& document, QWidget* pare
         teachingInto_ = {};
         teach();
     });
-    addKey(QStringLiteral("fromRobot"), tr("From robot"), tr("Keep the TCP the robot has"), 2,
+    addKey(QStringLiteral("fromRobot"), tr("From robot"), tr("Store the active TCP of the robot"), 2,
            [this] { addFromRobot(); });
     addCommand(QStringLiteral("teachAgain"), tr("Teach the selected TCP again…"), true, [this] {
         teachingInto_ = current() != nullptr ? current()->id : QUuid();
         teach();
     });
-    addCommand(QStringLiteral("new"), tr("New TCP in figures"), false, [this] {
+    addCommand(QStringLiteral("new"), tr("Enter new TCP"), false, [this] {
         project::Tool tool;
         tool.name = document_.tooling().tools.nextName(tr("tool"));
         insert(tool);
@@ -159,7 +161,7 @@ void TcpPage::addFromRobot() {
     for (const project::Tool& tool : document_.tooling().tools) {
         if (tool.tcpOffset == state_.tcpOffset) {
             selectRow(document_.tooling().tools.indexOf(tool.id));
-            showProblem(tr("“%1” is the TCP the robot has.").arg(tool.name));
+            showProblem(tr("“%1” is the active TCP of the robot.").arg(tool.name));
             return;
         }
     }
@@ -180,7 +182,7 @@ void TcpPage::teach() {
 void TcpPage::use() {
     const project::Tool* tool = current();
     if (tool == nullptr) {
-        showProblem(tr("Select a TCP to set."));
+        showProblem(tr("Select the TCP to set."));
         return;
     }
     const project::Tool chosen = *tool;
@@ -193,7 +195,7 @@ void TcpPage::use() {
     notice().resolve(QLatin1String(kTcpDifference));
     notice().dismiss();
     if (!state_.canMove()) {
-        showProblem(state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
+        showProblem(state_.controlReason.isEmpty() ? tr("Tiller is not in control. Take control first.")
                                                    : state_.controlReason);
         return;
     }
@@ -247,10 +249,10 @@ void TcpPage::refresh() {
         return;
     }
     const project::PoseDifference by = project::poseDifference(tool->tcpOffset, state_.tcpOffset);
-    facts_->setText(by.distance <= kSameDistance && by.angle <= kSameAngle
-                        ? tr("%1, as the robot has it").arg(tool->name)
-                        : tr("%1, %2 from the one the robot has")
-                              .arg(tool->name, format::difference(by.distance, by.angle)));
+    facts_->setText(
+        by.distance <= kSameDistance && by.angle <= kSameAngle
+            ? tr("%1, active on the robot").arg(tool->name)
+            : tr("%1, %2 from the robot's TCP").arg(tool->name, format::difference(by.distance, by.angle)));
 }
 
 void TcpPage::followStep(const QUuid& id) {
@@ -282,9 +284,9 @@ void TcpPage::compare() {
     }
     asked_ = *used;
     askedAbout_ = state_.tcpOffset;
-    const QString title = tr("The robot has another TCP than “%1”").arg(used->name);
+    const QString title = tr("The robot's TCP differs from “%1”").arg(used->name);
     const QString text =
-        tr("On the robot: %1. In the project: %2. They are %3 apart. Nothing was changed.")
+        tr("On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.")
             .arg(format::position(state_.tcpOffset.position), format::position(used->tcpOffset.position),
                  format::difference(by.distance, by.angle));
     Q_EMIT message(Severity::Warning, title + QStringLiteral(": ") + text);

@@ -36,7 +36,7 @@ TcpTeacher::TcpTeacher(QWidget* parent)
     : QWidget(parent)
     , title_(wrapped("tcp.teacher.title"))
     , take_(keyNamed("tcp.teacher.take", tr("Take pose")))
-    , again_(keyNamed("tcp.teacher.again", tr("Take the worst again")))
+    , again_(keyNamed("tcp.teacher.again", tr("Retake least accurate pose")))
     , poses_(wrapped("tcp.teacher.poses"))
     , feedback_(wrapped("tcp.teacher.feedback"))
     , turning_(new ChoiceBox)
@@ -51,7 +51,7 @@ TcpTeacher::TcpTeacher(QWidget* parent)
     takeTurn_->setAccessibleName(tr("Take a pose of the rotation"));
     turning_->setObjectName(QStringLiteral("tcp.teacher.turning"));
     turning_->setAccessibleName(tr("Rotation of the tool"));
-    turning_->addItems({tr("Rotation as it is"), tr("Rotation from one pose: tool straight down"),
+    turning_->addItems({tr("Keep current rotation"), tr("Rotation from one pose: tool straight down"),
                         tr("Rotation from three poses: along +Z, towards +X")});
     auto* cancel = keyNamed("tcp.teacher.cancel", tr("Cancel"));
 
@@ -185,47 +185,47 @@ QString TcpTeacher::tipFeedback() const {
     const auto taken = static_cast<int>(tips_.size());
     switch (fit_.problem) {
         case Problem::None:
-            return tr("Tip at %1. The poses agree within %2 (rms); pose %3 fits least, by %4.")
+            return tr("Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.")
                 .arg(format::position(fit_.tip), format::length(fit_.rms, 2))
                 .arg(fit_.worst + 1)
                 .arg(format::length(fit_.residuals[static_cast<std::size_t>(fit_.worst)], 2));
         case Problem::TooAlike:
             return tr(
-                "The tool is turned too little between the poses. Take one more, tilted by 30° or more to "
-                "another side.");
+                "The tool orientations are too similar. Take one more pose, tilted by 30° or more in another "
+                "direction.");
         case Problem::NotFinite:
-            return tr("The robot sent no valid place. Take the poses again.");
+            return tr("The robot sent an invalid position. Take the poses again.");
         case Problem::TooFew:
             break;
     }
-    return taken == 0 ? tr("Jog the tip to a fixed, sharp point and take the pose. Then four times in all: "
-                           "the tip on the "
-                           "same point, the tool tilted each time to another side.")
-                      : tr("Tilt the tool to another side, bring the tip to the same point again, and take "
-                           "the pose. "
-                           "Still needed: %n",
+    return taken == 0 ? tr("Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, "
+                           "each with the tip on the same point and the tool tilted in another direction.")
+                      : tr("Tilt the tool in another direction, move the tip to the same point again, and "
+                           "take the pose. Poses still needed: %n",
                            nullptr, kinematics::kLeastTipPoses - taken);
 }
 
 QString TcpTeacher::turnFeedback() const {
     using Problem = kinematics::ToolRotationFit::Problem;
     if (turning_->currentIndex() == AsItIs) {
-        return tr("The tool keeps the rotation it has now.");
+        return tr("The tool keeps its current rotation.");
     }
     if (turning_->currentIndex() == StraightDown) {
-        return turns_.empty() ? tr("Turn the tool until it points straight down and its X lies along X of "
-                                   "the base; take it.")
+        return turns_.empty() ? tr("Rotate the tool until it points straight down and its X axis is parallel "
+                                   "to the base X axis, then take the pose.")
                               : tr("Rotation taken. Take it again to replace it.");
     }
     switch (turns_.size()) {
         case 0:
             return tr(
-                "Take the tool where it stands now. From here on it must not turn: jog X, Y and Z only.");
+                "Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z "
+                "only.");
         case 1:
-            return tr("Move the tool along its own +Z, away from the flange, at least %1, and take it.")
+            return tr("Move the tool along its +Z direction, away from the flange, by at least %1, and take "
+                      "the pose.")
                 .arg(format::shortLength(kinematics::kLeastAxisWay));
         case 2:
-            return tr("Now to the side of its +X, at least %1, and take it.")
+            return tr("Now move the tool along its +X direction by at least %1, and take the pose.")
                 .arg(format::shortLength(kinematics::kLeastAxisWay));
         default:
             break;
@@ -233,37 +233,36 @@ QString TcpTeacher::turnFeedback() const {
     const auto fit = kinematics::fitToolRotation({turns_[0], turns_[1], turns_[2]});
     switch (fit.problem) {
         case Problem::None:
-            return tr("Rotation taken: %1 along +Z, %2 beside it; the flange turned by %3 meanwhile, most at "
-                      "pose %4.")
+            return tr("Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.")
                 .arg(format::length(fit.alongZ, 1), format::length(fit.offLine, 1),
                      format::degrees(fit.residual, 2))
                 .arg(fit.worst + 1);
         case Problem::Turned:
-            return tr("The flange turned by %1 on the way, most at pose %2. Take the three again without "
-                      "turning "
+            return tr("The flange rotated by up to %1 (pose %2). Take the three poses again without rotating "
                       "the tool.")
                 .arg(format::degrees(fit.residual, 2))
                 .arg(fit.worst + 1);
         case Problem::ZTooClose:
-            return tr("The way along +Z is only %1. Take the three again, at least %2 apart.")
+            return tr("The distance along +Z is only %1. Take the three poses again, at least %2 apart.")
                 .arg(format::length(fit.alongZ, 1), format::shortLength(kinematics::kLeastAxisWay));
         case Problem::XTooClose:
-            return tr("The way towards +X is only %1. Take the three again, at least %2 apart.")
+            return tr("The distance along +X is only %1. Take the three poses again, at least %2 apart.")
                 .arg(format::length(fit.towardsX, 1), format::shortLength(kinematics::kLeastAxisWay));
         case Problem::InLine:
-            return tr("The three poses lie in a line: the third is only %1 beside it. Take the three again.")
+            return tr("The three poses are collinear: the third is only %1 from the line. Take the three "
+                      "poses again.")
                 .arg(format::length(fit.offLine, 1));
         case Problem::NotFinite:
             break;
     }
-    return tr("The robot sent no valid place. Take the three again.");
+    return tr("The robot sent an invalid position. Take the three poses again.");
 }
 
 void TcpTeacher::refresh() {
     const bool live = flange().has_value();
     take_->setEnabled(live);
     again_->setEnabled(live && !tips_.empty());
-    again_->setText(fit_.ok() ? tr("Take the worst again") : tr("Take the last again"));
+    again_->setText(fit_.ok() ? tr("Retake least accurate pose") : tr("Retake last pose"));
     take_->setText(tr("Take pose %1").arg(tips_.size() + 1));
     takeTurn_->setEnabled(live && turning_->currentIndex() != AsItIs);
     QStringList lines;
@@ -272,13 +271,13 @@ void TcpTeacher::refresh() {
         if (fit_.ok()) {
             line += QStringLiteral("  ") + format::length(fit_.residuals[i], 2);
             if (static_cast<int>(i) == fit_.worst) {
-                line += tr("  ◀ fits least");
+                line += tr("  ◀ least accurate");
             }
         }
         lines << line;
     }
     poses_->setText(lines.join(QLatin1Char('\n')));
-    feedback_->setText(!live && tips_.empty() ? tr("Poses can be taken while the robot sends data.")
+    feedback_->setText(!live && tips_.empty() ? tr("Poses can be taken only while the robot sends data.")
                                               : tipFeedback());
     turnFeedback_->setText(turnFeedback());
     make_->setEnabled(tcp().has_value());

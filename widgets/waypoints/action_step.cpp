@@ -38,7 +38,7 @@ ActionStep::~ActionStep() {
 
 QString ActionStep::obstacle(const project::WaypointAction& action, const GripperChoice& gripper) {
     return isGrip(action) && gripper.kind == GripperChoice::Kind::None
-               ? tr("This robot has no gripper here. Choose it in I/O, Gripper.")
+               ? tr("No gripper is configured for this robot. Select it in I/O, Gripper.")
                : QString();
 }
 
@@ -121,11 +121,10 @@ Result<SequenceStep::State> ActionStep::holdInput() const {
         return State::Going;
     }
     const QString seconds = QString::number(longestOf(action_), 'g', 6);
-    return sentence((action_.value
-                         ? tr("%1 did not go on within %2 s. Look at what it waits for, and press again.")
-                         : tr("%1 did not go off within %2 s. Look at what it waits for, and press "
-                              "again."))
-                        .arg(ActionWords::terminal(action_), seconds));
+    return sentence(
+        (action_.value ? tr("%1 did not switch on within %2 s. Check what it depends on, then press again.")
+                       : tr("%1 did not switch off within %2 s. Check what it depends on, then press again."))
+            .arg(ActionWords::terminal(action_), seconds));
 }
 
 Result<SequenceStep::State> ActionStep::holdOutput() {
@@ -135,7 +134,8 @@ Result<SequenceStep::State> ActionStep::holdOutput() {
     }
     if (!*order_->result) {
         const Error& error = order_->result->error();
-        return sentence(tr("%1 was not done. %2").arg(ActionWords::of(action_), texts::errorText(error)));
+        return sentence(
+            tr("%1 was not completed. %2").arg(ActionWords::of(action_), texts::errorText(error)));
     }
     return State::Done;
 }
@@ -150,7 +150,7 @@ Result<SequenceStep::State> ActionStep::holdRobotiq() {
     if (elapsed() < kLongestGrip) {
         return State::Going;
     }
-    return sentence(tr("The gripper did not come to rest within %1 s.").arg(kLongestGrip));
+    return sentence(tr("The gripper did not stop moving within %1 s.").arg(kLongestGrip));
 }
 
 void ActionStep::end(control::StopCause) {

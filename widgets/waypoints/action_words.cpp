@@ -22,10 +22,10 @@ QString ActionWords::of(const project::WaypointAction& action) {
                                 : tr("%1 off for %2 s").arg(pin, seconds);
         case Kind::WaitForInput:
             if (action.seconds > 0) {
-                return action.value ? tr("Wait for %1 on, at most %2 s").arg(pin, seconds)
-                                    : tr("Wait for %1 off, at most %2 s").arg(pin, seconds);
+                return action.value ? tr("Wait until %1 is on, %2 s at most").arg(pin, seconds)
+                                    : tr("Wait until %1 is off, %2 s at most").arg(pin, seconds);
             }
-            return action.value ? tr("Wait for %1 on").arg(pin) : tr("Wait for %1 off").arg(pin);
+            return action.value ? tr("Wait until %1 is on").arg(pin) : tr("Wait until %1 is off").arg(pin);
         case Kind::WaitTime:
             return tr("Wait %1 s").arg(seconds);
         case Kind::OpenGripper:
@@ -46,7 +46,7 @@ QStringList ActionWords::of(const project::WaypointActions& actions) {
 
 QStringList ActionWords::kinds() {
     return {tr("Set an output"), tr("Pulse an output"),  tr("Wait for an input"),
-            tr("Wait a while"),  tr("Open the gripper"), tr("Close the gripper")};
+            tr("Wait"),          tr("Open the gripper"), tr("Close the gripper")};
 }
 
 }  // namespace tiller

@@ -53,23 +53,22 @@ ActionsDialog::ActionsDialog(const std::vector<project::Waypoint>& waypoints, QW
     const auto count = static_cast<int>(waypoints.size());
     setWindowTitle(count == 1 ? tr("Actions at “%1”").arg(waypoints.front().name)
                               : tr("Actions at %n waypoints", nullptr, count));
-    auto* what = new QLabel(tr(
-        "Done in this order when “Go through” has brought the arm there, and only while its key is held."));
+    auto* what = new QLabel(
+        tr("Runs in this order when “Go through” reaches the waypoint, and only while its key is held."));
     what->setProperty("role", "secondary");
     what->setWordWrap(true);
     const bool differ =
         std::any_of(waypoints.begin(), waypoints.end(),
                     [this](const project::Waypoint& point) { return point.actions != actions_; });
-    auto* warning =
-        new QLabel(tr("These waypoints have different actions. “Change” gives all of them the ones "
-                      "below."));
+    auto* warning = new QLabel(
+        tr("These waypoints have different actions. “Change” replaces them all with the actions below."));
     warning->setObjectName(QStringLiteral("waypoint.actions.differ"));
     warning->setProperty("role", "warning");
     warning->setWordWrap(true);
     warning->setVisible(differ);
 
     list_->setObjectName(QStringLiteral("waypoint.actions.list"));
-    list_->setAccessibleName(tr("Actions in their order"));
+    list_->setAccessibleName(tr("Actions in order"));
     list_->setMinimumHeight(120);
     auto* upper = new QHBoxLayout;
     upper->addWidget(list_, 1);
@@ -106,10 +105,11 @@ QWidget* ActionsDialog::buildKeys() {
     auto* keys = new QWidget;
     auto* layout = new QVBoxLayout(keys);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(addKey("add", tr("Add"), tr("Add an action after the chosen one"), [this] { add(); }));
-    remove_ = addKey("remove", tr("Remove"), tr("Remove the chosen action"), [this] { remove(); });
-    up_ = addKey("up", tr("Up"), tr("Do the chosen action earlier"), [this] { move(-1); });
-    down_ = addKey("down", tr("Down"), tr("Do the chosen action later"), [this] { move(1); });
+    layout->addWidget(
+        addKey("add", tr("Add"), tr("Add an action after the selected one"), [this] { add(); }));
+    remove_ = addKey("remove", tr("Remove"), tr("Remove the selected action"), [this] { remove(); });
+    up_ = addKey("up", tr("Up"), tr("Move the selected action up"), [this] { move(-1); });
+    down_ = addKey("down", tr("Down"), tr("Move the selected action down"), [this] { move(1); });
     for (QPushButton* key : {remove_, up_, down_}) {
         layout->addWidget(key);
     }
@@ -122,8 +122,8 @@ QWidget* ActionsDialog::buildFields() {
         field->setObjectName(QStringLiteral("waypoint.actions.") + QLatin1String(path));
         field->setAccessibleName(text);
     };
-    name(kind_, "kind", tr("What is done"));
-    name(pin_, "pin", tr("Which terminal"));
+    name(kind_, "kind", tr("Action"));
+    name(pin_, "pin", tr("Terminal"));
     name(value_, "value", tr("On or off"));
     name(seconds_, "seconds", tr("Seconds"));
     kind_->addItems(ActionWords::kinds());
@@ -137,8 +137,8 @@ QWidget* ActionsDialog::buildFields() {
     seconds_->setSuffix(QStringLiteral(" s"));
     connect(seconds_, &QDoubleSpinBox::valueChanged, this, &ActionsDialog::change);
 
-    kindText_ = labelFor(tr("What is done"), kind_);
-    pinText_ = labelFor(tr("Which terminal"), pin_);
+    kindText_ = labelFor(tr("Action"), kind_);
+    pinText_ = labelFor(tr("Terminal"), pin_);
     valueText_ = labelFor(tr("On or off"), value_);
     secondsText_ = labelFor(tr("Seconds"), seconds_);
     auto* fields = new QWidget;
@@ -261,9 +261,11 @@ void ActionsDialog::refresh() {
     for (QWidget* part : {static_cast<QWidget*>(seconds_), static_cast<QWidget*>(secondsText_)}) {
         part->setVisible(any && action.usesTime());
     }
-    secondsText_->setText(action.kind == Action::Kind::WaitForInput ? tr("At most, seconds") : tr("Seconds"));
+    secondsText_->setText(action.kind == Action::Kind::WaitForInput ? tr("Timeout in seconds")
+                                                                    : tr("Seconds"));
     seconds_->setToolTip(action.kind == Action::Kind::WaitForInput
-                             ? tr("Then it ends and says so. 0: as long as the key is held, at most an hour")
+                             ? tr("After this time the wait fails with a message. 0: waits while the key is "
+                                  "held, for one hour at most")
                              : QString());
     if (any) {
         kind_->setCurrentIndex(static_cast<int>(action.kind));

@@ -154,22 +154,22 @@ std::optional<int> GoThrough::firstPlace(Way way) const {
 
 QString GoThrough::obstacle(Way way) const {
     if (route_.size() == 0) {
-        return tr("There are no waypoints to go through. Teach some, or select them.");
+        return tr("There are no waypoints to go through. Teach or select waypoints first.");
     }
     const std::optional<int> first = firstPlace(way);
     if (!first) {
-        return tr("There is no waypoint before this one.");
+        return tr("This is the first waypoint.");
     }
     if (way == Way::Through && route_.isLoop() && route_.size() == 1 && rowOf(0) >= 0 &&
         document_.waypoints().at(rowOf(0)).actions.empty()) {
-        return tr("A loop of one waypoint leads nowhere. Choose more waypoints, or go without the loop.");
+        return tr("A loop needs at least two waypoints. Select more waypoints, or turn the loop off.");
     }
     // What cannot be gone to its end is not begun.
     const bool whole = way == Way::Through && route_.isLoop();
     for (int place = whole ? 0 : *first; place <= lastPlace(way); ++place) {
         const int row = rowOf(place);
         if (row < 0) {
-            return tr("A waypoint of the way is not in this project any more.");
+            return tr("A waypoint of the route was deleted from the project.");
         }
         if (const project::Reach& reach = document_.reach(row); !reach.ok()) {
             return tr("“%1”: %2").arg(document_.waypoints().at(row).name, WaypointModel::reachAdvice(reach));

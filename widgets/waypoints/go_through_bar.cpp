@@ -33,29 +33,29 @@ GoThroughBar::GoThroughBar(MotionPort port, ActionPort actions, const ProjectDoc
     layout->setSpacing(8);
     layout->addWidget(
         addKey(tr("Go through (hold)"), QStringLiteral("waypoint.goThrough"), tr("Go through, hold"),
-               tr("Goes from waypoint to waypoint while the key is held, no faster than the jog "
-                  "speed, and does at each what is to be done there. Let go to pause; the next "
-                  "press goes on to the coming waypoint."),
+               tr("Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and "
+                  "runs the actions of each waypoint. Release to pause; the next press continues to the next "
+                  "waypoint."),
                Way::Through),
         3);
     layout->addWidget(addKey(QStringLiteral("‹"), QStringLiteral("waypoint.stepBack"),
-                             tr("One waypoint back, hold"),
-                             tr("Goes back to the waypoint before while the key is held"), Way::StepBack));
+                             tr("Previous waypoint, hold"),
+                             tr("Moves to the previous waypoint while the key is held"), Way::StepBack));
     layout->addWidget(
-        addKey(QStringLiteral("›"), QStringLiteral("waypoint.stepOn"), tr("One waypoint on, hold"),
-               tr("Goes to the coming waypoint while the key is held, and stops there"), Way::StepOn));
+        addKey(QStringLiteral("›"), QStringLiteral("waypoint.stepOn"), tr("Next waypoint, hold"),
+               tr("Moves to the next waypoint while the key is held, and stops there"), Way::StepOn));
     through().setWidestDetail(QStringLiteral("000 waypoints · 000 mm/s"));
 
     scope_->setObjectName(QStringLiteral("waypoint.routeScope"));
-    scope_->setAccessibleName(tr("Which waypoints to go through"));
-    scope_->view()->setAccessibleName(tr("Which waypoints"));
-    scope_->setToolTip(tr("Which waypoints to go through, in the order of the list"));
+    scope_->setAccessibleName(tr("Waypoints of the route"));
+    scope_->view()->setAccessibleName(tr("Waypoints"));
+    scope_->setToolTip(tr("Selects the waypoints of the route, in the order of the list"));
     scope_->addItems({tr("From here"), tr("Selection"), tr("All")});
     scope_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     layout->addWidget(scope_);
     loop_->setObjectName(QStringLiteral("waypoint.routeLoop"));
-    loop_->setAccessibleName(tr("In a loop"));
-    loop_->setToolTip(tr("After the last waypoint comes the first again, for as long as the key is held"));
+    loop_->setAccessibleName(tr("Loop"));
+    loop_->setToolTip(tr("Restarts at the first waypoint after the last one, as long as the key is held"));
     layout->addWidget(loop_);
     connect(scope_, &QComboBox::currentIndexChanged, this, [this] {
         stop(control::StopCause::SelectionChanged);
@@ -134,7 +134,7 @@ void GoThroughBar::setState(const SessionState& state) {
 void GoThroughBar::updateAvailability() {
     QString robot;
     if (!state_.canMove()) {
-        robot = state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
+        robot = state_.controlReason.isEmpty() ? tr("Tiller is not in control. Take control first.")
                                                : state_.controlReason;
     }
     for (std::size_t i = 0; i < keys_.size(); ++i) {
@@ -161,11 +161,10 @@ void GoThroughBar::showRoute() {
     } else if (row >= 0) {
         const int number = *goThrough_.route().coming() + 1;
         place_ = tr("%1 of %2").arg(number).arg(size);
-        place =
-            tr("The coming one: %1 of %2, %3").arg(number).arg(size).arg(document_.waypoints().at(row).name);
+        place = tr("Next: %1 of %2, %3").arg(number).arg(size).arg(document_.waypoints().at(row).name);
     } else if (goThrough_.isUnderWay() && size > 0) {
         place_ = tr("done");
-        place = tr("Done. The next press begins at the first.");
+        place = tr("Done. The next press starts at the first waypoint.");
     } else {
         place_ = tr("%n waypoints", nullptr, size);
         place = place_;

@@ -66,9 +66,8 @@ PathControls::PathControls(RobotSession& session, ProjectDocument& document, Sel
     connect(&recorder_, &PathRecorder::refused, this, &PathControls::refused);
     connect(&recorder_, &PathRecorder::ended, this, [this] {
         recorder_.stop(selection_.currentRow());
-        Q_EMIT refused(tr("The recording of the path ended by itself: the data stopped, or it lasted ten "
-                          "minutes."),
-                       tr("What was recorded until then is kept."));
+        Q_EMIT refused(tr("Path recording stopped: no more data, or the limit of ten minutes was reached."),
+                       tr("The path recorded so far is kept."));
     });
     show();
 }
@@ -104,18 +103,17 @@ void PathControls::show() {
                                 .arg(seconds / 60, 2, 10, QLatin1Char('0'))
                                 .arg(seconds % 60, 2, 10, QLatin1Char('0'));
     record_->setText(recording ? running : tr("○ Path"));
-    record_->setAccessibleName(recording ? tr("End the recording of the path") : tr("Record path"));
-    const QString obstacle = recorder_.isBusy() ? tr("The path is being thinned.")
-                             : live_ || recording
-                                 ? QString()
-                                 : tr("No data come from the robot: there is nothing to record.");
+    record_->setAccessibleName(recording ? tr("Stop recording path") : tr("Record path"));
+    const QString obstacle = recorder_.isBusy()   ? tr("Simplifying the path…")
+                             : live_ || recording ? QString()
+                                                  : tr("The robot sends no data: nothing to record.");
     record_->setEnabled(obstacle.isEmpty());
     record_->setToolTip(!obstacle.isEmpty() ? obstacle
                         : recording
-                            ? tr("Ends the recording and keeps the path as waypoints")
-                            : tr("Records where the arm is led, by Freedrive or by jogging, until it is "
-                                 "pressed again, and keeps the path as waypoints. It moves nothing."));
-    actions_.first()->setText(recording ? tr("End the recording of the path") : tr("Record path"));
+                            ? tr("Stops recording and stores the path as waypoints")
+                            : tr("Records the path of the arm during Freedrive or jogging until pressed "
+                                 "again, and stores it as waypoints. The robot does not move."));
+    actions_.first()->setText(recording ? tr("Stop recording path") : tr("Record path"));
     actions_.first()->setEnabled(obstacle.isEmpty());
     // The widest of its texts: what stands beside it keeps its place.
     const QString now = record_->text();
@@ -128,7 +126,7 @@ void PathControls::show() {
 
 void PathControls::askForExport() {
     if (selection_.rows().size() < 2) {
-        Q_EMIT refused(tr("Select the waypoints of the path, at least two."), {});
+        Q_EMIT refused(tr("Select at least two waypoints of the path."), {});
         return;
     }
     const QString path = QFileDialog::getSaveFileName(
@@ -142,7 +140,7 @@ void PathControls::exportTo(const QString& path) {
     const QList<int> rows = selection_.rows();
     if (const Result<void> done = recorder_.exportTo(path, rows); !done) {
         const bool said = done.error().code == ErrorCode::InvalidArgument;
-        Q_EMIT refused(said ? done.error().context : tr("The path was not written."),
+        Q_EMIT refused(said ? done.error().context : tr("The path was not exported."),
                        said ? QString() : texts::errorText(done.error()));
         return;
     }

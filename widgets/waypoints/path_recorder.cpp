@@ -37,7 +37,8 @@ Result<project::Demonstration> readDemonstration(const QString& path) {
     const auto missing = [&path](const QString& column) {
         return Error{
             ErrorCode::FileCorrupt,
-            PathRecorder::tr("%1 has no column “%2”. It needs timestamp and actual_q_0 to actual_q_5.")
+            PathRecorder::tr(
+                "%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.")
                 .arg(QFileInfo(path).fileName(), column),
             {}};
     };
@@ -88,7 +89,7 @@ void PathRecorder::start() {
         return;
     }
     if (state.link != LinkState::Live) {
-        Q_EMIT refused(tr("No data come from the robot: there is nothing to record."), {});
+        Q_EMIT refused(tr("The robot sends no data: nothing to record."), {});
         return;
     }
     shown_ = {};
@@ -142,7 +143,7 @@ void PathRecorder::stop(int afterRow) {
 
 void PathRecorder::importFrom(const QString& path, int afterRow) {
     if (recording_ || busy_) {
-        Q_EMIT refused(tr("Nothing was read: a path is being recorded. End that first."), {});
+        Q_EMIT refused(tr("Import refused: a path is being recorded. Stop that recording first."), {});
         return;
     }
     busy_ = true;
@@ -158,7 +159,7 @@ void PathRecorder::importFrom(const QString& path, int afterRow) {
             }
             Q_EMIT changed();
             Q_EMIT refused(
-                tr("The demonstration could not be read."),
+                tr("The demonstration could not be imported."),
                 shown.error().code == ErrorCode::FileCorrupt && shown.error().controllerMessage.isEmpty()
                     ? shown.error().context
                     : texts::errorText(shown.error()));
@@ -201,7 +202,7 @@ void PathRecorder::insert(const std::vector<project::KeptPlace>& places, double 
         return largestTurn(place.q, places.front().q) < kNoPath;
     });
     if (places.size() < 2 || stood) {
-        Q_EMIT refused(tr("The arm did not move: no path was kept."), {});
+        Q_EMIT refused(tr("The arm did not move: no path was stored."), {});
         return;
     }
     const QString name = nextPathName();
@@ -226,12 +227,12 @@ void PathRecorder::insert(const std::vector<project::KeptPlace>& places, double 
     const int count = document_.waypoints().size();
     const int row = afterRow < 0 || afterRow >= count ? count : afterRow + 1;
     document_.insertWaypoints(row, points, tr("Record “%1”").arg(name));
-    QString summary = tr("“%1”: %2 s in %3 waypoints. Every recorded place is within %4 and %5 of them.")
+    QString summary = tr("“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.")
                           .arg(name, format::number(seconds, 1))
                           .arg(points.size())
                           .arg(format::shortLength(tolerance_.tcp), format::degrees(tolerance_.joints, 1));
     if (lost_ > 0) {
-        summary += QLatin1Char(' ') + tr("%n packets did not arrive.", nullptr, static_cast<int>(lost_));
+        summary += QLatin1Char(' ') + tr("%n packets were lost.", nullptr, static_cast<int>(lost_));
         lost_ = 0;
     }
     Q_EMIT kept(summary);
@@ -239,14 +240,14 @@ void PathRecorder::insert(const std::vector<project::KeptPlace>& places, double 
 
 Result<void> PathRecorder::exportTo(const QString& path, const QList<int>& rows) const {
     if (rows.size() < 2) {
-        return Error{ErrorCode::InvalidArgument, tr("Select the waypoints of the path, at least two."), {}};
+        return Error{ErrorCode::InvalidArgument, tr("Select at least two waypoints of the path."), {}};
     }
     std::vector<project::KeptPlace> places;
     for (const int row : rows) {
         const project::Waypoint& point = document_.waypoints().at(row);
         if (!document_.reach(row).ok()) {
             return Error{ErrorCode::InvalidArgument,
-                         tr("“%1” cannot be reached. Touch it up, or leave it out.").arg(point.name),
+                         tr("“%1” is out of reach. Touch it up, or remove it.").arg(point.name),
                          {}};
         }
         const JointPositions& q = document_.reach(row).q;

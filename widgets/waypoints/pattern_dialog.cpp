@@ -73,7 +73,7 @@ void PatternDialog::build(bool isNew) {
     name_ = new QLineEdit(pattern_.name);
     name_->setObjectName(QStringLiteral("pattern.name"));
     add(tr("Name"), name_);
-    const QString texts[] = {tr("First place"), tr("End of the first row"), tr("Beginning of the last row")};
+    const QString texts[] = {tr("First cell"), tr("End of the first row"), tr("Start of the last row")};
     static constexpr const char* kNames[] = {"pattern.corner.first", "pattern.corner.column",
                                              "pattern.corner.row"};
     for (int i = 0; i < 3; ++i) {
@@ -81,7 +81,7 @@ void PatternDialog::build(bool isNew) {
         corners_[at] = new ChoiceBox;
         corners_[at]->setObjectName(QLatin1String(kNames[at]));
         corners_[at]->setAccessibleName(texts[i]);
-        corners_[at]->addItem(isNew ? tr("choose a waypoint") : tr("as it was taught"), QUuid());
+        corners_[at]->addItem(isNew ? tr("select a waypoint") : tr("as taught"), QUuid());
         for (const project::Waypoint& point : document_.waypoints()) {
             if (point.place.pattern != pattern_.id) {
                 corners_[at]->addItem(point.name, point.id);
@@ -94,21 +94,21 @@ void PatternDialog::build(bool isNew) {
             refresh();
         });
     }
-    columns_ = new CountBox("pattern.columns", tr("Places in a row"), pattern_.columns);
+    columns_ = new CountBox("pattern.columns", tr("Cells per row"), pattern_.columns);
     rows_ = new CountBox("pattern.rows", tr("Rows"), pattern_.rows);
     layers_ = new CountBox("pattern.layers", tr("Layers"), pattern_.layers);
-    add(tr("Places in a row"), columns_);
+    add(tr("Cells per row"), columns_);
     add(tr("Rows"), rows_);
     add(tr("Layers"), layers_);
     layerStep_ = new FigureBox;
     layerStep_->setObjectName(QStringLiteral("pattern.layerStep"));
-    layerStep_->setAccessibleName(tr("Height of a layer"));
-    layerStep_->setToolTip(tr("From one layer to the next, against the direction of the tool."));
+    layerStep_->setAccessibleName(tr("Layer height"));
+    layerStep_->setToolTip(tr("Distance between layers, opposite to the tool direction."));
     const double perUnit = format::metresPerUnit();
     layerStep_->setRange(-10 / perUnit, 10 / perUnit);
     layerStep_->setSuffix(QLatin1Char(' ') + format::lengthUnit());
     layerStep_->setValue(pattern_.layerStep / perUnit);
-    add(tr("Height of a layer"), layerStep_);
+    add(tr("Layer height"), layerStep_);
     order_ = new ChoiceBox;
     order_->setObjectName(QStringLiteral("pattern.order"));
     order_->setAccessibleName(tr("Order"));
@@ -123,7 +123,7 @@ void PatternDialog::build(bool isNew) {
     feedback_->setMinimumHeight(3 * fontMetrics().height());
     feedback_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(isNew ? tr("Make pattern") : tr("Change"));
+    buttons->button(QDialogButtonBox::Ok)->setText(isNew ? tr("Create pattern") : tr("Change"));
     buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("pattern.accept"));
     connect(buttons, &QDialogButtonBox::accepted, this, &PatternDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -184,36 +184,34 @@ QString PatternDialog::problem() const {
     }
     const project::Pattern* other = document_.patterns().findByName(name_->text().trimmed());
     if (other != nullptr && other->id != pattern_.id) {
-        return tr("There is a pattern of that name. Choose another one.");
+        return tr("A pattern with this name exists. Choose another name.");
     }
     if (isNew_) {
         for (std::size_t i = 0; i < 3; ++i) {
             const bool needed = i == 0 || (i == 1 ? pattern_.columns > 1 : pattern_.rows > 1);
             if (needed && pattern_.corners[i].isNull()) {
-                return tr(
-                    "Choose the waypoint of each corner. Teach the three corners first where there are "
-                    "none.");
+                return tr("Select a waypoint for each corner. Teach the three corners first.");
             }
         }
     }
     const Eigen::Vector3d& origin = pattern_.first.pose.position;
     if ((pattern_.columns > 1 && (pattern_.columnEnd - origin).norm() < kLeastSide) ||
         (pattern_.rows > 1 && (pattern_.rowEnd - origin).norm() < kLeastSide)) {
-        return tr("Two corners are the same place. Choose another waypoint for one of them.");
+        return tr("Two corners are identical. Select another waypoint for one of them.");
     }
     if (layerStep_->isRefused()) {
-        return tr("The height of a layer is no figure it can be.");
+        return tr("Invalid layer height.");
     }
     if (pattern_.layers > 1 && pattern_.layerStep == 0) {
-        return tr("Layers need a height.");
+        return tr("Enter a layer height.");
     }
     const qint64 places = qint64(pattern_.columns) * pattern_.rows * pattern_.layers;
     if (places > project::kMostPatternPlaces) {
-        return tr("%1 places are more than the %2 a pattern can have.")
+        return tr("The pattern has %1 cells; the maximum is %2.")
             .arg(places)
             .arg(project::kMostPatternPlaces);
     }
-    return project::placesOf(pattern_).empty() ? tr("Every place is left out.") : QString();
+    return project::placesOf(pattern_).empty() ? tr("All cells are excluded.") : QString();
 }
 
 void PatternDialog::refresh() {
@@ -239,8 +237,8 @@ void PatternDialog::refresh() {
     }
     const QString count = tr("%n waypoints.", nullptr, static_cast<int>(points.size()));
     feedback_->setText(
-        far == 0 ? tr("%1 All can be reached.").arg(count)
-                 : tr("%1 %2").arg(count, tr("%n of them are out of reach; they are marked.", nullptr, far)));
+        far == 0 ? tr("%1 All are within reach.").arg(count)
+                 : tr("%1 %2").arg(count, tr("%n of them are out of reach and marked.", nullptr, far)));
 }
 
 void PatternDialog::accept() {

@@ -12,9 +12,8 @@ namespace tiller {
 
 PatternGrid::PatternGrid(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("pattern.grid"));
-    setAccessibleName(tr("Places of the pattern"));
-    setToolTip(
-        tr("Click a place to leave it out, or to take it in again. The first corner is at the lower left."));
+    setAccessibleName(tr("Cells of the pattern"));
+    setToolTip(tr("Click a cell to exclude or include it. The first corner is at the lower left."));
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
 }

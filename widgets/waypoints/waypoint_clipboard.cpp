@@ -160,12 +160,12 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
     const bool hasPose = line.hasAny(PoseColumn) || !hasJoints;
     const QString move = line.text(Move);
     if (line.has(Move) && move != QLatin1String("J") && move != QLatin1String("L")) {
-        line.fail(Move, WaypointClipboard::tr("“%1” is neither J nor L").arg(move));
+        line.fail(Move, WaypointClipboard::tr("“%1” must be J or L").arg(move));
     }
     point.move = move == QLatin1String("L") ? project::MoveKind::Linear : project::MoveKind::Joint;
     const QString rules = line.text(Rules);
     if (line.has(Rules) && rules != QLatin1String("joints") && rules != QLatin1String("pose")) {
-        line.fail(Rules, WaypointClipboard::tr("“%1” is neither joints nor pose").arg(rules));
+        line.fail(Rules, WaypointClipboard::tr("“%1” must be joints or pose").arg(rules));
     }
     const bool poseRules = line.has(Rules) ? rules == QLatin1String("pose") : !hasJoints;
     point.ruling = poseRules ? project::Ruling::Pose : project::Ruling::Joints;
@@ -192,7 +192,7 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
         const auto found = std::find_if(kColourWords.begin(), kColourWords.end(),
                                         [&](const char* word) { return colour == QLatin1String(word); });
         if (found == kColourWords.end()) {
-            line.fail(Colour, WaypointClipboard::tr("“%1” is no colour of a waypoint").arg(colour));
+            line.fail(Colour, WaypointClipboard::tr("“%1” is not a waypoint colour").arg(colour));
         } else {
             point.colour = static_cast<project::WaypointColour>(found - kColourWords.begin());
         }
@@ -300,8 +300,8 @@ Result<std::vector<project::Waypoint>> fromText(const QString& text, const proje
             if (!places) {
                 return Error{
                     ErrorCode::InvalidArgument,
-                    WaypointClipboard::tr("This is not a table of waypoints. Copy one from the list to "
-                                          "see its columns, or paste the six figures of a pose."),
+                    WaypointClipboard::tr("This is not a table of waypoints. Copy a waypoint from the list "
+                                          "to see the columns, or paste the six values of a pose."),
                     {}};
             }
         }

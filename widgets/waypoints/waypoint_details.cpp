@@ -37,7 +37,8 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     , advice_(new QLabel)
     , frame_(new ChoiceBox)
     , pose_(new PoseEditor(QStringLiteral("waypoint.details"), tr("TCP"),
-                           tr("In the waypoint's frame. Return applies it; nothing moves but the waypoint.")))
+                           tr("In the frame of the waypoint. Press Return to apply. Only the waypoint "
+                              "changes; the robot does not move.")))
     , place_(new QPushButton) {
     setObjectName(QStringLiteral("waypoint.details"));
     setAccessibleName(tr("Selected waypoint"));
@@ -56,7 +57,8 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     frame_->setAccessibleName(tr("Frame of the waypoint"));
     frame_->view()->setAccessibleName(tr("Frames"));
     frame_->setToolTip(
-        tr("The frame it is given in and moves with. The place stays where it is. —: the joints rule"));
+        tr("Reference frame of the waypoint. The position in space does not change. —: joint positions have "
+           "priority"));
     frame_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     frame_->setMinimumContentsLength(5);
     connect(frame_, &QComboBox::activated, this, [this](int choice) {
@@ -75,9 +77,9 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     place_->hide();
     // It says what a press brings.
     const auto name = [this](bool keysShown) {
-        place_->setText(keysShown ? tr("Figures") : tr("Go through"));
-        place_->setToolTip(keysShown ? tr("Shows the figures in place of the keys of Go through.")
-                                     : tr("Shows the keys of Go through in place of the figures."));
+        place_->setText(keysShown ? tr("Values") : tr("Go through"));
+        place_->setToolTip(keysShown ? tr("Shows the values instead of the Go through controls.")
+                                     : tr("Shows the Go through controls instead of the values."));
     };
     name(false);
     connect(place_, &QPushButton::toggled, this, [this, name](bool wanted) {
@@ -184,14 +186,14 @@ void WaypointDetails::refresh() {
         const project::PoseDifference away = project::poseDifference(*place, live_.tcpPose);
         facts << tr("%1 from the live pose").arg(format::difference(away.distance, away.angle));
     } else {
-        facts << (joints ? tr("joints rule") : tr("pose rules"));
+        facts << (joints ? tr("joints have priority") : tr("pose has priority"));
     }
     if (!point.group.isEmpty()) {
         facts << point.group;
     }
     for (const project::WaypointUse& use : project::usesOf(document_.project(), point)) {
         using Kind = project::WaypointUse::Kind;
-        facts << (use.kind == Kind::PatternPlace    ? tr("place of “%1”")
+        facts << (use.kind == Kind::PatternPlace    ? tr("cell of “%1”")
                   : use.kind == Kind::PatternCorner ? tr("corner of “%1”")
                   : use.kind == Kind::Home          ? tr("home, “%1”")
                                                     : tr("position “%1”"))

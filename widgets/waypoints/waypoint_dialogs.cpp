@@ -76,7 +76,7 @@ void WaypointDialogs::properties() {
 void WaypointDialogs::actions() {
     const QList<int> rows = table_.selectedRows();
     if (rows.isEmpty()) {
-        Q_EMIT refused(tr("Select waypoints where something is to be done."), {});
+        Q_EMIT refused(tr("Select the waypoints to add actions to."), {});
         return;
     }
     std::vector<project::Waypoint> points = selected();
@@ -121,22 +121,22 @@ void WaypointDialogs::pattern() {
         corners.append(point.id);
     }
     if (document_.waypoints().isEmpty()) {
-        Q_EMIT refused(tr("Teach the three corners of the pattern first, and select them."), {});
+        Q_EMIT refused(tr("Teach the three corners of the pattern and select them first."), {});
         return;
     }
     PatternDialog dialog(document_, corners, table_.window());
     if (dialog.exec() == QDialog::Accepted) {
         const QList<int> rows = table_.selectedRows();
         document_.insertPattern(rows.isEmpty() ? document_.waypoints().size() : rows.last() + 1,
-                                dialog.pattern(), tr("Make the pattern “%1”").arg(dialog.pattern().name));
+                                dialog.pattern(), tr("Create the pattern “%1”").arg(dialog.pattern().name));
     }
 }
 
 void WaypointDialogs::dissolvePattern() {
     if (const project::Pattern* there = document_.patterns().find(patternOfCurrent())) {
-        document_.dissolvePattern(there->id, tr("Dissolve the pattern “%1”").arg(there->name));
+        document_.dissolvePattern(there->id, tr("Convert the pattern “%1” to waypoints").arg(there->name));
     } else {
-        Q_EMIT refused(tr("Select a place of a pattern."), {});
+        Q_EMIT refused(tr("Select a cell of a pattern."), {});
     }
 }
 
@@ -144,7 +144,7 @@ void WaypointDialogs::removePattern() {
     if (const project::Pattern* there = document_.patterns().find(patternOfCurrent())) {
         document_.removePattern(there->id, tr("Delete the pattern “%1”").arg(there->name));
     } else {
-        Q_EMIT refused(tr("Select a place of a pattern."), {});
+        Q_EMIT refused(tr("Select a cell of a pattern."), {});
     }
 }
 
@@ -159,11 +159,11 @@ void WaypointDialogs::history() {
     if (dialog.exec() == QDialog::Accepted && !point.history.isEmpty()) {
         const project::Waypoint earlier = dialog.chosen();
         if (!document_.frames().pose(earlier.frame)) {
-            Q_EMIT refused(tr("The frame it was given in then is not in the project any more."), {});
+            Q_EMIT refused(tr("The frame of the earlier version was deleted from the project."), {});
             return;
         }
         document_.changeWaypoint(document_.waypoints().indexOf(point.id), earlier,
-                                 tr("Take an earlier “%1” back").arg(point.name));
+                                 tr("Restore an earlier version of “%1”").arg(point.name));
     }
 }
 
@@ -189,10 +189,9 @@ void WaypointDialogs::importFrom(const QString& path) {
     const QString name = QFileInfo(path).fileName();
     const Result<QByteArray> read = readWholeFile(path, kMostImportBytes);
     if (!read) {
-        Q_EMIT refused(tr("Nothing was imported"),
-                       read.error().code == ErrorCode::FileCorrupt
-                           ? tr("%1 is too large for a list of waypoints.").arg(name)
-                           : tr("%1: %2").arg(name, read.error().controllerMessage));
+        Q_EMIT refused(tr("Import failed"), read.error().code == ErrorCode::FileCorrupt
+                                                ? tr("%1 is too large for a waypoint file.").arg(name)
+                                                : tr("%1: %2").arg(name, read.error().controllerMessage));
         return;
     }
     const QByteArray& bytes = *read;
@@ -216,9 +215,9 @@ void WaypointDialogs::importFrom(const QString& path) {
         }
     }
     if (error.code != ErrorCode::None || imported.waypoints.empty()) {
-        Q_EMIT refused(tr("Nothing was imported"), error.code == ErrorCode::None
-                                                       ? tr("There are no waypoints in %1.").arg(name)
-                                                       : tr("%1: %2").arg(name, error.context));
+        Q_EMIT refused(tr("Import failed"), error.code == ErrorCode::None
+                                                ? tr("There are no waypoints in %1.").arg(name)
+                                                : tr("%1: %2").arg(name, error.context));
         return;
     }
     project::WaypointList names = document_.waypoints();
@@ -254,7 +253,7 @@ void WaypointDialogs::exportTo(const QString& path) {
     if (!written) {
         const Error& error = written.error();
         Q_EMIT refused(
-            tr("Nothing was exported"),
+            tr("Export failed"),
             tr("%1: %2").arg(QFileInfo(full).fileName(), bytes ? error.controllerMessage : error.context));
         return;
     }

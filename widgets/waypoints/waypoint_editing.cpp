@@ -84,7 +84,7 @@ void WaypointEditing::paste() {
     Result<std::vector<project::Waypoint>> pasted =
         waypoint_clipboard::fromText(QApplication::clipboard()->text(), document_.frames(), defaults);
     if (!pasted) {
-        Q_EMIT refused(tr("Nothing was pasted"), pasted.error().context);
+        Q_EMIT refused(tr("Paste failed"), pasted.error().context);
         return;
     }
     if (pasted->empty()) {

@@ -27,7 +27,7 @@ WaypointHistoryDialog::WaypointHistoryDialog(const ProjectDocument& document,
     setObjectName(QStringLiteral("waypoint.history"));
     setWindowTitle(tr("History of “%1”").arg(waypoint.name));
     list_->setObjectName(QStringLiteral("waypoint.history.list"));
-    list_->setAccessibleName(tr("Changes, the newest first"));
+    list_->setAccessibleName(tr("Changes, newest first"));
     for (int i = waypoint.history.size() - 1; i >= 0; --i) {
         const project::WaypointRevision& one = waypoint.history.at(i);
         const QString when = QLocale().toString(one.at.toLocalTime(), QLocale::ShortFormat);
@@ -40,7 +40,7 @@ WaypointHistoryDialog::WaypointHistoryDialog(const ProjectDocument& document,
     compare_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     revert_ = buttons->button(QDialogButtonBox::Ok);
-    revert_->setText(tr("Go back to before this"));
+    revert_->setText(tr("Restore the version before this change"));
     revert_->setObjectName(QStringLiteral("waypoint.history.revert"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -82,7 +82,7 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
     if (placeBefore && placeNow) {
         const project::PoseDifference by = project::poseDifference(*placeBefore, *placeNow);
         if (by.distance > 1e-6 || by.angle > 1e-5) {
-            lines << tr("Place: it has moved by %1 (%2, base frame)")
+            lines << tr("Position: moved by %1 (%2, base frame)")
                          .arg(format::difference(by.distance, by.angle),
                               format::shift(placeNow->position - placeBefore->position));
         }
@@ -90,14 +90,14 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
     const Vector6 turns = now.joints.values - before.joints.values;
     int joint = 0;
     if (turns.cwiseAbs().maxCoeff(&joint) > 1e-5) {
-        lines << tr("Joints: %1 turned most, by %2").arg(jointName(joint), format::degrees(turns[joint], 1));
+        lines << tr("Joints: largest change %2 (%1)").arg(jointName(joint), format::degrees(turns[joint], 1));
     }
     const auto frameText = [&](const project::Waypoint& point) {
         const project::Frame* frame = document.frames().find(point.frame);
-        return point.ruling == project::Ruling::Joints ? tr("the joints rule")
+        return point.ruling == project::Ruling::Joints ? tr("joints have priority")
                : point.frame.isNull()                  ? tr("Base")
                : frame != nullptr                      ? frame->name
-                                                       : tr("a frame that is no more");
+                                                       : tr("a deleted frame");
     };
     if (before.ruling != now.ruling || before.frame != now.frame) {
         lines << tr("Frame: %1, now %2").arg(frameText(before), frameText(now));
@@ -119,7 +119,7 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
         lines << tr("Blend: %1, now %2").arg(format::length(before.blend, 1), format::length(now.blend, 1));
     }
     if (!(before.tcpOffset == now.tcpOffset)) {
-        lines << tr("TCP: taught with another one");
+        lines << tr("TCP: taught with another TCP");
     }
     if (before.group != now.group) {
         lines << tr("Group: “%1”, now “%2”").arg(before.group, now.group);
@@ -133,7 +133,7 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
         lines << tr("Note: “%1”, now “%2”").arg(before.note, now.note);
     }
     if (before.actions != now.actions) {
-        lines << tr("Actions: others than now");
+        lines << tr("Actions: changed");
     }
     return lines;
 }
@@ -141,13 +141,13 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
 void WaypointHistoryDialog::refresh() {
     revert_->setEnabled(!waypoint_.history.isEmpty());
     if (waypoint_.history.isEmpty()) {
-        compare_->setText(tr("It was not changed since it was taught."));
+        compare_->setText(tr("Not changed since it was taught."));
         return;
     }
     const QStringList lines = differences(revision().before, waypoint_, document_);
     compare_->setText(lines.isEmpty()
-                          ? tr("Before this it was as it is now.")
-                          : tr("Before this it was:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
+                          ? tr("The version before this change equals the current version.")
+                          : tr("Before this change:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
 }
 
 }  // namespace tiller

@@ -145,19 +145,21 @@ QString WaypointModel::reachAdvice(const project::Reach& reach) {
         case project::Reach::Obstacle::None:
             return {};
         case project::Reach::Obstacle::JointLimit:
-            return tr("A joint would leave its range. Touch the waypoint up from another arm posture.");
+            return tr(
+                "A joint would exceed its range. Touch up the waypoint with another arm configuration.");
         case project::Reach::Obstacle::FrameMissing:
             return tr("Its frame is not in this project. Choose another frame.");
         case project::Reach::Obstacle::OnTheWay:
-            return tr("The straight line from here leaves the arm's reach. Use MoveJ, or start elsewhere.");
+            return tr(
+                "The straight line from the current position leaves the reach of the arm. Use MoveJ, or "
+                "start from another position.");
         case project::Reach::Obstacle::OtherModel:
             return tr(
-                "The project was taught with another robot model. Choose “Adapt project to this robot…” "
-                "first.");
+                "The project was taught with another robot model. Use “Adapt project to this robot…” first.");
         case project::Reach::Obstacle::OutOfReach:
             break;
     }
-    return tr("Out of reach. Touch it up nearer to the base.");
+    return tr("Out of reach. Touch up the waypoint closer to the base.");
 }
 
 // ---- the table's face ------------------------------------------------------------------------------
@@ -210,7 +212,7 @@ QString WaypointModel::toolTip(const project::Waypoint& point, int row, int colu
                              .arg(WaypointProperties::colourNames().value(static_cast<int>(point.colour)));
             }
             if (!point.actions.empty()) {
-                lines << tr("Done there: %1").arg(ActionWords::of(point.actions).join(QStringLiteral(" · ")));
+                lines << tr("Actions: %1").arg(ActionWords::of(point.actions).join(QStringLiteral(" · ")));
             }
             if (!point.note.isEmpty()) {
                 lines << point.note;
@@ -219,14 +221,14 @@ QString WaypointModel::toolTip(const project::Waypoint& point, int row, int colu
         }
         case Move:
             return point.move == project::MoveKind::Joint ? tr("MoveJ: all joints start and stop together")
-                                                          : tr("MoveL: the TCP goes along a straight line");
+                                                          : tr("MoveL: the TCP moves along a straight line");
         case Frame:
             return point.ruling == project::Ruling::Joints
-                       ? tr("The joints rule: the arm comes back in the same posture")
-                       : tr("The pose rules: it moves with its frame");
+                       ? tr("Joints have priority: the arm returns to the same configuration")
+                       : tr("The pose has priority: the waypoint moves with its frame");
         case ReachColumn:
             return !document_.reach(row).ok() ? reachAdvice(document_.reach(row))
-                   : pathLimit(row).isEmpty() ? tr("Can be reached")
+                   : pathLimit(row).isEmpty() ? tr("Within reach")
                                               : pathLimit(row);
         default:
             return {};
@@ -257,7 +259,7 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
         case Qt::AccessibleTextRole:
             if (index.column() == Name && (point.id == coming_ || !point.actions.empty())) {
                 const auto count = static_cast<int>(point.actions.size());
-                QStringList words{point.id == coming_ ? tr("Name %1, the coming one").arg(point.name)
+                QStringList words{point.id == coming_ ? tr("Name %1, next waypoint").arg(point.name)
                                                       : tr("Name %1").arg(point.name)};
                 if (count > 0) {
                     words << tr("%n actions", nullptr, count);
@@ -356,7 +358,7 @@ bool WaypointModel::setName(int row, const QString& text) {
         return false;
     }
     if (document_.waypoints().indexOfName(text) >= 0) {
-        Q_EMIT editRefused(tr("“%1” is taken by waypoint %2. Choose another name.")
+        Q_EMIT editRefused(tr("Waypoint %2 is named “%1”. Choose another name.")
                                .arg(text)
                                .arg(document_.waypoints().indexOfName(text) + 1));
         return false;
@@ -375,7 +377,7 @@ bool WaypointModel::setMove(int row, const QString& text) {
     point.move = text == QLatin1String("J") ? project::MoveKind::Joint : project::MoveKind::Linear;
     document_.changeWaypoint(
         row, point,
-        (point.move == project::MoveKind::Joint ? tr("Make “%1” a MoveJ") : tr("Make “%1” a MoveL"))
+        (point.move == project::MoveKind::Joint ? tr("Change “%1” to MoveJ") : tr("Change “%1” to MoveL"))
             .arg(point.name));
     return true;
 }
@@ -398,7 +400,7 @@ void WaypointModel::setPose(int row, const Pose& pose) {
         const auto moved =
             q ? project::taughtAt(point, *q, *place, point.tcpOffset, document_.frames()) : std::nullopt;
         if (!moved) {
-            Q_EMIT editRefused(tr("The arm cannot get there. “%1” stays as it was.").arg(point.name));
+            Q_EMIT editRefused(tr("The arm cannot reach this pose. “%1” was not changed.").arg(point.name));
             return;
         }
         point = *moved;
@@ -445,7 +447,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
     if (place) {
         point = *project::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames());
     }
-    document_.changeWaypoint(row, point, tr("Give “%1” in %2").arg(point.name, text));
+    document_.changeWaypoint(row, point, tr("Change the frame of “%1” to %2").arg(point.name, text));
     return true;
 }
 

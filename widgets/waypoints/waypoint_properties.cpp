@@ -26,7 +26,7 @@ QCheckBox* WaypointProperties::addRow(QGridLayout& grid, const QString& name, co
     const QString path = QStringLiteral("waypoint.properties.") + name;
     auto* tick = new QCheckBox(text);
     tick->setObjectName(path + QStringLiteral(".tick"));
-    tick->setToolTip(tr("Only what is ticked is changed."));
+    tick->setToolTip(tr("Only the selected properties are changed."));
     editor->setObjectName(path);
     editor->setAccessibleName(text);
     const int row = grid.rowCount();

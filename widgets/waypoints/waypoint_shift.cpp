@@ -36,10 +36,10 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
     setWindowTitle(tr("Move %n waypoints", nullptr, static_cast<int>(waypoints_.size())));
     kind_->setObjectName(QStringLiteral("waypoint.shift.kind"));
     kind_->setAccessibleName(tr("Kind of move"));
-    kind_->addItems({tr("Offset"), tr("Turn"), tr("Mirror")});
+    kind_->addItems({tr("Offset"), tr("Rotation"), tr("Mirror")});
     axes_->setObjectName(QStringLiteral("waypoint.shift.axes"));
     axes_->setAccessibleName(tr("Axes"));
-    axes_->addItems({tr("Base"), tr("Tool, each its own")});
+    axes_->addItems({tr("Base"), tr("Tool of each waypoint")});
     for (const project::Frame& frame : document.frames()) {
         axes_->addItem(frame.name);
     }
@@ -66,7 +66,7 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
         offset_[static_cast<std::size_t>(i)] = box;
         connect(box, &QDoubleSpinBox::valueChanged, this, &WaypointShift::refresh);
     }
-    grid->addWidget(new QLabel(tr("About or along")), 3, 0);
+    grid->addWidget(new QLabel(tr("Axis of rotation or mirroring")), 3, 0);
     grid->addWidget(axis_, 3, 1);
     angle_->setObjectName(QStringLiteral("waypoint.shift.angle"));
     angle_->setAccessibleName(tr("Angle"));
@@ -129,21 +129,21 @@ void WaypointShift::refresh() {
     const Result<std::vector<project::Waypoint>> result = moved();
     findChild<QPushButton*>(QStringLiteral("waypoint.shift.accept"))->setEnabled(result.ok());
     if (!result) {
-        feedback_->setText(
-            result.error().code == ErrorCode::NoSolution
-                ? tr("The arm cannot get there: %1. Nothing would be moved.").arg(result.error().context)
-                : tr("A frame is missing. Choose another one."));
+        feedback_->setText(result.error().code == ErrorCode::NoSolution
+                               ? tr("The arm cannot reach these poses: %1. Nothing will be moved.")
+                                     .arg(result.error().context)
+                               : tr("A frame is missing. Choose another one."));
         return;
     }
     int far = 0;
     for (const project::Waypoint& point : *result) {
         far += project::reach(document_.robot(), point, document_.frames()).ok() ? 0 : 1;
     }
-    feedback_->setText(
-        far > 0           ? tr("%n of them would be out of reach; they are kept, and marked.", nullptr, far)
-        : kind == kMirror ? tr("Mirrored at the plane through the origin that the axis stands upon. The tool "
-                               "approaches from the mirrored side.")
-                          : tr("All stay in reach."));
+    feedback_->setText(far > 0
+                           ? tr("%n of them would be out of reach. They are kept and marked.", nullptr, far)
+                       : kind == kMirror ? tr("Mirrored at the plane through the origin perpendicular to the "
+                                              "axis. The tool approaches from the mirrored side.")
+                                         : tr("All remain within reach."));
 }
 
 void WaypointShift::accept() {

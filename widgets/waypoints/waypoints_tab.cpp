@@ -114,7 +114,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     goTo_->setState(state_);
     more_ = new QPushButton;
     more_->setObjectName(QStringLiteral("waypoint.more"));
-    more_->setAccessibleName(tr("More"));
+    more_->setAccessibleName(tr("Other"));
     more_->setText(QStringLiteral("···"));
 
     auto* keys = new QHBoxLayout;
@@ -125,7 +125,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     keys->addWidget(goTo_, 3);
     keys->addWidget(more_);
 
-    auto* empty = new QLabel(tr("No waypoints yet.\nJog the arm to a place and press Teach here (T)."));
+    auto* empty = new QLabel(tr("No waypoints yet.\nJog the arm to a position and press Teach here (T)."));
     empty->setObjectName(QStringLiteral("waypoint.empty"));
     empty->setProperty("role", "secondary");
     empty->setAlignment(Qt::AlignCenter);
@@ -357,7 +357,7 @@ QString WaypointsTab::teachObstacle() const {
                    ? WaypointModel::reachAdvice({project::Reach::Obstacle::OtherModel, {}})
                    : QString();
     }
-    return state_.hasData() ? tr("The robot's data are old. Wait until they come again.")
+    return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
                             : tr("No robot is connected. Connect one, or try the simulator.");
 }
 
@@ -369,7 +369,7 @@ QString WaypointsTab::goToObstacle() const {
         return WaypointModel::reachAdvice(document_.reach(currentRow()));
     }
     if (!state_.canMove()) {
-        return state_.controlReason.isEmpty() ? tr("The arm is not under control. Take control first.")
+        return state_.controlReason.isEmpty() ? tr("Tiller is not in control. Take control first.")
                                               : state_.controlReason;
     }
     return {};
@@ -380,11 +380,11 @@ void WaypointsTab::updateAvailability() {
     const bool selected = currentRow() >= 0;
     teach_->setEnabled(teachReason.isEmpty());
     teach_->setToolTip(teachReason.isEmpty()
-                           ? tr("Add the place where the arm stands, after the selection (T)")
+                           ? tr("Add the current position after the selection (T)")
                            : teachReason);
     touchUp_->setEnabled(teachReason.isEmpty() && selected);
     touchUp_->setToolTip(!teachReason.isEmpty() ? teachReason
-                         : selected             ? tr("Replace the selected place by where the arm stands (U)")
+                         : selected             ? tr("Replace the selected waypoint with the current position (U)")
                                                 : tr("Select a waypoint to touch up."));
     goTo_->setUnavailable(goToObstacle());
     for (QAction* action : actions_) {
@@ -492,9 +492,9 @@ void WaypointsTab::buildActions() {
                    [this] { search_->open(); }));
     add(onSelected(addCommand("waypoint.action.properties", tr("Group, colour, note, speeds…"),
                               QKeySequence(Qt::ALT | Qt::Key_Return), [this] { dialogs_->properties(); })));
-    add(onSelected(addCommand("waypoint.action.actions", tr("Actions there…"),
+    add(onSelected(addCommand("waypoint.action.actions", tr("Actions…"),
                               QKeySequence(Qt::ALT | Qt::Key_A), [this] { dialogs_->actions(); })));
-    add(onSelected(addCommand("waypoint.action.shift", tr("Offset, turn or mirror…"), {},
+    add(onSelected(addCommand("waypoint.action.shift", tr("Offset, rotate or mirror…"), {},
                               [this] { dialogs_->moveSelection(); })));
     add(onSelected(addCommand("waypoint.action.history", tr("History…"), QKeySequence(Qt::ALT | Qt::Key_H),
                               [this] { dialogs_->history(); })));
@@ -514,7 +514,7 @@ void WaypointsTab::buildActions() {
     addTo(pattern,
           addCommand("waypoint.action.pattern", tr("Pattern…"), {}, [this] { dialogs_->pattern(); }));
     addTo(pattern, onSelected(addCommand("waypoint.action.dissolve",
-                                         tr("Make the pattern's places ordinary waypoints"), {},
+                                         tr("Convert pattern to waypoints"), {},
                                          [this] { dialogs_->dissolvePattern(); })));
     addTo(pattern,
           onSelected(addCommand("waypoint.action.removePattern", tr("Delete the pattern and its waypoints"),
@@ -607,7 +607,7 @@ void WaypointsTab::touchUp() {
     const Vector6 turns = after->joints.values - before.joints.values;
     int joint = 0;
     turns.cwiseAbs().maxCoeff(&joint);
-    const QString text = tr("The live place is %1 away (%2, base frame). Largest joint change: %3 %4.")
+    const QString text = tr("The current position is %1 away (%2, base frame). Largest joint change: %3 %4.")
                              .arg(format::difference(by.distance, by.angle),
                                   format::shift(state_.tcpPose.position - old.position), jointName(joint),
                                   format::degrees(turns[joint], 1));

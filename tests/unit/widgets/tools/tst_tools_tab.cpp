@@ -360,7 +360,7 @@ private Q_SLOTS:
         feed(state);
         click("payload.check");
         weigh(state);
-        QCOMPARE(notice("payload.page")->title(), QString("The payload is true"));
+        QCOMPARE(notice("payload.page")->title(), QString("The payload is correct"));
         // A movement spoils it, and is said.
         click("payload.check");
         state.moving = true;
