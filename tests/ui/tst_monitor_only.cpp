@@ -244,8 +244,8 @@ private Q_SLOTS:
         const QString file = folder.filePath(QStringLiteral("settings.ini"));
         app::Preferences preferences;
         preferences.monitorOnly = true;
-        app::writePreferences(file, preferences);
-        QVERIFY(app::readPreferences(file).monitorOnly);
+        app::Settings(file).setPreferences(preferences);
+        QVERIFY(app::Settings(file).preferences().monitorOnly);
         app::MainWindow window{app::Settings(file)};
         QVERIFY(window.session().isMonitorOnly());
     }
