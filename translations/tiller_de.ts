@@ -5929,7 +5929,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation>Mehr</translation>
     </message>
 </context>
@@ -9665,7 +9665,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Nachteachen</translation>
     </message>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation>Mehr</translation>
     </message>
     <message>

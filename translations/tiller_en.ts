@@ -5923,7 +5923,7 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9652,7 +9652,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5929,7 +5929,7 @@ Vacíe la búsqueda para verlo todo.</translation>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation>Más</translation>
     </message>
 </context>
@@ -9665,7 +9665,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Retocar</translation>
     </message>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation>Más</translation>
     </message>
     <message>

@@ -5929,7 +5929,7 @@ Videz la recherche pour tout voir.</translation>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation>Plus</translation>
     </message>
 </context>
@@ -9665,7 +9665,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Retoucher</translation>
     </message>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation>Plus</translation>
     </message>
     <message>

@@ -5921,7 +5921,7 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::PartPage</name>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation>更多</translation>
     </message>
 </context>
@@ -9627,7 +9627,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>修正示教</translation>
     </message>
     <message>
-        <source>Other</source>
+        <source>More</source>
         <translation>更多</translation>
     </message>
     <message>

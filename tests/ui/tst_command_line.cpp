@@ -66,7 +66,7 @@ private Q_SLOTS:
         QTest::newRow("a project twice") << QStringList{"a.tiller", "--project", "b.tiller"} << "a.tiller";
         QTest::newRow("demonstration that only monitors")
             << QStringList{"--demo", "/tmp/x", "--monitor-only"} << "--monitor-only";
-        QTest::newRow("both robots") << QStringList{"--robot", "x", "--simulator"} << "exclude";
+        QTest::newRow("both robots") << QStringList{"--robot", "x", "--simulator"} << "cannot be combined";
         QTest::newRow("demonstration on a real robot")
             << QStringList{"--demo", "d", "--robot", "x"} << "simulated";
         QTest::newRow("theme") << QStringList{"--theme", "pink"} << "pink";

@@ -371,7 +371,7 @@ private Q_SLOTS:
         QVERIFY(through().isEnabled());
         window().findChild<QCheckBox*>("waypoint.routeLoop")->click();
         QVERIFY(!through().isEnabled());
-        QVERIFY2(through().toolTip().contains("loop of one"), qPrintable(through().toolTip()));
+        QVERIFY2(through().toolTip().contains("at least two waypoints"), qPrintable(through().toolTip()));
         QVERIFY(key("waypoint.stepOn").isEnabled());
         window().findChild<QCheckBox*>("waypoint.routeLoop")->click();
         QVERIFY(through().isEnabled());

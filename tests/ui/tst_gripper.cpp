@@ -145,7 +145,7 @@ private Q_SLOTS:
         QVERIFY(!key("gripper.activate").isEnabled());
         QVERIFY(wasSaid("Gripper: activate"));
         QVERIFY(wasSaid("The gripper is active"));
-        QVERIFY(key("gripper.close").toolTip().contains("goes on holding"));
+        QVERIFY(key("gripper.close").toolTip().contains("keeps its grip"));
     }
 
     void itOpensAndClosesAndTellsWhatItHolds() {
@@ -159,7 +159,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
         QVERIFY(cell().robot.inject("gripper-object 120").ok());
         click("gripper.close");
-        QVERIFY(until([this] { return text("gripper.holds").contains("an object"); }));
+        QVERIFY(until([this] { return text("gripper.holds").contains("object"); }));
         QCOMPARE(text("gripper.opening"), QString("41.2 mm"));
         QVERIFY(until([this] { return wasSaid("The gripper holds an object (41.2 mm open)"); }));
         // What stops the arm leaves it as it is.
@@ -167,7 +167,7 @@ private Q_SLOTS:
         cell().robot.protectiveStop();
         cell().advanceMs(500);
         QTest::qWait(300);
-        QVERIFY(text("gripper.holds").contains("an object"));
+        QVERIFY(text("gripper.holds").contains("object"));
         // It can be let go of all the same, as an output can be switched.
         click("gripper.open");
         QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
@@ -226,7 +226,7 @@ private Q_SLOTS:
         auto peer = std::make_unique<RawPeer>([&gripper](RawPeer::Link& link) { gripper.serve(link); });
         panel().setAddress("127.0.0.1", peer->port());
         choose(kTwoF85);
-        QVERIFY(until([this] { return text("gripper.holds").contains("an object"); }));
+        QVERIFY(until([this] { return text("gripper.holds").contains("object"); }));
         QVERIFY(until([this] { return key("gripper.open").isEnabled(); }));
         peer.reset();
         QVERIFY(until([this] { return text("gripper.state") == "unknown"; }));
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.remedy").contains("URCap"); }));
         QVERIFY(!key("gripper.open").isEnabled());
         QCOMPARE(key("gripper.open").toolTip(), text("gripper.remedy"));
-        QVERIFY(wasSaid("Nobody answers for the gripper"));
+        QVERIFY(wasSaid("No gripper service answers"));
     }
 
     void aMuteGripperIsUnknownAndMakesNobodyWait() {
@@ -253,7 +253,7 @@ private Q_SLOTS:
         tab->output(3)->click();
         QVERIFY(until([this] { return output(3); }));
         gripper.mute = false;
-        QVERIFY(until([this] { return text("gripper.holds").contains("an object"); }));
+        QVERIFY(until([this] { return text("gripper.holds").contains("object"); }));
         QVERIFY(until([this] { return wasSaid("The gripper answers again"); }));
     }
 

@@ -448,7 +448,7 @@ private Q_SLOTS:
         bench.turnTo(PracticeTask::FindLimit);
         bench.click("practice.start");
         bench.cell.advanceMs(40);
-        QVERIFY(bench.hold("jog.Y-", [&] { return bench.check().text().contains("That is the limit"); }));
+        QVERIFY(bench.hold("jog.Y-", [&] { return bench.check().text().contains("Limit reached"); }));
         QVERIFY(!bench.check().isDone());
         QVERIFY(bench.jog("jog.Y+", 60));
         QVERIFY2(bench.check().isDone(), qPrintable(bench.check().text()));

@@ -57,9 +57,9 @@ private Q_SLOTS:
         for (const char* chip : {"robotModeChip", "safetyChip", "controlChip", "linkChip"}) {
             QCOMPARE(bench.find<StateChip>(chip).text(), QString("NO DATA"));
         }
-        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not seen"));
+        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not measured"));
         auto& line = bench.find<LimiterLine>("limiterLine");
-        QVERIFY2(line.quietText().contains("not seen"), qPrintable(line.quietText()));
+        QVERIFY2(line.quietText().contains("not measured"), qPrintable(line.quietText()));
         const auto& plots = bench.find<PlotDock>("plots");
         auto& view = bench.find<PlotView>("plots.view");
         const auto shown = view.laneItem().segments();
@@ -87,7 +87,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY(toldOfTheOutage);
-        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not seen"));
+        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not measured"));
     }
 };
 

@@ -147,7 +147,7 @@ private Q_SLOTS:
         QVERIFY(run("control.play"));
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
         const auto* chip = window_->findChild<StateChip*>("controlChip");
-        QTRY_VERIFY(chip->text().contains("Program plays"));
+        QTRY_VERIFY(chip->text().contains("Program running"));
         QVERIFY2(chip->toolTip().contains("wait.urp"), qPrintable(chip->toolTip()));
         QTRY_VERIFY(!action("control.play")->isEnabled());
         QVERIFY(run("control.pause"));

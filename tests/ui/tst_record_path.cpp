@@ -236,7 +236,7 @@ private Q_SLOTS:
         recordByHand();
         window().findChild<QAbstractItemView*>("waypoint.table")->selectAll();
         paths().exportTo(bench_->folder.filePath("there/is/no/such/folder.csv"));
-        QVERIFY2(notice().title().contains("not written"), qPrintable(notice().title()));
+        QVERIFY2(notice().title().contains("not exported"), qPrintable(notice().title()));
     }
 
     // Back undoes what "Go through" did, the blended path too, the same way, to where it began.

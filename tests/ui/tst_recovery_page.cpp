@@ -211,7 +211,7 @@ private Q_SLOTS:
         bench.cell.robot.safeguardStop(true);
         QVERIFY(bench.openPage());
         QVERIFY(!bench.key()->isVisible());
-        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("Nothing to press"));
+        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("No action needed"));
         bench.cell.robot.safeguardStop(false);
         QVERIFY(bench.until([&] { return bench.key()->isVisible(); }));
         QVERIFY(bench.safety() == SafetyMode::Normal);
@@ -294,9 +294,9 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return bench.state().service == dashboard::ServiceKind::RobotApi; }));
         const QAction* popups = bench.action("power.closePopups");
         QVERIFY(bench.until([&] { return !popups->isEnabled(); }));
-        QVERIFY2(app::ActionTable::obstacleOf(*popups).contains("use the tablet"),
+        QVERIFY2(app::ActionTable::obstacleOf(*popups).contains("use the teach pendant"),
                  qPrintable(app::ActionTable::obstacleOf(*popups)));
-        QVERIFY2(popups->toolTip().contains("use the tablet"), qPrintable(popups->toolTip()));
+        QVERIFY2(popups->toolTip().contains("use the teach pendant"), qPrintable(popups->toolTip()));
         QVERIFY(bench.action("power.on")->isEnabled());
     }
 
@@ -322,7 +322,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(50);
         for (const char* id : {"power.on", "power.brakes", "power.off", "control.load", "control.play"}) {
             QVERIFY2(!bench.action(id)->isEnabled(), id);
-            QVERIFY2(app::ActionTable::obstacleOf(*bench.action(id)).contains("use the tablet"), id);
+            QVERIFY2(app::ActionTable::obstacleOf(*bench.action(id)).contains("use the teach pendant"), id);
         }
         QVERIFY(!bench.window.findChild<QPushButton*>("nextStepButton")->isVisible());
         bench.cell.robot.protectiveStop();
@@ -330,7 +330,7 @@ private Q_SLOTS:
         bench.tickAll();
         bench.cell.advanceMs(6000);
         QVERIFY(!bench.key()->isEnabled());
-        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("use the tablet"));
+        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("use the teach pendant"));
     }
 
     void ticksAreClearedByANewStopAndByNothingElse() {

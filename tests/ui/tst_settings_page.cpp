@@ -164,11 +164,11 @@ private Q_SLOTS:
         QTest::keyClicks(longest, "6");
         QTest::keyClick(longest, Qt::Key_Return);
         QCOMPARE(page->preferences().longestHold, 6);
-        QVERIFY2(page->findChild<QLabel*>("settings.holdNote")->text().contains("witness"),
+        QVERIFY2(page->findChild<QLabel*>("settings.holdNote")->text().contains("Key-state check"),
                  "there is none on this screen");
         page->close();
         QCOMPARE(app::Settings(bench.file).preferences().longestHold, 6);
-        QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("witness"));
+        QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("Key-state check"));
         auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
         bench.window.jogColumn().selectors().setSpeedClass(1);
         // The closed page's last events are over before the key is pressed.

@@ -281,7 +281,7 @@ private Q_SLOTS:
         QTest::newRow("newer") << QByteArray(R"({"format": "tiller-settings", "version": 99, "values": {}})")
                                << "Update Tiller";
         QTest::newRow("a project") << QByteArray(R"({"format": "tiller-project", "version": 1})")
-                                   << "no settings";
+                                   << "no Tiller settings";
         QTest::newRow("cut off") << QByteArray("{\"format\": \"tiller-settings\", \"vers") << "damaged";
     }
     void aFileThatCannotBeTakenChangesNothingAndSaysWhy() {

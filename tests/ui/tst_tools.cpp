@@ -89,7 +89,7 @@ private Q_SLOTS:
         QVERIFY(until([&] { return window().session().state().tcpOffset == Pose(0, 0, 0.15, 0, 0, 0); }));
         QCOMPARE(tooling().activeTool, two.tools.at(0).id);
         window().tools().tcps().setState(window().session().state());
-        QVERIFY(find<QLabel>("tcp.facts").text().contains("as the robot has it"));
+        QVERIFY(find<QLabel>("tcp.facts").text().contains("active on the robot"));
         QVERIFY(!notice("tcp.page").isVisible());
         keepPictures("tools-tcp");
 
@@ -142,7 +142,7 @@ private Q_SLOTS:
         // Before it is set it is not true, afterwards it is.
         click("payload.check");
         QVERIFY(cell().advanceUntil([&] { return notice("payload.page").isVisible(); }, 5000));
-        QVERIFY2(notice("payload.page").title().contains("not true"),
+        QVERIFY2(notice("payload.page").title().contains("wrong"),
                  qPrintable(notice("payload.page").title()));
         click("payload.use");
         QVERIFY(until([&] { return std::abs(window().session().state().payloadMass - found.mass) < 1e-6; }));
@@ -150,7 +150,7 @@ private Q_SLOTS:
         notice("payload.page").dismiss();
         click("payload.check");
         QVERIFY(cell().advanceUntil([&] { return notice("payload.page").isVisible(); }, 5000));
-        QVERIFY2(notice("payload.page").title().contains("is true"),
+        QVERIFY2(notice("payload.page").title().contains("is correct"),
                  qPrintable(notice("payload.page").title()));
         keepPictures("tools-payload");
     }

@@ -409,7 +409,7 @@ private Q_SLOTS:
         press(through());
         QVERIFY2(!through().isHolding(), "there is no gripper yet");
         release(through());
-        QVERIFY2(wasSaid("no gripper"), qPrintable(said_.join('\n')));
+        QVERIFY2(wasSaid("No gripper"), qPrintable(said_.join('\n')));
         window().showTab("gripper");
         auto& kind = bench_->find<QComboBox>("gripper.kind");
         kind.setFocus();
@@ -494,7 +494,7 @@ private Q_SLOTS:
             auto* list = dialog.findChild<QListWidget*>("waypoint.actions.list");
             QCOMPARE(list->count(), 2);
             QCOMPARE(list->item(0)->text(), QString("DO 1 on"));
-            QCOMPARE(list->item(1)->text(), QString("Wait for DI 1 on, at most 10 s"));
+            QCOMPARE(list->item(1)->text(), QString("Wait until DI 1 is on, 10 s at most"));
             QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.up"), Qt::Key_Return);
             QCOMPARE(list->currentRow(), 0);
             auto* seconds = dialog.findChild<QDoubleSpinBox*>("waypoint.actions.seconds");

@@ -32,7 +32,7 @@ PartPage::PartPage(const QString& name, const QString& title, PartModel* model, 
     setAccessibleName(title);
     model_->setParent(this);
     more_->setObjectName(name + QStringLiteral(".more"));
-    more_->setAccessibleName(tr("Other"));
+    more_->setAccessibleName(tr("More"));
     menu_->setObjectName(name + QStringLiteral(".menu"));
     more_->setMenu(menu_);
     keys_->setContentsMargins(12, 12, 12, 8);

@@ -81,7 +81,11 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
         place_->setToolTip(keysShown ? tr("Shows the values instead of the Go through controls.")
                                      : tr("Shows the Go through controls instead of the values."));
     };
+    // As wide as its longer text: it keeps its position when it is pressed.
+    name(true);
+    const int valuesWidth = place_->sizeHint().width();
     name(false);
+    place_->setMinimumWidth(std::max(valuesWidth, place_->sizeHint().width()));
     connect(place_, &QPushButton::toggled, this, [this, name](bool wanted) {
         name(wanted);
         Q_EMIT placeWanted();

@@ -114,7 +114,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     goTo_->setState(state_);
     more_ = new QPushButton;
     more_->setObjectName(QStringLiteral("waypoint.more"));
-    more_->setAccessibleName(tr("Other"));
+    more_->setAccessibleName(tr("More"));
     more_->setText(QStringLiteral("···"));
 
     auto* keys = new QHBoxLayout;
@@ -246,6 +246,13 @@ void WaypointsTab::fitRoutes() {
     const bool instead = !both && details_->isPlaceWanted();
     details_->offerPlace(!both);
     details_->setFiguresShown(!instead);
+    // Below the headline, where the values were: the key that was just pressed keeps its position.
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    const bool below = column->indexOf(routes_) > column->indexOf(details_);
+    if (instead != below) {
+        column->removeWidget(routes_);
+        column->insertWidget(instead ? column->indexOf(details_) + 1 : column->indexOf(pages_), routes_);
+    }
     routes_->fitInto({width(), instead ? spare + details_->figuresHeight() : spare});
 }
 

@@ -223,8 +223,9 @@ private Q_SLOTS:
         QVERIFY(client_->until([this] { return !client_->news().exceptions.empty(); }, 2));
         QVERIFY(client_->until([this] { return client_->data().runtime == 1; }, 2));
         client_->news() = {};
+        // A line towards a far point moves until the end of reach.
         client_->sendScript("def far():\n  movel(p[10,0,0,0,0,0])\nend\n");
-        QVERIFY(client_->until([this] { return client_->news().protectiveStopped; }, 2));
+        QVERIFY(client_->until([this] { return client_->news().protectiveStopped; }, 20));
         QCOMPARE(client_->news().errorLevels, std::vector<int>{2});
         QCOMPARE(client_->news().safetyModes, std::vector<int>{3});
         client_->step(2600);

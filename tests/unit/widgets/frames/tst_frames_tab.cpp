@@ -123,7 +123,7 @@ private Q_SLOTS:
         feed(beside(0.25, 0.004));
         QTRY_VERIFY2(feedback().contains("4.0 mm"), qPrintable(feedback()));
         click("frame.teacher.towardsY");
-        QVERIFY2(feedback().contains("in a line") && feedback().contains("only 4.0 mm"),
+        QVERIFY2(feedback().contains("collinear") && feedback().contains("only 4.0 mm"),
                  qPrintable(feedback()));
         QVERIFY(!make->isEnabled());
         QTest::keyClick(tab_.get(), Qt::Key_Return, Qt::ControlModifier);
@@ -252,7 +252,7 @@ private Q_SLOTS:
         tab_->teachFromTcp();
         QSignalSpy messages(tab_.get(), &FramesTab::message);
         type("y", "-450,5");
-        QVERIFY(messages.count() == 1 && messages[0][1].toString().contains("No waypoint moved"));
+        QVERIFY(messages.count() == 1 && messages[0][1].toString().contains("No waypoints moved"));
         QVERIFY(box("y")->isVisible());  // the hand goes on with the next figure
         QVERIFY(std::abs(frame(0).T_base_frame.position.y() + 0.4505) < 1e-12);
         QCOMPARE(frame(0).T_base_frame.position.x(), tcp.position.x());

@@ -240,7 +240,7 @@ private Q_SLOTS:
         s.column.applyState(s.state);
         QCOMPARE(gone.count(), 0);
         s.state.control = ControlState::None;
-        s.state.controlReason = QStringLiteral("Only watching.");
+        s.state.controlReason = QStringLiteral("Monitoring.");
         s.column.applyState(s.state);
         QCOMPARE(gone.count(), 1);
         s.column.applyState(s.state);

@@ -136,7 +136,7 @@ private Q_SLOTS:
         QTest::newRow("backwards") << -90.0 << 0.0 << 0.0 << "X";
         QTest::newRow("a little too slanted") << 105.0 << 0.0 << 0.0 << "X";
         QTest::newRow("upside down") << 90.0 << 180.0 << 0.0 << "Z";
-        QTest::newRow("typed, not taken") << 90.0 << 0.0 << 0.05 << "not taken with the arm";
+        QTest::newRow("typed, not taken") << 90.0 << 0.0 << 0.05 << "not taught with the arm";
     }
     void otherFramesDoNot() {
         QFETCH(double, yaw);

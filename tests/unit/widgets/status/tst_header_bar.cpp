@@ -97,7 +97,7 @@ private Q_SLOTS:
         SessionState state = movingState();
         state.lastStopSeen = false;
         header.applyState(state);
-        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not seen"));
+        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not measured"));
         state.lastStopSeen = true;
         header.applyState(state);
         QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("62 ms · 3.1 mm"));

@@ -41,7 +41,7 @@ private Q_SLOTS:
         SessionState state;
         state.recording.error = QStringLiteral("Disk full: 96 000 samples are kept");
         line.applyState(state);
-        QCOMPARE(line.recordingText(), QStringLiteral("Recording ended"));
+        QCOMPARE(line.recordingText(), QStringLiteral("Recording stopped"));
         QCOMPARE(line.findChild<ElidedLabel*>(QStringLiteral("recordingDetails"))->fullText(),
                  state.recording.error);
     }

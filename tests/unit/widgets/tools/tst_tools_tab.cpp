@@ -79,7 +79,7 @@ private Q_SLOTS:
         click("tcp.fromRobot");
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));
         QCOMPARE(document_->tooling().tools.at(0).tcpOffset, state.tcpOffset);
-        QVERIFY(label("tcp.facts").contains("as the robot has it"));
+        QVERIFY(label("tcp.facts").contains("active on the robot"));
         // A second press tells that it is there already.
         click("tcp.fromRobot");
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));
@@ -262,7 +262,7 @@ private Q_SLOTS:
         for (int i = 0; i < 4; ++i) {
             click("tcp.teacher.take");
         }
-        QVERIFY(label("tcp.teacher.feedback").contains("turned too little"));
+        QVERIFY(label("tcp.teacher.feedback").contains("too similar"));
         QVERIFY(!button("tcp.teacher.make")->isEnabled());
     }
 
@@ -315,7 +315,7 @@ private Q_SLOTS:
         feed(state);
         action("payload.action.fromRobot")->trigger();
         QCOMPARE(document_->tooling().payloads.at(0).mass, 1.5);
-        QVERIFY(label("payload.facts").contains("as the robot has it"));
+        QVERIFY(label("payload.facts").contains("active on the robot"));
         type(tab_->findChild<QDoubleSpinBox*>("payload.details.mass"), "2.25");
         type(tab_->findChild<QDoubleSpinBox*>("payload.details.z"), "80");
         QCOMPARE(document_->tooling().payloads.at(0).mass, 2.25);
@@ -352,7 +352,7 @@ private Q_SLOTS:
         feed(state);
         click("payload.check");
         weigh(state);
-        QVERIFY2(notice("payload.page")->title().contains("not true"),
+        QVERIFY2(notice("payload.page")->title().contains("wrong"),
                  qPrintable(notice("payload.page")->title()));
         QVERIFY2(notice("payload.page")->text().contains("About 1.00 kg more"),
                  qPrintable(notice("payload.page")->text()));

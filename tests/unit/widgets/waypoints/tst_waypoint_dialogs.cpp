@@ -262,7 +262,7 @@ private Q_SLOTS:
         select({0});
         inDialog("waypoint.action.pattern", [](QDialog& dialog) {
             QVERIFY(!dialog.findChild<QPushButton*>("pattern.accept")->isEnabled());
-            QVERIFY(dialog.findChild<QLabel*>("pattern.feedback")->text().contains("Choose the waypoint"));
+            QVERIFY(dialog.findChild<QLabel*>("pattern.feedback")->text().contains("Select a waypoint"));
             dialog.findChild<QSpinBox*>("pattern.columns")->setValue(200);
             dialog.findChild<QSpinBox*>("pattern.rows")->setValue(200);
             dialog.findChild<QComboBox*>("pattern.corner.column")->setCurrentIndex(2);
@@ -362,7 +362,7 @@ private Q_SLOTS:
         QTest::newRow("figure") << "a.csv"
                                 << QByteArray("Name,X mm,Y mm,Z mm,RX °,RY °,RZ °\na,1,x,3,4,5,6\n")
                                 << "Line 2, Y mm: “x” is not a number";
-        QTest::newRow("quotes") << "a.csv" << QByteArray("Name,X mm\n\"a,1\n") << "not closed";
+        QTest::newRow("quotes") << "a.csv" << QByteArray("Name,X mm\n\"a,1\n") << "missing closing";
         QTest::newRow("empty") << "a.csv" << QByteArray() << "no waypoints";
         QTest::newRow("json") << "a.json" << QByteArray("{ \"format\": 1 }") << "not a Tiller project";
         QTest::newRow("binary") << "a.json" << QByteArray(300, '\xff') << "line 1";
