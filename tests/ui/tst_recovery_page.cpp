@@ -330,7 +330,8 @@ private Q_SLOTS:
         bench.tickAll();
         bench.cell.advanceMs(6000);
         QVERIFY(!bench.key()->isEnabled());
-        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("use the teach pendant"));
+        QVERIFY(
+            bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("use the teach pendant"));
     }
 
     void ticksAreClearedByANewStopAndByNothingElse() {

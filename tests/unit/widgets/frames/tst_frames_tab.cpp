@@ -144,7 +144,7 @@ private Q_SLOTS:
         QVERIFY(!button("frame.teacher.origin")->isEnabled());
         QTest::keyClick(tab_.get(), Qt::Key_P);
         QCOMPARE(place("origin"), QStringLiteral("–"));
-        QVERIFY2(feedback().contains("old"), qPrintable(feedback()));
+        QVERIFY2(feedback().contains("out of date"), qPrintable(feedback()));
         feed(kCorner);
         QTest::keyClick(tab_.get(), Qt::Key_P);
         QVERIFY(place("origin").contains("−200.00"));

@@ -129,7 +129,7 @@ private Q_SLOTS:
         state.q[2] = -(kJointPositionLimit - 12 * kDeg);
         const LimiterAdvice limiter = nearestLimiter(state);
         QVERIFY2(limiter.what.contains("Elbow 12°"), qPrintable(limiter.what));
-        QVERIFY2(limiter.advice.startsWith("jog ") && limiter.advice.contains("turn Elbow +"),
+        QVERIFY2(limiter.advice.startsWith("jog ") && limiter.advice.contains("rotate Elbow +"),
                  qPrintable(limiter.advice));
     }
 

@@ -237,7 +237,7 @@ private Q_SLOTS:
         view.setGhost(ghost);
         // 41 deg = 0.7156 rad: never at full speed, 2 sqrt(0.7156) s, at 35 % 4.83 s.
         QCOMPARE(view.ghostText(),
-                 QString("ghost “above tray” · reachable · largest turn Wrist 2 41° · 4.8 s at 35 %"));
+                 QString("ghost “above tray” · reachable · largest rotation Wrist 2 41° · 4.8 s at 35 %"));
         QCOMPARE(texts.last().first().toString(), view.ghostText());
         // Where the ghost's flange is, and only there, the picture has turned blue.
         const Eigen::Vector3d flange =

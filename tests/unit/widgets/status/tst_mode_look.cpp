@@ -99,7 +99,7 @@ private Q_SLOTS:
         state.operationalMode = QStringLiteral("AUTOMATIC");
         state.runtimeState = RuntimeState::Playing;
         state.loadedProgram = QStringLiteral("pick.urp");
-        QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Automatic · Program plays"));
+        QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Automatic · Program running"));
         QVERIFY(controlLook(state).advice.contains(QStringLiteral("pick.urp")));
     }
 

@@ -100,7 +100,7 @@ private Q_SLOTS:
         const QModelIndex name = table->model()->index(1, PartModel::Name);
         QVERIFY(!table->model()->setData(name, "tool 1", Qt::EditRole));
         QVERIFY(notice("tcp.page")->text().isEmpty());
-        QVERIFY(notice("tcp.page")->title().contains("taken"));
+        QVERIFY(notice("tcp.page")->title().contains("is named"));
         action("tcp.action.rename")->trigger();
         auto* editor = tab_->findChild<QLineEdit*>("tcp.editor");
         QVERIFY(editor != nullptr);
@@ -124,7 +124,7 @@ private Q_SLOTS:
         state.tcpOffset = Pose(0, 0, 0.10, 0, 0, 0);
         feed(state);
         QVERIFY(notice("tcp.page")->isVisible());
-        QVERIFY(notice("tcp.page")->title().contains("another TCP than “gripper”"));
+        QVERIFY(notice("tcp.page")->title().contains("differs from “gripper”"));
         QVERIFY(notice("tcp.page")->text().contains("50.0 mm"));
         QVERIFY(notice("tcp.page")->text().contains("Nothing was changed"));
         QCOMPARE(said.count(), 1);
@@ -246,7 +246,7 @@ private Q_SLOTS:
             feed(liveState(*onPoint(tool, point + beside, turns[i])));
             click("tcp.teacher.take");
         }
-        QVERIFY2(label("tcp.teacher.feedback").contains("pose 3 fits least"),
+        QVERIFY2(label("tcp.teacher.feedback").contains("pose 3 deviates most"),
                  qPrintable(label("tcp.teacher.feedback")));
         QVERIFY(label("tcp.teacher.poses").contains("◀"));
         feed(liveState(*onPoint(tool, point, turns[2])));
@@ -354,7 +354,7 @@ private Q_SLOTS:
         weigh(state);
         QVERIFY2(notice("payload.page")->title().contains("wrong"),
                  qPrintable(notice("payload.page")->title()));
-        QVERIFY2(notice("payload.page")->text().contains("About 1.00 kg more"),
+        QVERIFY2(notice("payload.page")->text().contains("about 1.00 kg heavier"),
                  qPrintable(notice("payload.page")->text()));
         state.tcpForce.force = {0.1, 0, 0.4};
         feed(state);

@@ -267,7 +267,7 @@ private Q_SLOTS:
             dialog.findChild<QSpinBox*>("pattern.rows")->setValue(200);
             dialog.findChild<QComboBox*>("pattern.corner.column")->setCurrentIndex(2);
             dialog.findChild<QComboBox*>("pattern.corner.row")->setCurrentIndex(3);
-            QVERIFY(dialog.findChild<QLabel*>("pattern.feedback")->text().contains("40000 places"));
+            QVERIFY(dialog.findChild<QLabel*>("pattern.feedback")->text().contains("40000 cells"));
             dialog.reject();
         });
         QCOMPARE(bytes(), before_);
@@ -416,7 +416,7 @@ private Q_SLOTS:
         tab_->selectRow(0);
         QVERIFY(tab_->findChild<WaypointDetails*>()->headline().contains("corner of “tray”"));
         tab_->selectRow(4);
-        QVERIFY(tab_->findChild<WaypointDetails*>()->headline().contains("place of “tray”"));
+        QVERIFY(tab_->findChild<WaypointDetails*>()->headline().contains("cell of “tray”"));
     }
 
     void duplicateAndTeachStartWithoutHistoryAndPlace() {

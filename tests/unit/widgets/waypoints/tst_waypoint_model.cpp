@@ -140,7 +140,7 @@ private Q_SLOTS:
         QSignalSpy refused(model_.get(), &WaypointModel::editRefused);
         QVERIFY(!model_->setData(model_->index(0, WaypointModel::Name), "  ", Qt::EditRole));
         QVERIFY(!model_->setData(model_->index(0, WaypointModel::Name), "pick", Qt::EditRole));
-        QVERIFY(refused.last()[0].toString().contains("waypoint 4"));
+        QVERIFY(refused.last()[0].toString().contains("Waypoint 4"));
         QVERIFY(!model_->setData(model_->index(0, WaypointModel::Speed), "fast", Qt::EditRole));
         QVERIFY(!model_->setData(model_->index(0, WaypointModel::Speed), "181", Qt::EditRole));
         QVERIFY(refused.last()[0].toString().contains("°/s"));
