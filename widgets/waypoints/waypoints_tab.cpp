@@ -379,13 +379,12 @@ void WaypointsTab::updateAvailability() {
     const QString teachReason = teachObstacle();
     const bool selected = currentRow() >= 0;
     teach_->setEnabled(teachReason.isEmpty());
-    teach_->setToolTip(teachReason.isEmpty()
-                           ? tr("Add the current position after the selection (T)")
-                           : teachReason);
+    teach_->setToolTip(teachReason.isEmpty() ? tr("Add the current position after the selection (T)")
+                                             : teachReason);
     touchUp_->setEnabled(teachReason.isEmpty() && selected);
     touchUp_->setToolTip(!teachReason.isEmpty() ? teachReason
-                         : selected             ? tr("Replace the selected waypoint with the current position (U)")
-                                                : tr("Select a waypoint to touch up."));
+                         : selected ? tr("Replace the selected waypoint with the current position (U)")
+                                    : tr("Select a waypoint to touch up."));
     goTo_->setUnavailable(goToObstacle());
     for (QAction* action : actions_) {
         if (action->property("needsSelection").toBool()) {
@@ -492,8 +491,8 @@ void WaypointsTab::buildActions() {
                    [this] { search_->open(); }));
     add(onSelected(addCommand("waypoint.action.properties", tr("Group, colour, note, speeds…"),
                               QKeySequence(Qt::ALT | Qt::Key_Return), [this] { dialogs_->properties(); })));
-    add(onSelected(addCommand("waypoint.action.actions", tr("Actions…"),
-                              QKeySequence(Qt::ALT | Qt::Key_A), [this] { dialogs_->actions(); })));
+    add(onSelected(addCommand("waypoint.action.actions", tr("Actions…"), QKeySequence(Qt::ALT | Qt::Key_A),
+                              [this] { dialogs_->actions(); })));
     add(onSelected(addCommand("waypoint.action.shift", tr("Offset, rotate or mirror…"), {},
                               [this] { dialogs_->moveSelection(); })));
     add(onSelected(addCommand("waypoint.action.history", tr("History…"), QKeySequence(Qt::ALT | Qt::Key_H),
@@ -513,8 +512,7 @@ void WaypointsTab::buildActions() {
     QMenu* pattern = addMenu("waypoint.menu.pattern", tr("Pattern"));
     addTo(pattern,
           addCommand("waypoint.action.pattern", tr("Pattern…"), {}, [this] { dialogs_->pattern(); }));
-    addTo(pattern, onSelected(addCommand("waypoint.action.dissolve",
-                                         tr("Convert pattern to waypoints"), {},
+    addTo(pattern, onSelected(addCommand("waypoint.action.dissolve", tr("Convert pattern to waypoints"), {},
                                          [this] { dialogs_->dissolvePattern(); })));
     addTo(pattern,
           onSelected(addCommand("waypoint.action.removePattern", tr("Delete the pattern and its waypoints"),
