@@ -130,7 +130,7 @@ Result<void> ProjectStore::open(const QString& path) {
         if (const Result<void> saved = saveLast(); !saved) {
             return saved;
         }
-        return reload();
+        return readAgain();
     }
     auto access = std::make_shared<project::ProjectAccess>(path);
     const Result<project::Project> loaded = access->load();
@@ -167,6 +167,7 @@ Result<void> ProjectStore::openKept(const project::KeptCopy& copy) {
     show(*loaded, {}, nullptr, copy.name.isEmpty() ? tr("Unsaved project") : copy.name);
     keeper_->adopt(copy);
     modified_ = true;
+    autosave_.start(kAutosaveMs);  // another window may continue the copy on the disk
     Q_EMIT statusChanged(statusText());
     return {};
 }
@@ -349,11 +350,21 @@ Result<void> ProjectStore::reload() {
     if (access_ == nullptr) {
         return {};
     }
-    const Result<project::Project> loaded = access_->load();
+    // What is shown then has a keeper of its own.
+    const auto keeper = keeper_;
+    const std::uint64_t replaced = revision_;
+    const Result<void> read = readAgain();
+    if (read) {
+        keeper->remove(replaced);
+    }
+    return read;
+}
+
+Result<void> ProjectStore::readAgain() {
+    const Result<project::Project> loaded = access_->load(revision_);
     if (!loaded) {
         return loaded.error();
     }
-    keeper_->remove(revision_);
     show(*loaded, path_, access_);
     return {};
 }

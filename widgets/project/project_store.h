@@ -112,6 +112,8 @@ private:
     /// What is open now shall not lose its last changes.
     Result<void> saveLast();
     Result<void> keepCopy();
+    /// As reload(), but the copy that was kept of unsaved changes remains.
+    Result<void> readAgain();
     void show(const project::Project& project, const QString& path, Access access,
               const QString& copyName = {});
     void useAccess(Access access);
