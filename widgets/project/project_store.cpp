@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <utility>
 
 #include "widgets/project/project_document.h"
 
@@ -87,7 +88,7 @@ void ProjectStore::show(const project::Project& project, const QString& path, Ac
     modified_ = false;
     ++revision_;
     lastError_ = {};
-    announced_.clear();
+    announced_.reset();
     owner_.reset();
     obstacle_ = Obstacle::None;
     keeper_ = std::make_shared<project::CopyKeeper>(copyFolder_);
@@ -232,7 +233,7 @@ Result<void> ProjectStore::saveAs(const QString& path) {
     copyName_.clear();
     obstacle_ = Obstacle::None;
     owner_.reset();
-    announced_.clear();
+    announced_.reset();
     settle(revision_, saved);
     watch();
     Q_EMIT pathChanged(path_);
@@ -336,7 +337,9 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
         Q_EMIT freeAgain();
     }
     if (!check.changedByOther) {
-        announced_.clear();
+        if (std::exchange(announced_, std::nullopt)) {
+            Q_EMIT foreignChangeGone();
+        }
     } else if (announced_ != check.fingerprint) {
         announced_ = check.fingerprint;
         Q_EMIT changedByOther();
