@@ -62,12 +62,12 @@ class TestHandles(VirtualCase):
     """A Robot without a name stays open while a handle exists: what ends motions has to find it."""
     BEGINNINGS = {"move": lambda robot: robot.move_j(robot.state.q + [1, 0, 0, 0, 0, 0]), "stream": lambda robot: robot.speed_j(),
                   "jog": lambda robot: robot.jog([0.1, 0, 0, 0, 0, 0], "joints"),
-                  "force mode": lambda robot: robot.force_mode(**SOFT, timeout=PATIENCE)}
+                  "force mode": lambda robot: robot.force_mode(**SOFT, timeout=None)}
 
     def test_an_uncaught_exception_ends_what_it_moves(self):
         for name, begin in self.BEGINNINGS.items():
             with self.subTest(name):
-                handle = begin(self.simulator.robot(timeout=PATIENCE).take_control(PATIENCE))
+                handle = begin(self.simulator.robot(timeout=None).take_control(None))
                 gc.collect()
                 self.simulator.step(0.05)
                 with contextlib.redirect_stderr(io.StringIO()):
@@ -78,10 +78,10 @@ class TestHandles(VirtualCase):
 
     def test_a_cell_that_runs_again_gets_control(self):
         for _ in range(2):
-            robot = self.simulator.robot(timeout=PATIENCE)
-            robot.take_control(PATIENCE)
+            robot = self.simulator.robot(timeout=None)
+            robot.take_control(None)
             move = robot.move_j(robot.state.q + [0.02, 0, 0, 0, 0, 0])
-            move.wait(PATIENCE)
+            move.wait(None)
         robot.close()
 
 
