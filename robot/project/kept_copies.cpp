@@ -18,9 +18,12 @@ CopyKeeper::CopyKeeper(const QString& folder) : folder_(folder) {}
 
 void CopyKeeper::adopt(const KeptCopy& copy) {
     const std::lock_guard guard(mutex_);
+    lock_.emplace(copy.file);
+    if (lock_->acquire()) {
+        lock_.reset();
+        return;
+    }
     file_ = copy.file;
-    lock_.emplace(file_);
-    (void)lock_->acquire();
 }
 
 Result<void> CopyKeeper::keep(const Project& project, const QString& name, std::uint64_t revision) {

@@ -31,7 +31,8 @@ public:
     /// folder  is created when needed; empty: nothing is kept
     explicit CopyKeeper(const QString& folder);
 
-    /// Continues a kept copy: it is replaced by what is kept next, and removed when that is saved.
+    /// Continues a kept copy: it is replaced by what is kept next, and removed when that is saved. When another window
+    /// continues the same copy, this one keeps a copy of its own.
     void adopt(const KeptCopy& copy);
     /// revision  increases with every change of the document; older ones than the last one given are ignored
     /// Errors    FileNotWritable, DiskFull

@@ -9,7 +9,7 @@ namespace tiller::project {
 
 ProjectAccess::ProjectAccess(const QString& path) : path_(path), lock_(path) {}
 
-Result<Project> ProjectAccess::load() {
+Result<Project> ProjectAccess::load(std::optional<std::uint64_t> replaced) {
     const std::lock_guard guard(mutex_);
     // Before reading: the owner before may still have been writing.
     (void)lock_.acquire();
@@ -18,7 +18,7 @@ Result<Project> ProjectAccess::load() {
         return opened.error();
     }
     known_ = {opened->fingerprint};
-    savedRevision_.reset();
+    savedRevision_ = replaced;
     return std::move(opened->document);
 }
 

@@ -39,8 +39,10 @@ public:
     // Threads  any, for all calls. Blocks: for the file system, and for other calls of the same object. Real-time: no
 
     /// Takes the lock if no other window holds it, and reads the file. saves then expect the content read.
-    /// Errors   as loadProject()
-    Result<Project> load();
+    /// replaced  revision of the document that the content replaces: saves of it and of older ones, which may still wait
+    ///           in another thread, are skipped
+    /// Errors    as loadProject()
+    Result<Project> load(std::optional<std::uint64_t> replaced = std::nullopt);
     /// As load(), for a damaged file.
     /// Errors   as recoverProject()
     Result<RecoveredProject> recover();

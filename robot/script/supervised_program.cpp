@@ -45,6 +45,13 @@ bool beginsWith(const QString& code, const char* keyword) {
     return word.match(code).hasMatch();
 }
 
+/// The length of "def name(...):" where the line goes on with statements; 0 otherwise.
+qsizetype headerLength(const QString& line) {
+    static const QRegularExpression kHeader(QStringLiteral("^\\s*def\\s+\\w+\\s*\\([^)]*\\)\\s*:"));
+    const qsizetype length = kHeader.match(line).capturedLength();
+    return codeOf(line.mid(length)).isEmpty() ? 0 : length;
+}
+
 QString nameIn(const QString& program) {
     static const QRegularExpression kDefinition(QStringLiteral("^[ \\t]*def[ \\t]+(\\w+)"),
                                                 QRegularExpression::MultilineOption);
@@ -140,8 +147,13 @@ SupervisedProgram supervised(const QString& program, const Heartbeat& heartbeat,
         const QString code = codeOf(line);
         if (depth == 0 && beginsWith(code, "def")) {
             endWrapping();
-            lines += line;
-            insert(watchdog);
+            if (const qsizetype header = headerLength(line); header > 0) {
+                insert(QStringList{line.left(header)} + watchdog);
+                lines += line.mid(header);
+            } else {
+                lines += line;
+                insert(watchdog);
+            }
         } else if (depth == 0 && (beginsWith(code, "sec") || isCommand(code))) {
             endWrapping();
             lines += line;

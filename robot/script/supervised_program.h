@@ -40,7 +40,7 @@ struct SupervisedProgram {
     int lineOf(int line) const;
 };
 
-/// Inserts the watchdog thread into each `def` at the top level, behind its first line. Lines outside of a
+/// Inserts the watchdog thread into each `def` at the top level, behind "def name():". Lines outside of a
 /// `def` become a program of their own, which runs them one after the other. A `sec` cannot move the arm and
 /// stays as it is.
 ///

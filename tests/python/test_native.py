@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import gc
+import io
 import math
 import os
 import signal
@@ -55,6 +56,33 @@ class VirtualCase(unittest.TestCase):
         q = self.simulator.truth["q"]
         self.simulator.step(0.5)
         self.assertLess(float(np.abs(self.simulator.truth["q"] - q).max()), 1e-3)
+
+
+class TestHandles(VirtualCase):
+    """A Robot without a name stays open while a handle exists: what ends motions has to find it."""
+    BEGINNINGS = {"move": lambda robot: robot.move_j(robot.state.q + [1, 0, 0, 0, 0, 0]), "stream": lambda robot: robot.speed_j(),
+                  "jog": lambda robot: robot.jog([0.1, 0, 0, 0, 0, 0], "joints"),
+                  "force mode": lambda robot: robot.force_mode(**SOFT, timeout=None)}
+
+    def test_an_uncaught_exception_ends_what_it_moves(self):
+        for name, begin in self.BEGINNINGS.items():
+            with self.subTest(name):
+                handle = begin(self.simulator.robot(timeout=None).take_control(None))
+                gc.collect()
+                self.simulator.step(0.05)
+                with contextlib.redirect_stderr(io.StringIO()):
+                    sys.excepthook(ValueError, ValueError("uncaught"), None)
+                self.assert_brakes()
+                self.assertFalse(getattr(handle, "active", False))
+                del handle
+
+    def test_a_cell_that_runs_again_gets_control(self):
+        for _ in range(2):
+            robot = self.simulator.robot(timeout=None)
+            robot.take_control(None)
+            move = robot.move_j(robot.state.q + [0.02, 0, 0, 0, 0, 0])
+            move.wait(None)
+        robot.close()
 
 
 class TestReceive(VirtualCase):

@@ -26,6 +26,7 @@ void ProjectDocument::setRobot(const RobotModel& connected) {
 
 void ProjectDocument::clearRobot() {
     isConnected_ = false;
+    connectedModel_.reset();
     useRobot(robotModel(project_.robot.value_or(RobotModelId::UR5e)));
 }
 
@@ -39,8 +40,24 @@ void ProjectDocument::useRobot(const RobotModel& robot) {
 }
 
 void ProjectDocument::adoptRobot(RobotModelId connected) {
-    if (!project_.robot || !project::hasTaughtPlaces(project_)) {
-        project_.robot = connected;
+    connectedModel_ = connected;
+    if (project_.robot == connected || (project_.robot && project::hasTaughtPlaces(project_))) {
+        return;
+    }
+    adoptions_.push_back({undo_.index(), project_.robot});
+    project_.robot = connected;
+}
+
+void ProjectDocument::restoreRobot() {
+    const std::optional<RobotModelId> now = project_.robot;
+    for (; !adoptions_.empty() && undo_.index() < adoptions_.back().index; adoptions_.pop_back()) {
+        project_.robot = adoptions_.back().before;
+    }
+    if (connectedModel_) {
+        adoptRobot(*connectedModel_);
+    }
+    if (project_.robot != now) {
+        tellPart(project_.robot);
     }
 }
 
@@ -51,6 +68,7 @@ void ProjectDocument::setProject(project::Project project) {
         robot_ = robotModel(*project_.robot);
     }
     refreshReach();
+    adoptions_.clear();
     Q_EMIT projectReplaced();
     undo_.clear();
     Q_EMIT framesChanged();
@@ -134,6 +152,7 @@ void ProjectDocument::step(bool back) {
     const QString text = back ? undo_.undoText() : undo_.redoText();
     const project::Project before = project_;
     back ? undo_.undo() : undo_.redo();
+    restoreRobot();
     ProjectStep taken = stepBetween(before, project_);
     taken.undone = back;
     taken.text = text;

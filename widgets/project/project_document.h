@@ -46,7 +46,8 @@ public:
     void clearRobot();
     /// True when the places of the project were taught with another arm than robot(): each of them is somewhere else.
     bool isOfOtherModel() const { return project::isOfOtherModel(project_, robot_.id); }
-    /// The arm of a project that names none, or has no places yet. Not an edit: saved with the next one.
+    /// The arm of a project that names none, or has no places. Not an edit: saved with the next one. Undo that brings
+    /// back places brings back their arm.
     void adoptRobot(RobotModelId connected);
     /// One undo step: the project as project::changeModel() made it for another arm.
     void changeModel(const project::ModelChange& change, const QString& text);
@@ -145,6 +146,7 @@ Q_SIGNALS:
 private:
     void step(bool back);
     void useRobot(const RobotModel& robot);
+    void restoreRobot();
     project::Reach reachOf(const project::Waypoint& point) const;
     void refreshReach();
     void tellAllChanged();
@@ -171,6 +173,13 @@ private:
     RobotModel robot_;
     bool isConnected_ = false;  ///< robot_ is the connected arm
     QUndoStack undo_;
+    /// An arm that the project took although the undo stack holds edits.
+    struct Adoption {
+        int index = 0;  ///< of the undo stack; below it, the project has the arm before
+        std::optional<RobotModelId> before;
+    };
+    std::vector<Adoption> adoptions_;
+    std::optional<RobotModelId> connectedModel_;  ///< of the last adoptRobot(); nothing without a robot
     QString author_;
 };
 

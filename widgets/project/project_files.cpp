@@ -48,6 +48,8 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
             tr("The other window closed %1. Changes in this window are saved again.").arg(store_.name()));
     });
     connect(&store_, &ProjectStore::changedByOther, this, &ProjectFiles::onChangedByOther);
+    connect(&store_, &ProjectStore::foreignChangeGone, this,
+            [this] { Q_EMIT noticeResolved(QLatin1String(kForeign)); });
     connect(&store_, &ProjectStore::pathChanged, this, [this] {
         // These were about the project before.
         for (const char* cause : {kDamaged, kSaving, kElsewhere, kForeign}) {

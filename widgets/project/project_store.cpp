@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <utility>
 
 #include "widgets/project/project_document.h"
 
@@ -87,7 +88,7 @@ void ProjectStore::show(const project::Project& project, const QString& path, Ac
     modified_ = false;
     ++revision_;
     lastError_ = {};
-    announced_.clear();
+    announced_.reset();
     owner_.reset();
     obstacle_ = Obstacle::None;
     keeper_ = std::make_shared<project::CopyKeeper>(copyFolder_);
@@ -130,7 +131,7 @@ Result<void> ProjectStore::open(const QString& path) {
         if (const Result<void> saved = saveLast(); !saved) {
             return saved;
         }
-        return reload();
+        return readAgain();
     }
     auto access = std::make_shared<project::ProjectAccess>(path);
     const Result<project::Project> loaded = access->load();
@@ -167,6 +168,7 @@ Result<void> ProjectStore::openKept(const project::KeptCopy& copy) {
     show(*loaded, {}, nullptr, copy.name.isEmpty() ? tr("Unsaved project") : copy.name);
     keeper_->adopt(copy);
     modified_ = true;
+    autosave_.start(kAutosaveMs);  // another window may continue the copy on the disk
     Q_EMIT statusChanged(statusText());
     return {};
 }
@@ -231,7 +233,7 @@ Result<void> ProjectStore::saveAs(const QString& path) {
     copyName_.clear();
     obstacle_ = Obstacle::None;
     owner_.reset();
-    announced_.clear();
+    announced_.reset();
     settle(revision_, saved);
     watch();
     Q_EMIT pathChanged(path_);
@@ -335,7 +337,9 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
         Q_EMIT freeAgain();
     }
     if (!check.changedByOther) {
-        announced_.clear();
+        if (std::exchange(announced_, std::nullopt)) {
+            Q_EMIT foreignChangeGone();
+        }
     } else if (announced_ != check.fingerprint) {
         announced_ = check.fingerprint;
         Q_EMIT changedByOther();
@@ -349,11 +353,21 @@ Result<void> ProjectStore::reload() {
     if (access_ == nullptr) {
         return {};
     }
-    const Result<project::Project> loaded = access_->load();
+    // What is shown then has a keeper of its own.
+    const auto keeper = keeper_;
+    const std::uint64_t replaced = revision_;
+    const Result<void> read = readAgain();
+    if (read) {
+        keeper->remove(replaced);
+    }
+    return read;
+}
+
+Result<void> ProjectStore::readAgain() {
+    const Result<project::Project> loaded = access_->load(revision_);
     if (!loaded) {
         return loaded.error();
     }
-    keeper_->remove(revision_);
     show(*loaded, path_, access_);
     return {};
 }

@@ -101,6 +101,8 @@ Q_SIGNALS:
     void freeAgain();
     /// Another program has changed the file.
     void changedByOther();
+    /// The file holds what this window has read or written again.
+    void foreignChangeGone();
 
 private:
     using Access = std::shared_ptr<project::ProjectAccess>;
@@ -112,6 +114,8 @@ private:
     /// What is open now shall not lose its last changes.
     Result<void> saveLast();
     Result<void> keepCopy();
+    /// As reload(), but the copy that was kept of unsaved changes remains.
+    Result<void> readAgain();
     void show(const project::Project& project, const QString& path, Access access,
               const QString& copyName = {});
     void useAccess(Access access);
@@ -131,9 +135,9 @@ private:
     bool loading_ = false;
     Obstacle obstacle_ = Obstacle::None;
     std::optional<project::LockOwner> owner_;
-    QByteArray announced_;        ///< the foreign content the operator was told of
-    std::uint64_t revision_ = 0;  ///< of the document, for saves that complete late
-    Access access_;               ///< null without a file
+    std::optional<QByteArray> announced_;  ///< the foreign content that was reported
+    std::uint64_t revision_ = 0;           ///< of the document, for saves that complete late
+    Access access_;                        ///< null without a file
     std::shared_ptr<project::CopyKeeper> keeper_;
     SessionWorker worker_;  ///< where saving by itself waits for the disk
 };

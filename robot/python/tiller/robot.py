@@ -128,7 +128,8 @@ class Robot:
     for none.
     Every method may be called from any thread and lets other Python threads run while it waits; Ctrl-C ends every wait.
     Only in a callback of packet_loop() calls that wait are refused. An exception that nothing catches stops the arm.
-    A Robot that is no longer referenced ends like a closed one. One made before fork() is closed in the child process.
+    A Robot that neither a name nor a handle refers to ends like a closed one. One made before fork() is closed in the
+    child process.
     Raises ConnectionRefused, HostUnreachable, AddressInvalid, FieldUnknown (naming the field) or Timeout.
     """
 
@@ -405,26 +406,31 @@ class Robot:
         with self._waiting():
             self._controller.run_script(program, timeout, unattended)
 
+    def _handle_waits(self) -> AbstractContextManager[Any]:
+        """For handles. This method keeps the Robot open while they exist, so that an uncaught exception and take_control()
+        of another Robot find what moves."""
+        return self._waiting()
+
     def _move(self, native: _native.Motion) -> Move:
-        return Move(native, self._waiting)
+        return Move(native, self._handle_waits)
 
     # ---- streams, jogs, loops
 
     def servo_j(self, lookahead: float = 0.1, gain: float = 300.0) -> Stream:
         """A stream of joint positions [rad], sent one a cycle. lookahead 0.03 ... 0.2 [s], gain 100 ... 2000."""
-        return Stream(self._controller.servo_j(lookahead, gain), self._waiting, joint_positions)
+        return Stream(self._controller.servo_j(lookahead, gain), self._handle_waits, joint_positions)
 
     def servo_l(self, lookahead: float = 0.1, gain: float = 300.0) -> Stream:
         """A stream of TCP poses in the base frame [m, rad], sent one a cycle."""
-        return Stream(self._controller.servo_l(lookahead, gain), self._waiting, pose_numbers)
+        return Stream(self._controller.servo_l(lookahead, gain), self._handle_waits, pose_numbers)
 
     def speed_j(self, acceleration: float = 0.5) -> Stream:
         """A stream of joint velocities [rad/s]; acceleration [rad/s2]."""
-        return Stream(self._controller.speed_j(acceleration), self._waiting, floats)
+        return Stream(self._controller.speed_j(acceleration), self._handle_waits, floats)
 
     def speed_l(self, acceleration: float = 0.5) -> Stream:
         """A stream of tool speeds in the base frame [m/s, rad/s]; acceleration [m/s2]."""
-        return Stream(self._controller.speed_l(acceleration), self._waiting, floats)
+        return Stream(self._controller.speed_l(acceleration), self._handle_waits, floats)
 
     def torque(self, viscous_scale: Floats | None = None, coulomb_scale: Floats | None = None) -> Stream:
         """A stream of joint torques [Nm], sent one a cycle; gravity is not part of them, the controller holds the arm.
@@ -437,7 +443,7 @@ class Robot:
         """
         viscous = None if viscous_scale is None else floats(viscous_scale, "viscous_scale")
         coulomb = None if coulomb_scale is None else floats(coulomb_scale, "coulomb_scale")
-        return Stream(self._controller.torque(viscous, coulomb), self._waiting, floats)
+        return Stream(self._controller.torque(viscous, coulomb), self._handle_waits, floats)
 
     def jog(self, velocity: Floats, frame: str = "base", *, custom_frame: Floats = ZEROS,
             contact_force: float = 0.0) -> Jog:
@@ -449,7 +455,7 @@ class Robot:
         one_of(frame, "frame", JOG_FRAMES)
         axes = pose_numbers(custom_frame, "custom_frame")
         native = self._controller.jog(frame, floats(velocity, "velocity"), axes, contact_force)
-        return Jog(native, frame, axes, contact_force, self._waiting)
+        return Jog(native, frame, axes, contact_force, self._handle_waits)
 
     def jog_while(self, callback: Callable[[Sample], Floats | None], frame: str = "base", period: float = 0.02) -> None:
         """Jogs with the velocity the callback returns, asked every `period` [s], until it returns None.
@@ -535,7 +541,7 @@ class Robot:
         axes = [bool(one_of(axis, "compliant", (0.0, 1.0))) for axis in floats(compliant, "compliant")]
         numbers, largest, task = floats(wrench, "wrench"), floats(limits, "limits"), pose_numbers(frame, "frame")
         one_of(kind, "kind", (1, 2, 3))
-        controller, waiting = self._controller, self._waiting
+        controller, waiting = self._controller, self._handle_waits
 
         def begin(stops: int) -> None:
             with waiting():

@@ -132,6 +132,21 @@ private Q_SLOTS:
         QVERIFY(access.save(withWaypoints({"again"}), 3)->outcome == Outcome::ChangedByOther);
     }
 
+    // Saving by itself waits for a slow disk in another thread, and can come after the file was read again.
+    void whatWaitsToBeSavedDoesNotReplaceWhatWasReloaded() {
+        ProjectAccess access(path_);
+        QVERIFY(access.load().ok());
+        QVERIFY(access.save(withWaypoints({"mine"}), 5)->outcome == Outcome::Saved);
+        QVERIFY(saveProject(path_, withWaypoints({"other"})).ok());
+        QVERIFY(access.load(6).ok());
+        const QByteArray reloaded = contentOf(path_);
+        QVERIFY(access.save(withWaypoints({"old"}), 4).ok());
+        QVERIFY(access.save(withWaypoints({"discarded"}), 6).ok());
+        QCOMPARE(contentOf(path_), reloaded);
+        QVERIFY(access.save(withWaypoints({"new"}), 7)->outcome == Outcome::Saved);
+        QCOMPARE(loadProject(path_)->waypoints.at(0).name, QString("new"));
+    }
+
     void aFileThatAppearedMeanwhileIsNotReplaced() {
         QVERIFY(QFile::remove(path_));
         ProjectAccess access(path_);
@@ -212,6 +227,28 @@ private Q_SLOTS:
         }
         QVERIFY(keptCopies(folder).isEmpty());
         QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden), QStringList());
+    }
+
+    void twoWindowsThatContinueOneKeptCopyDoNotReplaceEachOther() {
+        const QString folder = directory_->filePath("Unsaved");
+        {
+            CopyKeeper keeper(folder);
+            QVERIFY(keeper.keep(withWaypoints({"a"}), "Sample", 1).ok());
+        }
+        const KeptCopy copy = keptCopies(folder).at(0);
+        {
+            CopyKeeper first(folder);
+            first.adopt(copy);
+            CopyKeeper second(folder);
+            second.adopt(copy);
+            QVERIFY(first.keep(withWaypoints({"a", "first"}), "Sample", 1).ok());
+            QVERIFY(second.keep(withWaypoints({"a", "second"}), "Sample", 1).ok());
+            QCOMPARE(loadKeptCopy(copy)->waypoints.at(1).name, QString("first"));
+            first.remove(2);  // saved
+        }
+        const QList<KeptCopy> kept = keptCopies(folder);
+        QCOMPARE(kept.size(), 1);
+        QCOMPARE(loadKeptCopy(kept[0])->waypoints.at(1).name, QString("second"));
     }
 
     void withoutAFolderNothingIsKept() {

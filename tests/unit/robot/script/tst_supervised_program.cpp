@@ -80,6 +80,9 @@ private Q_SLOTS:
             "  h = run t()\n  join h\nend\n");
         QTest::newRow("in a critical section")
             << QStringLiteral("def critical():\n  enter_critical\n  while True:\n    sync()\n  end\nend\n");
+        QTest::newRow("one line") << QStringLiteral("def one(): while True: sync() end end\n");
+        QTest::newRow("first statement on the first line")
+            << QStringLiteral("def first(): sync()\n  while True:\n    sync()\n  end\nend\n");
         QTest::newRow("long sleep") << QStringLiteral("def long():\n  sleep(1000)\nend\n");
     }
     void aProgramEndsWithItsHeartbeat() {

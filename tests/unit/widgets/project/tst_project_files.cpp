@@ -4,6 +4,7 @@
 // go.
 
 #include <QApplication>
+#include <QDir>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -238,6 +239,36 @@ private Q_SLOTS:
         asked->accepted();
         QVERIFY(other.store().obstacle() == ProjectStore::Obstacle::None);
         QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere);
+    }
+
+    void aForeignChangeThatIsTakenBackResolvesItsNotice() {
+        files_->open(path_);
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(files_->store().saveNow().ok());
+        QFile file(path_);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray own = file.readAll();
+        file.close();
+        QSignalSpy resolved(files_.get(), &ProjectFiles::noticeResolved);
+        QVERIFY(project::saveProject(path_, project::Project{}).ok());
+        QTRY_VERIFY(notice_.has_value());
+        const QString cause = notice_->cause;
+        resolved.clear();
+        QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        file.write(own);
+        file.close();
+        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::None);
+        QCOMPARE(resolved.count(), 1);
+        QCOMPARE(resolved[0][0].toString(), cause);
+    }
+
+    void aFileThatCannotBeReadAnyMoreIsReported() {
+        files_->open(path_);
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(files_->store().saveNow().ok());
+        QVERIFY(QFile::remove(path_) && QDir().mkdir(path_));
+        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther);
+        QVERIFY(notice_.has_value());
     }
 
     void keptWorkIsOfferedAndOpened() {

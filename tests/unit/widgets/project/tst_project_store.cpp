@@ -217,12 +217,12 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
 
         QSignalSpy lost(store_.get(), &ProjectStore::openElsewhere);
+        QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
         QVERIFY(other.takeOver().ok());
         QVERIFY(other.obstacle() == ProjectStore::Obstacle::None);
         QTRY_VERIFY(!other.isModified());
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
         // The first window hears of it, and of the new content, and overwrites nothing.
-        QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
         QTRY_COMPARE(lost.count(), 1);
         QTRY_COMPARE(changed.count(), 1);
         document_->insertWaypoints(1, {named("lost?")}, "Teach");
@@ -327,6 +327,43 @@ private Q_SLOTS:
         QCOMPARE(copies.size(), 1);
         QCOMPARE(copies[0].name, QString("x.tiller"));
         QCOMPARE(project::loadKeptCopy(copies[0])->waypoints.at(0).name, QString("home"));
+    }
+
+    void openingTheOpenFileAgainLosesNothing() {
+        const QString folder = directory_->filePath("Unsaved");
+        store_->setCopyFolder(folder);
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
+        project::Project foreign;
+        foreign.waypoints.append(named("theirs"));
+        QVERIFY(project::saveProject(path_, foreign).ok());
+        QTRY_COMPARE(changed.count(), 1);
+        document_->insertWaypoints(1, {named("more")}, "Teach");
+        QVERIFY(store_->open(path_).ok());
+        QCOMPARE(document_->waypoints().at(0).name, QString("theirs"));
+        const auto copies = project::keptCopies(folder);
+        QCOMPARE(copies.size(), 1);
+        QCOMPARE(project::loadKeptCopy(copies[0])->waypoints.size(), 2);
+    }
+
+    // Work that another window has opened as well must be on the disk even without a further change.
+    void openedWorkIsKeptAtOnce() {
+        const QString folder = directory_->filePath("Unsaved");
+        store_->setCopyFolder(folder);
+        document_->insertWaypoints(0, {named("home")}, "Teach");
+        store_.reset();
+        const auto copies = project::keptCopies(folder);
+        QCOMPARE(copies.size(), 1);
+        ProjectDocument other;
+        ProjectStore second(other);
+        second.setCopyFolder(folder);
+        QVERIFY(second.openKept(copies[0]).ok());
+        store_ = std::make_unique<ProjectStore>(*document_);
+        store_->setCopyFolder(folder);
+        QVERIFY(store_->openKept(copies[0]).ok());
+        QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 2);
     }
 
     void discardedWorkIsNotKept() {

@@ -103,6 +103,34 @@ private Q_SLOTS:
         QCOMPARE(cell(*model_, 2, WaypointModel::ReachColumn), QString("✓"));
     }
 
+    // An empty project takes the connected arm. The places that undo brings back were taught with the arm before.
+    void undoBringsBackTheArmOfItsPlaces() {
+        project::Project cell = document_->project();
+        cell.robot = RobotModelId::UR5e;
+        document_->setProject(cell);
+        document_->setRobot(robotModel(RobotModelId::UR10e));
+        document_->adoptRobot(RobotModelId::UR10e);
+        QVERIFY(document_->isOfOtherModel());
+        document_->removeWaypoints({0, 1, 2, 3});
+        document_->adoptRobot(RobotModelId::UR10e);
+        QVERIFY(document_->project().robot == RobotModelId::UR10e);
+        document_->insertWaypoints(0, {at("new", kStart)}, "Teach");
+        QVERIFY(!document_->isOfOtherModel());
+        document_->undo();
+        QVERIFY(document_->project().robot == RobotModelId::UR10e);
+        document_->undo();
+        QVERIFY(document_->project() == cell);
+        QVERIFY(document_->isOfOtherModel());
+        QVERIFY(document_->reach(0).obstacle == project::Reach::Obstacle::OtherModel);
+        document_->redo();
+        document_->redo();
+        QVERIFY(document_->project().robot == RobotModelId::UR10e);
+        QVERIFY(!document_->isOfOtherModel());
+        // A project opened meanwhile has its own arm.
+        document_->setProject(cell);
+        QVERIFY(document_->project().robot == RobotModelId::UR5e);
+    }
+
     void everyEditGoesThereAndBack() {
         const project::Project before = document_->project();
         document_->insertWaypoints(1, {at("new", kStart)}, "Teach");
