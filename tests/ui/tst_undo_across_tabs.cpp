@@ -106,10 +106,10 @@ private Q_SLOTS:
         QCOMPARE(tab(), QString("tools"));
         QVERIFY(tools().tcps().isVisible());
         QVERIFY2(wasSaid("Undone: Change the TCP “gripper” again"), qPrintable(said_.join('\n')));
-        QVERIFY2(wasSaid("The robot has another TCP than “gripper”"), qPrintable(said_.join('\n')));
+        QVERIFY2(wasSaid("The robot's TCP differs from “gripper”"), qPrintable(said_.join('\n')));
         auto* notice = tools().tcps().findChild<NoticeBar*>();
         QVERIFY(notice != nullptr && notice->isVisible());
-        QVERIFY2(notice->title().contains("another TCP"), qPrintable(notice->title()));
+        QVERIFY2(notice->title().contains("TCP differs"), qPrintable(notice->title()));
 
         // Nothing to ask about once it is redone: then it is the robot's.
         window().showTab("io");
@@ -117,7 +117,7 @@ private Q_SLOTS:
         trigger("waypoint.action.redo");
         QCOMPARE(tab(), QString("tools"));
         QVERIFY(wasSaid("Redone: Change the TCP “gripper” again"));
-        QVERIFY2(!wasSaid("another TCP"), qPrintable(said_.join('\n')));
+        QVERIFY2(!wasSaid("TCP differs"), qPrintable(said_.join('\n')));
     }
 
     void anUndonePayloadIsShownAndComparedWithTheRobot() {
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QCOMPARE(tab(), QString("tools"));
         QVERIFY(tools().payloads().isVisible());
         QVERIFY(wasSaid("Undone: Change the payload “part” again"));
-        QVERIFY2(wasSaid("The robot has another payload than “part”"), qPrintable(said_.join('\n')));
+        QVERIFY2(wasSaid("The robot's payload differs from “part”"), qPrintable(said_.join('\n')));
     }
 
     void everyPartShowsItsTab_data() {
