@@ -117,7 +117,7 @@ constexpr BuiltinRow kForceRows[] = {
     {"force_mode_set_damping(damping)", setDamping, kPlain, {0, 0, 5}},
     {"force_mode_get_damping()", getDamping, kPlain, kAfter515},
     // Series 3 knows the names too: control scripts that run on both call it behind a condition.
-    {"force_mode_set_gain_scaling(scaling)", setGain, kPlain, kSeries5},
+    {"force_mode_set_gain_scaling(scaling)", setGain},
     {"force_mode_get_gain_scaling()", getGain, kPlain, kAfter515},
     {"freedrive_mode(freeAxes?, feature?)", freedriveMode},
     {"freedrive_mode_no_incorrect_payload_check()", freedriveUnchecked, kPlain, kAfter515},

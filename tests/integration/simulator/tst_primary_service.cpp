@@ -292,7 +292,7 @@ private Q_SLOTS:
                 primary.send(script);
                 robot.controller.drainSockets();
             }
-            robot.controller.stepSeconds(1);
+            robot.controller.stepSeconds(script.contains("movel") ? 15 : 1);  // to the end of the reach
             int shown = 1;
             QList<int> told;
             for (const QByteArray& package : primary.packages()) {
@@ -338,13 +338,13 @@ private Q_SLOTS:
     void aLineOutOfReachIsAProtectiveStopAndTheArmMovesAgainAfterwards() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
-        const Heard heard = run(robot, primary, "def p():\n  movel(p[10,0,0,0,0,0])\nend\n", 1.0);
+        const Heard heard = run(robot, primary, "def p():\n  movel(p[10,0,0,0,0,0])\nend\n", 15.0);
         QCOMPARE(heard.errors.size(), std::size_t(1));
         QVERIFY(intAt(heard.errors[0], 8) >= 2);
         QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::ProtectiveStop);
         run(robot, primary, "set unlock protective stop\n", 0.5);
         QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::Normal);
-        run(robot, primary, "def q():\n  movej([-1.5, -1.7, -2.2, -0.8, 1.6, 0], a=1.4, v=1.05)\nend\n", 2);
+        run(robot, primary, "def q():\n  movej([-1.5, -1.7, -2.2, -0.8, 1.6, 0], a=1.4, v=1.05)\nend\n", 10);
         QVERIFY(std::abs(robot.controller.truth().q[0] - -1.5) < 1e-3);
     }
 
