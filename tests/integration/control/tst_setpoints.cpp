@@ -221,7 +221,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Motions motions(*cell.controller);
-        const Twist up{{0, 0, 0.2}, {}};
+        const Twist up{{0, 0, 0.2}, {0, 0, 0}};
         const auto speed = motions.startSpeedL({0.5, 0}, Holding::Free);
         QVERIFY(speed.ok());
         QVERIFY(ToolSpeed(*speed).send(up).ok());
@@ -257,7 +257,7 @@ private Q_SLOTS:
         QVERIFY(cell.takeControl().ok());
         const auto speed = Motions(*cell.controller).startSpeedL({0.5, 0}, Holding::Free);
         QVERIFY(speed.ok());
-        QVERIFY(ToolSpeed(*speed).send(Twist{{0, 0, 0.2}, {}}).ok());
+        QVERIFY(ToolSpeed(*speed).send(Twist{{0, 0, 0.2}, {0, 0, 0}}).ok());
         QVERIFY(cell.stepMs(400));
         cell.robot.silence(true);
         cell.stepAlone(75);
