@@ -178,13 +178,14 @@ Result<void> Motion::stop(const Deadline& deadline) const {
         return wait(deadline);
     }
     cancel();
-    const Epoch& epoch = ControllerAccess::of(*controller_).mailbox.epoch();
+    const Controller::Private& d = ControllerAccess::of(*controller_);
+    const Epoch& epoch = d.mailbox.epoch();
     ControllerStatus status;
     const auto isOver = [&] {
         // In this order: what rests in the status read afterwards rests at least since then.
         const std::uint64_t now = epoch.current();
         const bool isReplaced = epoch.activeMotion() != kNoMotion;
-        status = controller_->status();
+        status = d.loop.status();  // late data alone are no end, as in state()
         return isReplaced || !status.inControl || status.restingEpoch >= now;
     };
     if (!waitUntil(deadline, isOver)) {

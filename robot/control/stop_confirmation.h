@@ -31,6 +31,10 @@ public:
     /// epoch  of the stop: Controller::stop()
     StopConfirmation(std::uint64_t epoch, const StopEvidence& evidence);
 
+    /// Another stop before the verdict. It is to be confirmed in place of the first, in the time of the first: who presses
+    /// again and again does not postpone the verdict.
+    void repeat(std::uint64_t epoch) { epoch_ = epoch; }
+
     enum class Verdict {
         Waiting,
         Confirmed,   ///< the arm is at standstill, and our program says so or none runs

@@ -59,7 +59,8 @@ bool ForeignStop::isMeant(StopCause cause, const SessionState& state) {
         return false;
     }
     if (!state.isFresh()) {
-        return button || state.sequence == 0 || state.runtimeState != RuntimeState::Stopped;
+        return button || state.controlInDoubt || state.sequence == 0 ||
+               state.runtimeState != RuntimeState::Stopped;
     }
     return state.foreignProgramRuns() || state.moving ||
            (button && state.runtimeState == RuntimeState::Paused);

@@ -33,8 +33,9 @@ public:
     static bool isByStopKey(control::StopCause cause);
     /// Whether a stop for this cause goes out on all routes at once: to a program that plays or is just being
     /// paused or resumed, and an arm that moves, for every stop key; to a paused program, for STOP alone, because
-    /// it moves nothing; and for STOP always when no fresh data show an arm at standstill. A stop in control, by
-    /// fresh control data, goes to our own program first: see control::StopConfirmation.
+    /// it moves nothing; and, when no fresh data show an arm at standstill, always for STOP, and for every stop key
+    /// while control is in doubt. A stop in control, by fresh control data, goes to our own program first: see
+    /// control::StopConfirmation.
     static bool isMeant(control::StopCause cause, const SessionState& state);
 
     /// Opens the connections that are not there yet, so that a stop need not wait for them.

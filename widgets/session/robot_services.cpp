@@ -114,6 +114,8 @@ void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) 
     const SessionState now = d_.stateNow();
     if (ForeignStop::isMeant(cause, now)) {
         stopOnEveryRoute(cause);
+    } else if (now.control == ControlState::InControl && unconfirmed_) {
+        unconfirmed_->confirmation.repeat(epoch);
     } else if (now.control == ControlState::InControl) {
         unconfirmed_ = {cause, control::StopConfirmation(epoch, d_.stopEvidence())};
     }

@@ -59,6 +59,7 @@ void SessionBackend::read() {
         state = SessionState{};
         state.monitorOnly = monitorOnly;
         state.recording = recordingState;
+        movedBefore = false;
         state.speedCap = limits.tcpSpeed;
         state.controlReason = RobotSession::tr("Not connected to a robot.");
         readRecording();

@@ -217,12 +217,11 @@ private Q_SLOTS:
         QVERIFY(cell.standsWithinMs(20));
     }
 
-    // STOP during a soft stop of a program brakes as hard as ever.
     void stoppingAMotionWaitsForStandstill() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Motions motions(*cell.controller);
-        const Twist up{{0, 0, 0.2}, {}};
+        const Twist up{{0, 0, 0.2}, {0, 0, 0}};
         const auto speed = motions.startSpeedL({0.5, 0}, Holding::Free);
         QVERIFY(speed.ok());
         QVERIFY(ToolSpeed(*speed).send(up).ok());
@@ -252,6 +251,26 @@ private Q_SLOTS:
         QVERIFY(Motion().stop(patience()).ok());
     }
 
+    // Late data alone are no end of control: the stop is confirmed once data come again.
+    void aHiccupIsNoFailureToStop() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        const auto speed = Motions(*cell.controller).startSpeedL({0.5, 0}, Holding::Free);
+        QVERIFY(speed.ok());
+        QVERIFY(ToolSpeed(*speed).send(Twist{{0, 0, 0.2}, {0, 0, 0}}).ok());
+        QVERIFY(cell.stepMs(400));
+        cell.robot.silence(true);
+        cell.stepAlone(75);
+        QVERIFY(!cell.controller->status().inControl);
+        QCOMPARE(speed->motion().stop(Deadline::after(std::chrono::milliseconds(0))).error().code,
+                 ErrorCode::Timeout);
+        cell.robot.silence(false);
+        const Result<void> stopped = cell.during([&] { return speed->motion().stop(patience()); });
+        QVERIFY2(stopped.ok(), qPrintable(stopped.error().toString()));
+        QVERIFY(cell.isStanding());
+    }
+
+    // STOP during a soft stop of a program brakes as hard as ever.
     void theStopKeyOverrulesASoftStop() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

@@ -122,6 +122,31 @@ private Q_SLOTS:
         QCOMPARE(seen, Verdict::EveryRoute);
         QCOMPARE(ms, 200);
     }
+    // Someone in alarm presses again and again.
+    void furtherStopsDoNotPostponeTheVerdict() {
+        for (const bool fresh : {false, true}) {
+            Scene scene;
+            std::uint64_t epoch = kEpoch;
+            const auto [seen, ms] = scene.verdict([&](int now) {
+                scene.evidence.fresh = fresh;
+                if (now % 50 == 0) {
+                    scene.confirmation.repeat(++epoch);
+                }
+            });
+            QCOMPARE(seen, Verdict::EveryRoute);
+            QCOMPARE(ms, fresh ? 100 : 200);
+        }
+    }
+    void theNewestOfSeveralStopsIsToBeConfirmed() {
+        Scene scene;
+        scene.confirmation.repeat(kEpoch + 2);
+        scene.evidence.moving = false;
+        scene.evidence.restingEpoch = kEpoch;
+        scene.evidence.executedEpoch = kEpoch + 1;
+        QCOMPARE(scene.lookAfter(10), Verdict::Waiting);
+        scene.evidence.restingEpoch = kEpoch + 2;
+        QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
+    }
     // Another program has replaced ours and happens to wait.
     void standstillThatOurProgramDoesNotReportIsNotEnough() {
         Scene scene;

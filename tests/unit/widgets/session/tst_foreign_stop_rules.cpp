@@ -84,6 +84,17 @@ private Q_SLOTS:
             QVERIFY(meansIt(played));
         }
     }
+    // Then the window names Space and Esc as stop keys.
+    void everyStopKeyIsMeantWhileControlIsInDoubt() {
+        for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
+            SessionState stopped = live(RuntimeState::Stopped);
+            stopped.link = link;
+            stopped.quality.ageMs = 101;
+            stopped.controlInDoubt = true;
+            QVERIFY(stopped.keysStop());
+            QVERIFY(meansIt(stopped));
+        }
+    }
     void anArmThatMovesWithoutAProgramIsMeant() {
         SessionState moving = live(RuntimeState::Stopped);
         moving.moving = true;

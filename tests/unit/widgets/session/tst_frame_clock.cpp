@@ -113,6 +113,25 @@ private Q_SLOTS:
         QVERIFY(listener.isWhole());
     }
 
+    // An arm that moved when the operator disconnected says nothing about the next robot.
+    void aNewLinkHasMissedNoStop() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        control::JogTarget up;
+        up.twist.linear.z() = 0.05;
+        const auto jog = bench.session.beginJog(up);
+        QVERIFY(jog.ok());
+        bench.cell.everyRefresh = [&] { bench.session.hold(*jog); };
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.session.state().moving; }, 1000));
+        bench.cell.advanceMs(100);
+        QVERIFY(bench.session.state().moving);
+        const RobotAddress address = bench.session.address();
+        bench.session.disconnectFromRobot();
+        bench.session.connectTo(address);
+        QVERIFY(bench.session.state().link != LinkState::Live);
+        QVERIFY(bench.session.state().lastStopSeen);
+    }
+
     // Outputs are connected anew by it; nobody has to compare what he saw before.
     void aRobotThatComesBackIsTheSameLink() {
         constexpr int kPatienceMs = 20'000;
