@@ -129,6 +129,26 @@ private Q_SLOTS:
         QVERIFY2(bench.errors.isEmpty(), qPrintable(bench.errors.join('\n')));
     }
 
+    // Space in a name must not end the program of the client that replaced us, however long ago that was.
+    void theKeysBelongToTheFocusAfterControlWasReplaced() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.window.session().takeControl(RobotSession::ForeignProgram::Stop);
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
+        QVERIFY(bench.startMoving());
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
+        QVERIFY(bench.state().keysStop());
+        QVERIFY(bench.within([&] { return !bench.state().keysStop(); }));
+        auto& search = bench.find<QLineEdit>("log.search");
+        bench.window.showTab(QStringLiteral("log"));
+        search.setFocus();
+        QTest::keyClick(&search, Qt::Key_Space);
+        bench.cell.robot.drainSockets();
+        bench.cell.advanceMs(500);
+        QVERIFY2(bench.runs(), "a space in a text field ended the program");
+        QCOMPARE(search.text(), QStringLiteral(" "));
+    }
+
     void aFocusedButtonIsPressedBySpace() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

@@ -180,9 +180,30 @@ void SessionBackend::readControl() {
     using control::ControlLoss;
     loss = status.loss;
     state.controlLoss = status.loss;
-    state.controlInDoubt =
-        !takingControl &&
-        (loss == ControlLoss::DataStale || loss == ControlLoss::LinkLost || loss == ControlLoss::EchoStalled);
+    state.controlInDoubt = isControlInDoubt();
+}
+
+/// After a loss of control, until the receiver has delivered fresh data for a time: then the window only monitors, and
+/// what runs belongs to others. A control program that ended while its connection lives has most likely been replaced.
+bool SessionBackend::isControlInDoubt() {
+    using control::ControlLoss;
+    constexpr std::int64_t kAfterDeadConnection = 15 * kNsPerSecond;
+    constexpr std::int64_t kAfterEndedProgram = 3 * kNsPerSecond;
+    const bool deadConnection = loss == ControlLoss::DataStale || loss == ControlLoss::LinkLost;
+    if (takingControl || (!deadConnection && loss != ControlLoss::EchoStalled)) {
+        freshSinceLossNs.reset();
+        doubtEnded = false;
+        return false;
+    }
+    const std::int64_t nowNs = clock->nowNs();
+    if (!state.isFresh()) {
+        freshSinceLossNs.reset();
+    } else if (!freshSinceLossNs) {
+        freshSinceLossNs = nowNs;
+    }
+    const std::int64_t limit = deadConnection ? kAfterDeadConnection : kAfterEndedProgram;
+    doubtEnded = doubtEnded || (freshSinceLossNs && nowNs - *freshSinceLossNs >= limit);
+    return !doubtEnded;
 }
 
 /// The control program is sent again with a path in it, which is no loss of control.

@@ -100,6 +100,8 @@ struct SessionBackend {
     SafetyMode safetySeen = SafetyMode::Normal;
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss loss = control::ControlLoss::NotTaken;
+    std::optional<std::int64_t> freshSinceLossNs;  ///< since when data have been fresh after a loss of control
+    bool doubtEnded = false;                       ///< they have been for long enough
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< and reported
 
     QStringList furtherFields;                 ///< asked for besides what comes anyway
@@ -129,6 +131,7 @@ private:
     void readSample();
     void readControl();
     bool isSendingPath(const control::ControllerStatus& status) const;
+    bool isControlInDoubt();
     void readGuard();
     void noteStop(const control::StopMeasurement& stop, std::uint64_t& seen);
     void readRecording();
