@@ -63,12 +63,14 @@ StopKeys::StopKeys(RobotSession& session, const Clock& clock, QObject* parent)
 
 void StopKeys::follow(const SessionState& state, std::int64_t nowNs) {
     const bool typed = useAt(nowNs) != Use::StopOnly;
-    const bool inControl = state.keysStop();
-    if (inControl) {
+    const bool owned = state.control == ControlState::InControl || state.control == ControlState::Taking;
+    if (owned) {
         controlLostNs_.reset();
-    } else if (inControl_ && state.controlLoss != control::ControlLoss::Released) {
+    } else if (owned_ && state.controlLoss != control::ControlLoss::Released) {
         controlLostNs_ = nowNs;
     }
+    owned_ = owned;
+    const bool inControl = state.keysStop();
     inControl_ = inControl;
     const bool dark = state.link == LinkState::Stale || state.link == LinkState::Lost;
     if (dark && !dark_) {

@@ -64,6 +64,7 @@ private:
     std::vector<QPointer<QWidget>> modals_;  ///< those that have the shortcuts
     int claimedKey_ = 0;                     ///< pressed last as a stop key that means nothing else; 0: none
 
+    bool owned_ = false;  ///< in control, or taking it, at the last state
     bool inControl_ = false;
     std::optional<std::int64_t> controlLostNs_;  ///< not by giving it back
     std::optional<std::int64_t> lastMotionNs_;   ///< while in control, or shortly after
