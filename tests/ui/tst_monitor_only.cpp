@@ -97,7 +97,9 @@ private Q_SLOTS:
             [](RobotSession& s) { s.outputs().setAnalogOutput(0, io::AnalogDomain::Voltage, 0.5); });
         row("register", [](RobotSession& s) { s.outputs().setRegister({RegisterValue::Kind::Int, 40, 5}); });
         row("TCP", [](RobotSession& s) { s.tooling().setTcp(Pose(), QStringLiteral("tool")); });
-        row("payload", [](RobotSession& s) { s.tooling().setPayload({1, {0, 0, 0}, {0, 0, 0}}, QStringLiteral("load")); });
+        row("payload", [](RobotSession& s) {
+            s.tooling().setPayload({1, {0, 0, 0}, {}}, QStringLiteral("load"));
+        });
     }
     void theSessionRefusesEveryCommand() {
         using Call = std::function<void(RobotSession&)>;

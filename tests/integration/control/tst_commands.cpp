@@ -322,7 +322,9 @@ private Q_SLOTS:
                 }).ok());
         QVERIFY(with([&](const Deadline& d) { return setup.setGravity({0, 0, 9.82}, d); }).ok());
         QVERIFY(with([&](const Deadline& d) { return setup.zeroForceSensor(d); }).ok());
-        QVERIFY(with([&](const Deadline& d) { return setup.useExternalSensor({0.2, {0, 0, 0}, {0, 0, 0}}, d); }).ok());
+        QVERIFY(with([&](const Deadline& d) {
+                    return setup.useExternalSensor({0.2, {0, 0, 0}, {0, 0, 0}}, d);
+                }).ok());
         QVERIFY(setup.setExternalWrench({}).ok());
         QVERIFY(with([&](const Deadline& d) { return setup.useOwnSensor(d); }).ok());
         QVERIFY(with([&](const Deadline& d) { return setup.useExternalSensorLegacy({}, d); }).ok());
