@@ -100,8 +100,9 @@ struct SessionBackend {
     SafetyMode safetySeen = SafetyMode::Normal;
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss loss = control::ControlLoss::NotTaken;
-    std::optional<std::int64_t> freshSinceLossNs;  ///< since when data have been fresh after a loss of control
-    bool doubtEnded = false;                       ///< they have been for long enough
+    std::optional<std::int64_t>
+        freshSinceLossNs;     ///< since when data have been fresh after a loss of control
+    bool doubtEnded = false;  ///< they have been for long enough
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< and reported
 
     QStringList furtherFields;                 ///< asked for besides what comes anyway
