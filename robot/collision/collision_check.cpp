@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -158,7 +159,30 @@ void CollisionCheck::dropPairsThatNeverMeet() {
         return pair.with == Contact::With::Arm && pair.otherLink == base &&
                std::min(pair.link, 6) - base == kJointsBetween;
     };
+    // The same bodies and links give the same answer; a cell is edited far more often than an arm changes.
+    std::vector<double> key;
+    for (std::size_t i = 0; i < dh_.a.size(); ++i) {
+        key.insert(key.end(), {dh_.a[i], dh_.d[i], dh_.alpha[i], dh_.theta[i], dh_.beta[i]});
+    }
+    for (const LinkCapsule& part : capsules_) {
+        key.insert(key.end(), {double(part.link), double(part.neighbours), part.shape.radius,
+                               part.shape.from.x(), part.shape.from.y(), part.shape.from.z(),
+                               part.shape.to.x(), part.shape.to.y(), part.shape.to.z()});
+    }
+    key.insert(key.end(), {double(boxes_.size()), double(planes_.size()), double(pairs_.size())});
+    static std::mutex mutex;
+    static std::vector<std::pair<std::vector<double>, std::vector<double>>> known;
     std::vector<double> least(pairs_.size(), 0);
+    {
+        const std::lock_guard lock(mutex);
+        const auto found =
+            std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == key; });
+        if (found != known.end()) {
+            std::size_t at = 0;
+            std::erase_if(pairs_, [&](const Pair&) { return found->second[at++] > kNeverNearer; });
+            return;
+        }
+    }
     for (int base = 0; base + kJointsBetween <= kJointCount; ++base) {
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
             least[i] = isJudged(pairs_[i], base) ? 1e9 : least[i];
@@ -175,6 +199,14 @@ void CollisionCheck::dropPairsThatNeverMeet() {
                 }
             }
         }
+    }
+    {
+        constexpr std::size_t kMaxKnown = 16;
+        const std::lock_guard lock(mutex);
+        if (known.size() >= kMaxKnown) {
+            known.erase(known.begin());
+        }
+        known.emplace_back(std::move(key), least);
     }
     std::size_t i = 0;
     std::erase_if(pairs_, [&](const Pair&) { return least[i++] > kNeverNearer; });

@@ -223,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().isFresh(); }));
         QVERIFY(bench.state().control == ControlState::None);
         QVERIFY(bench.state().keysStop());
-        bench.window.session().takeControl();
+        bench.window.session().takeControl(RobotSession::ForeignProgram::Stop);
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
         QVERIFY(!bench.state().controlInDoubt);
     }

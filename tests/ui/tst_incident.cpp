@@ -441,7 +441,7 @@ void TestIncident::armAndModelPartWhereItWasPushed() {
     QVERIFY(bench.within([&] { return rowOf("Incident recorded") >= 0; }));
     QVERIFY(click(rowOf("Incident recorded")));
     auto& band = bench.find<ComparisonBand>("plots.comparison");
-    QVERIFY(bench.within([&] { return band.isVisible() && band.words().contains("part at"); }));
+    QVERIFY(bench.within([&] { return band.isVisible() && band.words().contains("diverge at"); }));
     const PlotView& view = bench.plots().view();
     const QString name = view.page().name;
     const double stop = view.cursor(PlotView::Cursor::A).value();
@@ -487,13 +487,13 @@ void TestIncident::armAndModelPartWhereItWasPushed() {
         QVERIFY2(after > 0.9 * colourful(), qPrintable(QString::number(after)));
     }
     // The log of the recording has it, too, at the cursor.
-    QVERIFY2(table.currentIndex().siblingAtColumn(LogModel::Text).data().toString().contains("part at"),
+    QVERIFY2(table.currentIndex().siblingAtColumn(LogModel::Text).data().toString().contains("diverge at"),
              qPrintable(bench.log().shownText()));
 
     // Live again, there is no such line under the plots, and no mark; the log leads back to the moment.
     bench.plots().endReplay();
     QVERIFY(bench.within([&] { return !band.isVisible(); }));
-    const int row = rowOf("part at");
+    const int row = rowOf("diverge at");
     QVERIFY2(row >= 0, qPrintable(bench.log().shownText()));
     QVERIFY(click(row));
     QVERIFY(bench.within([&] { return bench.plots().replay().has_value(); }));

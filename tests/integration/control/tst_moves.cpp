@@ -219,7 +219,7 @@ private Q_SLOTS:
         QTest::addColumn<bool>("survives");
         QTest::newRow("usual") << 100 << Holding::Free << 400 << false;
         QTest::newRow("longer") << 800 << Holding::Free << 600 << true;
-        QTest::newRow("too long") << 300 << Holding::Free << 400 << false;
+        QTest::newRow("too long") << 110 << Holding::Free << 440 << false;
         QTest::newRow("held") << 800 << Holding::Held << 400 << false;
     }
     void aFreeMoveSurvivesASilenceShorterThanItsOwn() {

@@ -838,7 +838,7 @@ private Q_SLOTS:
         // Its swing: one radian in a thousand rows.
         QVERIFY2(std::abs(top->x() - 0.5 / 6.2832) < 0.062, qPrintable(QString::number(top->x())));
         analysis->setKind(PlotAnalysis::Kind::Xy);
-        QTRY_VERIFY_WITH_TIMEOUT(analysis->title().contains("one in 8"), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(analysis->title().contains("every 8th"), 60'000);
         QVERIFY(analysis->canvas().points().size() > 49'000);
         for (const QPointF& point : analysis->canvas().points()) {
             QVERIFY(std::abs(point.y()) <= 40);
@@ -1377,7 +1377,7 @@ private Q_SLOTS:
         answer(0.5, "UR5e");
         QTest::mouseClick(compare, Qt::LeftButton);
         QCOMPARE(asked, 2);
-        QTRY_COMPARE(band->words(), QString("Arm and model part at 1.000 s: Elbow is 1.00° off"));
+        QTRY_COMPARE(band->words(), QString("Arm and model diverge at 1.000 s: Elbow deviates by 1.00°"));
         QCOMPARE(parted.count(), 1);
         QCOMPARE(parted[0][2].toString(), path);
         QVERIFY(near(parted[0][3].toDouble(), 1, 1e-6));
