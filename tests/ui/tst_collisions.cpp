@@ -142,9 +142,9 @@ private Q_SLOTS:
         addCrate(between, 0.06);
         QTRY_VERIFY2(reachText(0) == QStringLiteral("✕ path"), qPrintable(reachText(0)));
         drive();
-        verifyRefused("waypoint.goTo", QStringLiteral("meets “crate” after"));
-        verifyRefused("waypoint.goThrough", QStringLiteral("meets “crate” after"));
-        verifyRefused("waypoint.stepOn", QStringLiteral("meets “crate” after"));
+        verifyRefused("waypoint.goTo", QStringLiteral("collides with “crate” after"));
+        verifyRefused("waypoint.goThrough", QStringLiteral("collides with “crate” after"));
+        verifyRefused("waypoint.stepOn", QStringLiteral("collides with “crate” after"));
         keepPicture(window(), QStringLiteral("collision-refused"));
 
         // Without the crate it goes.

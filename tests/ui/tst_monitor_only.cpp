@@ -188,7 +188,7 @@ private Q_SLOTS:
                 QVERIFY2(!button->isEnabled(), key);
             }
         }
-        QVERIFY(!bench.find<QPushButton>("io.register.write").isEnabled());
+        QTRY_VERIFY(!bench.find<QPushButton>("io.register.write").isEnabled());
         bench.setMonitorOnly(false);
         bench.cell.advanceMs(100);
         QVERIFY(step.isVisible() && slider.isEnabled());

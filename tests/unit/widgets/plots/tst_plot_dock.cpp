@@ -597,7 +597,7 @@ private Q_SLOTS:
         }
         const QByteArray svg = bytesOf("a.svg");
         QVERIFY(svg.contains("<svg"));
-        QVERIFY(svg.contains("Force at the TCP, Joint currents"));
+        QVERIFY(svg.contains("TCP force, Joint currents"));
         QVERIFY(svg.contains("controller time"));
         QVERIFY(svg.contains("Fz"));
         for (const char* unit : {" N", " A", " s"}) {
@@ -916,7 +916,7 @@ private Q_SLOTS:
         QTest::mouseClick(key, Qt::LeftButton);
         QVERIFY(tree->isVisible() && key->isChecked());
         b.list("torque tcp");
-        const QModelIndex family = b.rowOf("Torque at the TCP [Nm]");
+        const QModelIndex family = b.rowOf("TCP torque [Nm]");
         QVERIFY(family.isValid());
         tree->scrollTo(family);
         const QPoint place = tree->visualRect(family).center();
@@ -943,13 +943,13 @@ private Q_SLOTS:
         b.dock.setSignalsShown(true);
         b.list("elbow temperatures");
         QVERIFY(b.rowOf("Elbow").isValid());
-        QVERIFY(!b.rowOf("Force at the TCP [N]").isValid());
+        QVERIFY(!b.rowOf("TCP force [N]").isValid());
         b.list("tcp_force_scalar");
-        QVERIFY(b.rowOf("Force at the TCP, norm [N]").isValid());
+        QVERIFY(b.rowOf("TCP force, norm [N]").isValid());
         b.list("qqxyz");
         QVERIFY(b.dock.findChild<QWidget*>("signals.nothingFound")->isVisible());
         b.list("");
-        QVERIFY(b.rowOf("Force at the TCP [N]").isValid());
+        QVERIFY(b.rowOf("TCP force [N]").isValid());
         QVERIFY(!b.dock.findChild<QWidget*>("signals.nothingFound")->isVisible());
     }
 
@@ -1369,7 +1369,7 @@ private Q_SLOTS:
         answer(2, "UR5e");
         action->trigger();
         QCOMPARE(asked, 1);
-        QTRY_COMPARE(band->words(), QString("The arm did what the model of a UR5e does"));
+        QTRY_COMPARE(band->words(), QString("The arm moved as the model of a UR5e does"));
         QVERIFY2(band->details().contains("actual_current"), qPrintable(band->details()));
         QVERIFY(!key->isVisible() && b.dock.marks().marks().empty());
 
