@@ -129,7 +129,7 @@ private Q_SLOTS:
     void withoutAGripperThereIsNothingToPress() {
         QVERIFY(!key("gripper.close").isVisible());
         QVERIFY(!key("gripper.activate").isVisible());
-        QVERIFY2(text("gripper.remedy").contains("remembered"), qPrintable(text("gripper.remedy")));
+        QVERIFY2(text("gripper.remedy").contains("stored"), qPrintable(text("gripper.remedy")));
     }
 
     void itIsActivatedBeforeItIsOpenedOrClosed() {
