@@ -108,7 +108,7 @@ private Q_SLOTS:
 
     void anImpossibleAddressIsNamedBeforeItIsTried_data() {
         QTest::addColumn<QString>("host");
-        QTest::addColumn<bool>("available");
+        QTest::addColumn<bool>("possible");
         QTest::newRow("address") << "192.168.0.10" << true;
         QTest::newRow("name") << "ur5e-left.lab" << true;
         QTest::newRow("nothing") << "" << false;
