@@ -326,7 +326,7 @@ private Q_SLOTS:
         Q_EMIT window_->session().controllerMessage(popup);
         auto* key = card->findChild<QPushButton*>("robotPopup.close");
         QTRY_COMPARE_WITH_TIMEOUT(key->text(), QString("Hide"), 20'000);
-        QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("tablet"));
+        QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("teach pendant"));
         QTRY_VERIFY(key->isEnabled());
         QTest::mouseClick(key, Qt::LeftButton);
         QVERIFY(!card->isVisible());
