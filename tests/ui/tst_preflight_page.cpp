@@ -237,7 +237,7 @@ private Q_SLOTS:
         };
         QVERIFY2(line(doctor::Condition::ServicePort).contains("Robot API 3.1.4"),
                  qPrintable(line(doctor::Condition::ServicePort)));
-        QVERIFY2(line(doctor::Condition::ServicePort).contains("tablet"), "what it has not");
+        QVERIFY2(line(doctor::Condition::ServicePort).contains("teach pendant"), "what it has not");
         QVERIFY(line(doctor::Condition::RemoteControl).contains("Remote"));
         keepPicture(*page, "polyscope-x");
 
