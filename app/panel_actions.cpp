@@ -100,7 +100,7 @@ void PanelActions::addLog(ActionTable& table, LogTab& log, const std::function<v
                    log.focusSearch();
                }});
     const std::pair<Severity, QString> kinds[] = {{Severity::Info, tr("Log: show all")},
-                                                  {Severity::Warning, tr("Log: show warnings and errors")},
+                                                  {Severity::Warning, tr("Log: show warnings or worse")},
                                                   {Severity::Error, tr("Log: show errors")}};
     for (const auto& [severity, text] : kinds) {
         table.add({QStringLiteral("log.action.from.%1").arg(static_cast<int>(severity)),

@@ -1835,7 +1835,7 @@
         <translation>Protokoll: alles zeigen</translation>
     </message>
     <message>
-        <source>Log: show warnings and errors</source>
+        <source>Log: show warnings or worse</source>
         <translation>Protokoll: Warnungen und Schlimmeres zeigen</translation>
     </message>
     <message>

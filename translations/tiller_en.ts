@@ -1835,7 +1835,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Log: show warnings and errors</source>
+        <source>Log: show warnings or worse</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1835,7 +1835,7 @@
         <translation>Registro: mostrar todo</translation>
     </message>
     <message>
-        <source>Log: show warnings and errors</source>
+        <source>Log: show warnings or worse</source>
         <translation>Registro: mostrar avisos y peores</translation>
     </message>
     <message>

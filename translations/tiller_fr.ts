@@ -1835,7 +1835,7 @@
         <translation>Journal : tout montrer</translation>
     </message>
     <message>
-        <source>Log: show warnings and errors</source>
+        <source>Log: show warnings or worse</source>
         <translation>Journal : montrer avertissements et pire</translation>
     </message>
     <message>

@@ -1835,7 +1835,7 @@
         <translation>ログ：すべて表示</translation>
     </message>
     <message>
-        <source>Log: show warnings and errors</source>
+        <source>Log: show warnings or worse</source>
         <translation>ログ：警告以上を表示</translation>
     </message>
     <message>

@@ -1835,7 +1835,7 @@
         <translation>日志：全部显示</translation>
     </message>
     <message>
-        <source>Log: show warnings and errors</source>
+        <source>Log: show warnings or worse</source>
         <translation>日志：显示警告及更严重</translation>
     </message>
     <message>

@@ -185,15 +185,15 @@ private Q_SLOTS:
         QTRY_COMPARE(bench.window.focusWidget(), &bench.find<QLineEdit>("io.search"));
         const auto isOn = [&bench] { return (bench.window.session().state().digitalOutputs & 1U) != 0; };
         // Nothing is chosen yet.
-        bench.run("switch chosen", "io.action.switch");
+        bench.run("switch selected", "io.action.switch");
         bench.cell.advanceMs(200);
         QVERIFY(!isOn());
         bench.find<IoChannel>("io.DO0").setFocus(Qt::TabFocusReason);
-        bench.run("switch chosen", "io.action.switch");
+        bench.run("switch selected", "io.action.switch");
         QVERIFY(bench.cell.advanceUntil(isOn, 2000));
         bench.find<IoChannel>("io.DO0").setFocus(Qt::TabFocusReason);
         // Not through run(): the editor closes with the activation that a window manager would not make here.
-        QVERIFY(bench.type("rename chosen") != nullptr);
+        QVERIFY(bench.type("rename selected") != nullptr);
         QTest::keyClick(bench.window.findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords"),
                         Qt::Key_Return);
         QTRY_VERIFY(bench.find<QLineEdit>("io.DO0.name").isVisible());

@@ -31,6 +31,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     accept_->setAccessibleName(tr("Accept"));
     accept_->setProperty("primary", true);
     other_->setObjectName(QStringLiteral("notice.other"));
+    other_->setAccessibleName(tr("Accept"));
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));
     dismiss_->setAccessibleName(tr("Dismiss"));
 
@@ -88,7 +89,7 @@ void NoticeBar::display(Kind kind, const Notice& notice) {
     accept_->setAccessibleName(notice.accept);
     accept_->setVisible(!notice.accept.isEmpty());
     other_->setText(notice.other);
-    other_->setAccessibleName(notice.other);
+    other_->setAccessibleName(notice.other.isEmpty() ? tr("Accept") : notice.other);
     other_->setVisible(!notice.other.isEmpty());
     dismiss_->setText(!notice.dismiss.isEmpty() ? notice.dismiss
                       : notice.accept.isEmpty() ? tr("Close")
