@@ -39,7 +39,7 @@ const QString kDivergenceHelp = QStringLiteral(
     "  --quiet              no progress on the terminal\n"
     "  --help               this text\n"
     "\n"
-    "Exit code: 0 they never part, 1 they do, or cannot be compared, 2 wrong arguments.\n");
+    "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 wrong arguments.\n");
 
 /// How a quantity is told: its name, and its unit with the factor from SI.
 struct Spelling {
@@ -146,7 +146,7 @@ void print(const divergence::Report& report) {
                          .arg(outcome.greatest->seconds, 0, 'f', 3);
         }
         if (outcome.parted) {
-            out() << QStringLiteral("    beyond it from %1 s on (row %2): %3, up to %4\n")
+            out() << QStringLiteral("    above the limit from %1 s (row %2): %3, up to %4\n")
                          .arg(outcome.parted->seconds, 0, 'f', 3)
                          .arg(outcome.parted->row)
                          .arg(placeOf(*outcome.parted), amountOf(*outcome.parted));
@@ -154,15 +154,16 @@ void print(const divergence::Report& report) {
     }
     const auto first = report.first();
     if (!first) {
-        out() << (report.firstCompared ? "arm and model never part\n" : "nothing could be compared\n");
+        out() << (report.firstCompared ? "arm and model agree\n" : "nothing could be compared\n");
         return;
     }
-    out() << QStringLiteral("arm and model part at %1 s: %2, %3 of %4\n")
+    out() << QStringLiteral("arm and model differ from %1 s: %2, %3 of %4\n")
                  .arg(first->seconds, 0, 'f', 3)
                  .arg(placeOf(*first), amountOf(*first), QLatin1String(spellingOf(first->quantity).name));
     if (report.partedFromStart()) {
-        out() << "They never were together: check --model, the payload that the robot was told of, and what "
-                 "touches the arm.\n";
+        out()
+            << "They differ from the first sample: check --model, the payload set on the robot, and whether "
+               "something touches the arm.\n";
     }
 }
 

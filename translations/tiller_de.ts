@@ -5965,7 +5965,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Simplifying the path…</source>
-        <translation>Die Bahn wird ausgedünnt.</translation>
+        <translation>Die Bahn wird vereinfacht…</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
@@ -8369,12 +8369,12 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
         <translation>Vorschau „%1“ · %2 · größte Drehung %3 %4 · %5 s bei %6</translation>
     </message>
     <message>
-        <source>“%1” after the change</source>
-        <translation>„%1“, wie er sein wird</translation>
+        <source>After: %1</source>
+        <translation>Danach: %1</translation>
     </message>
     <message>
-        <source>“%1” before the change</source>
-        <translation>„%1“, wie er war</translation>
+        <source>Before: %1</source>
+        <translation>Vorher: %1</translation>
     </message>
     <message>
         <source>REPLAY</source>

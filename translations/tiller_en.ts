@@ -8357,11 +8357,11 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” after the change</source>
+        <source>After: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” before the change</source>
+        <source>Before: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5965,7 +5965,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Simplifying the path…</source>
-        <translation>La trayectoria se está simplificando.</translation>
+        <translation>Simplificando la trayectoria…</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
@@ -8369,12 +8369,12 @@ Suelte la tecla y el brazo se detiene.</translation>
         <translation>fantasma «%1» · %2 · mayor giro %3 %4 · %5 s a %6</translation>
     </message>
     <message>
-        <source>“%1” after the change</source>
-        <translation>«%1» como quedará</translation>
+        <source>After: %1</source>
+        <translation>Después: %1</translation>
     </message>
     <message>
-        <source>“%1” before the change</source>
-        <translation>«%1» como estaba</translation>
+        <source>Before: %1</source>
+        <translation>Antes: %1</translation>
     </message>
     <message>
         <source>REPLAY</source>

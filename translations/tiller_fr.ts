@@ -5965,7 +5965,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Simplifying the path…</source>
-        <translation>La trajectoire est en cours d’allègement.</translation>
+        <translation>Simplification de la trajectoire…</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
@@ -8369,12 +8369,12 @@ Lâchez la touche et le bras s’arrête.</translation>
         <translation>fantôme « %1 » · %2 · plus grande rotation %3 %4 · %5 s à %6</translation>
     </message>
     <message>
-        <source>“%1” after the change</source>
-        <translation>« %1 » tel qu’il sera</translation>
+        <source>After: %1</source>
+        <translation>Après : %1</translation>
     </message>
     <message>
-        <source>“%1” before the change</source>
-        <translation>« %1 » tel qu’il était</translation>
+        <source>Before: %1</source>
+        <translation>Avant : %1</translation>
     </message>
     <message>
         <source>REPLAY</source>

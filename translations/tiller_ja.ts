@@ -5957,7 +5957,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Simplifying the path…</source>
-        <translation>経路を間引いています。</translation>
+        <translation>経路を簡略化しています…</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
@@ -8345,12 +8345,12 @@ Release the key to stop the arm.</source>
         <translation>ゴースト「%1」 · %2 · 最大回転 %3 %4 · %6 で %5 s</translation>
     </message>
     <message>
-        <source>“%1” after the change</source>
-        <translation>「%1」変更後</translation>
+        <source>After: %1</source>
+        <translation>変更後: %1</translation>
     </message>
     <message>
-        <source>“%1” before the change</source>
-        <translation>「%1」変更前</translation>
+        <source>Before: %1</source>
+        <translation>変更前: %1</translation>
     </message>
     <message>
         <source>REPLAY</source>

@@ -5957,7 +5957,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Simplifying the path…</source>
-        <translation>正在精简路径。</translation>
+        <translation>正在简化路径…</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
@@ -8345,12 +8345,12 @@ Release the key to stop the arm.</source>
         <translation>虚影“%1” · %2 · 最大转动 %3 %4 · %6 时 %5 s</translation>
     </message>
     <message>
-        <source>“%1” after the change</source>
-        <translation>“%1”更改后</translation>
+        <source>After: %1</source>
+        <translation>更改后：%1</translation>
     </message>
     <message>
-        <source>“%1” before the change</source>
-        <translation>“%1”更改前</translation>
+        <source>Before: %1</source>
+        <translation>更改前：%1</translation>
     </message>
     <message>
         <source>REPLAY</source>

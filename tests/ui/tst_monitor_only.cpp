@@ -192,7 +192,7 @@ private Q_SLOTS:
         bench.setMonitorOnly(false);
         bench.cell.advanceMs(100);
         QVERIFY(step.isVisible() && slider.isEnabled());
-        QVERIFY(bench.find<QPushButton>("io.register.write").isEnabled());
+        QTRY_VERIFY(bench.find<QPushButton>("io.register.write").isEnabled());
     }
 
     void stopStillStops_data() {

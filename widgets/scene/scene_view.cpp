@@ -436,9 +436,9 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
         const auto addGhost = [&](const Ghost& ghost, const QString& text) {
             add(kinematics::forwardTcp(model_.dh, ghost.q, tcpOffset_).position, text.arg(ghost.name), true);
         };
-        addGhost(*secondGhost_, tr("“%1” after the change"));
+        addGhost(*secondGhost_, tr("After: %1"));
         if (ghost_ && ghost_->reachable) {
-            addGhost(*ghost_, tr("“%1” before the change"));
+            addGhost(*ghost_, tr("Before: %1"));
         }
     }
     for (const WaypointMark& waypoint : waypoints_) {

@@ -214,10 +214,10 @@ void TestCliRecording::findsThePushBehindAStop() {
     const QString seconds = QString::number(first["seconds"].toDouble() - 0.01);
     QCOMPARE(run({"divergence", path("pushed.mcap"), "--until", seconds}).code, 0);
     const Answer text = run({"divergence", path("pushed.mcap")});
-    QVERIFY2(text.out.contains("arm and model part at"), qPrintable(text.out));
+    QVERIFY2(text.out.contains("arm and model differ from"), qPrintable(text.out));
     QCOMPARE(run({"divergence", path("pushed.mcap"), "--force", "0", "--current", "0"}).code, 0);
     const Answer other = run({"divergence", path("pushed.mcap"), "--model", "ur20"});
-    QVERIFY2(other.out.contains("differ from the first sample"), qPrintable(other.out));
+    QVERIFY2(other.out.contains("They differ from the first sample"), qPrintable(other.out));
 }
 
 void TestCliRecording::wrongArgumentsSaySo_data() {
