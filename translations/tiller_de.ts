@@ -5,7 +5,7 @@
     <name>ActionStep</name>
     <message>
         <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>Dieser Roboter hat hier keinen Greifer. Wählen Sie ihn unter E/A, Greifer.</translation>
+        <translation>Für diesen Roboter ist kein Greifer eingerichtet. Wählen Sie ihn unter E/A, Greifer.</translation>
     </message>
     <message>
         <source>Go through</source>
@@ -13,11 +13,11 @@
     </message>
     <message>
         <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 ging nicht innerhalb von %2 s an. Sehen Sie nach, worauf gewartet wird, und drücken Sie erneut.</translation>
+        <translation>%1 wurde nicht innerhalb von %2 s eingeschaltet. Prüfen Sie die Ursache und drücken Sie erneut.</translation>
     </message>
     <message>
         <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 ging nicht innerhalb von %2 s aus. Sehen Sie nach, worauf gewartet wird, und drücken Sie erneut.</translation>
+        <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie die Ursache und drücken Sie erneut.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -25,7 +25,7 @@
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s.</source>
-        <translation>Der Greifer kam nicht innerhalb von %1 s zur Ruhe.</translation>
+        <translation>Der Greifer kam nicht innerhalb von %1 s zum Stillstand.</translation>
     </message>
 </context>
 <context>
@@ -111,19 +111,19 @@
     </message>
     <message>
         <source>Wait until %1 is on, %2 s at most</source>
-        <translation>Warten, bis %1 an ist, höchstens %2 s</translation>
+        <translation>Warten, bis %1 eingeschaltet ist, höchstens %2 s</translation>
     </message>
     <message>
         <source>Wait until %1 is off, %2 s at most</source>
-        <translation>Warten, bis %1 aus ist, höchstens %2 s</translation>
+        <translation>Warten, bis %1 ausgeschaltet ist, höchstens %2 s</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
-        <translation>Warten, bis %1 an ist</translation>
+        <translation>Warten, bis %1 eingeschaltet ist</translation>
     </message>
     <message>
         <source>Wait until %1 is off</source>
-        <translation>Warten, bis %1 aus ist</translation>
+        <translation>Warten, bis %1 ausgeschaltet ist</translation>
     </message>
     <message>
         <source>Wait %1 s</source>
@@ -151,14 +151,14 @@
     </message>
     <message>
         <source>Wait</source>
-        <translation>Eine Zeit lang warten</translation>
+        <translation>Warten</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
         <source>go back: no recorded motion left</source>
-        <translation>zurückfahren: Es ist nichts mehr rückgängig zu machen</translation>
+        <translation>zurückfahren: keine aufgezeichnete Bewegung mehr vorhanden</translation>
     </message>
 </context>
 <context>
@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
-        <translation>Die Vorführung am simulierten Roboter ablaufen lassen, ihre Dateien in diesem Ordner ablegen, beenden.</translation>
+        <translation>Die Vorführung am simulierten Roboter ausführen, ihre Dateien in diesen Ordner schreiben und beenden.</translation>
     </message>
     <message>
         <source>Open this project file (.tiller).</source>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>unexpected argument &quot;%1&quot;</source>
-        <translation>&quot;%1&quot; wurde nicht erwartet</translation>
+        <translation>unerwartetes Argument &quot;%1&quot;</translation>
     </message>
     <message>
         <source>--theme takes light or dark, not &quot;%1&quot;</source>
@@ -201,11 +201,11 @@
     </message>
     <message>
         <source>--robot and --simulator cannot be combined</source>
-        <translation>--robot und --simulator schließen einander aus</translation>
+        <translation>--robot und --simulator lassen sich nicht kombinieren</translation>
     </message>
     <message>
         <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
-        <translation>--demo läuft nur am simulierten Roboter, nicht mit --robot</translation>
+        <translation>--demo läuft nur am simulierten Roboter und lässt sich nicht mit --robot kombinieren</translation>
     </message>
     <message>
         <source>--demo needs a folder</source>
@@ -213,11 +213,11 @@
     </message>
     <message>
         <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
-        <translation>--robot braucht eine Adresse, etwa --robot 192.168.0.10</translation>
+        <translation>--robot benötigt eine Adresse, z. B. --robot 192.168.0.10</translation>
     </message>
     <message>
         <source>only one project can be opened; remove &quot;%1&quot;</source>
-        <translation>nur ein Projekt kann geöffnet werden, nicht auch &quot;%1&quot;</translation>
+        <translation>es kann nur ein Projekt geöffnet werden; entfernen Sie &quot;%1&quot;</translation>
     </message>
     <message>
         <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
@@ -252,7 +252,7 @@
     </message>
     <message>
         <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
-        <translation>%1: nicht verglichen, die Aufzeichnung hat kein %2; alle Signale aufzeichnen, als MCAP</translation>
+        <translation>%1: nicht verglichen, da die Aufzeichnung kein Signal %2 enthält; zeichnen Sie alle Signale als MCAP auf</translation>
     </message>
     <message>
         <source>%1: no values</source>
@@ -260,11 +260,11 @@
     </message>
     <message>
         <source>%1: within %2 at all times, maximum %3 at %4 s</source>
-        <translation>%1: nie über %2, höchstens %3 bei %4 s</translation>
+        <translation>%1: immer innerhalb von %2, Maximum %3 bei %4 s</translation>
     </message>
     <message>
         <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
-        <translation>%1: über %2 ab %3 s (%4), höchstens %5 bei %6 s</translation>
+        <translation>%1: überschreitet %2 ab %3 s (%4), Maximum %5 bei %6 s</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -277,43 +277,43 @@
     </message>
     <message>
         <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
-        <translation>Arm und Modell trennen sich bei %1 s: %2 liegt um %3 daneben</translation>
+        <translation>Arm und Modell weichen ab %1 s voneinander ab: %2 um %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
-        <translation>Arm und Modell trennen sich bei %1 s: der TCP liegt um %2 daneben</translation>
+        <translation>Arm und Modell weichen ab %1 s voneinander ab: TCP um %2</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
-        <translation>Arm und Modell trennen sich bei %1 s: %2 braucht %3 mehr oder weniger als erwartet</translation>
+        <translation>Arm und Modell weichen ab %1 s voneinander ab: Strom von %2 um %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
-        <translation>Arm und Modell trennen sich bei %1 s: eine Kraft von %2 drückt auf den TCP</translation>
+        <translation>Arm und Modell weichen ab %1 s voneinander ab: Auf den TCP wirkt eine Kraft von %2</translation>
     </message>
     <message>
         <source>The arm moved as the model of a %1 does</source>
-        <translation>Der Arm tat, was das Modell eines %1 tut</translation>
+        <translation>Der Arm hat sich wie das Modell eines %1 bewegt</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
-        <translation>Nichts konnte verglichen werden: der Arm war immer stromlos oder wurde von Hand geführt.</translation>
+        <translation>Kein Vergleich möglich: Der Arm war während der gesamten Aufzeichnung ausgeschaltet oder wurde von Hand geführt.</translation>
     </message>
     <message>
         <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>Sie waren nie beisammen: prüfen Sie die dem Roboter genannte Nutzlast, das Modell und was den Arm berührt.</translation>
+        <translation>Sie weichen ab dem ersten Messwert voneinander ab: Prüfen Sie die eingestellte Nutzlast, das Robotermodell und ob etwas den Arm berührt.</translation>
     </message>
     <message>
         <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>Von da an drückte oder hielt etwas den Arm, seine Last war eine andere, oder ein Gelenk folgte nicht.</translation>
+        <translation>Ab dort wurde der Arm geschoben oder festgehalten, seine Nutzlast war eine andere, oder ein Gelenk folgte seinem Sollwert nicht.</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
-        <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: es fehlt, was den Gelenken befohlen war oder wo sie standen. Zeichnen Sie alle Signale auf, als MCAP.</translation>
+        <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: Soll- oder Ist-Gelenkpositionen fehlen. Zeichnen Sie alle Signale als MCAP auf.</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
-        <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: ihre Zeilen liegen zu weit auseinander. Zeichnen Sie jedes Paket auf.</translation>
+        <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: Ihr Abtastintervall ist zu lang. Zeichnen Sie jedes Paket auf.</translation>
     </message>
     <message>
         <source>Not compared with the model of the arm.</source>
@@ -364,11 +364,11 @@
     </message>
     <message>
         <source>The arm is not at the commanded position.</source>
-        <translation>Der Arm ist nicht, wohin die Steuerung ihn geschickt hat.</translation>
+        <translation>Der Arm ist nicht an der befohlenen Position.</translation>
     </message>
     <message>
         <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
-        <translation>Suchen Sie nach einem Hindernis; prüfen Sie Nutzlast, Schwerpunkt und Montage; verringern Sie die Beschleunigung.</translation>
+        <translation>Prüfen Sie, ob Hindernisse im Weg sind; prüfen Sie Nutzlast, Schwerpunkt und Montage; verringern Sie die Beschleunigung.</translation>
     </message>
     <message>
         <source>Singularity</source>
@@ -376,7 +376,7 @@
     </message>
     <message>
         <source>The linear move passes through a singularity of the arm.</source>
-        <translation>Die gerade Bewegung führt durch eine singuläre Stellung des Arms.</translation>
+        <translation>Die lineare Bewegung führt durch eine Singularität des Arms.</translation>
     </message>
     <message>
         <source>Jog individual joints out of it; use MoveJ through this region.</source>
@@ -388,7 +388,7 @@
     </message>
     <message>
         <source>The arm sagged or was pushed at standstill.</source>
-        <translation>Der Arm sackte ab oder wurde im Stand geschoben.</translation>
+        <translation>Der Arm ist im Stillstand abgesackt oder wurde geschoben.</translation>
     </message>
     <message>
         <source>Check payload, centre of gravity and mounting.</source>
@@ -400,19 +400,19 @@
     </message>
     <message>
         <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
-        <translation>Die Kräfte passen nicht zur Nutzlast, oder etwas schob den Arm, als Freedrive begann.</translation>
+        <translation>Die gemessenen Kräfte passen nicht zur Nutzlast, oder der Arm wurde beim Start von Freedrive geschoben.</translation>
     </message>
     <message>
         <source>Correct payload and mounting, release the arm, and try again.</source>
-        <translation>Berichtigen Sie Nutzlast und Montage, lassen Sie den Arm los und versuchen Sie es erneut.</translation>
+        <translation>Korrigieren Sie Nutzlast und Montage, lassen Sie den Arm los und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>Collision detected by a joint</source>
-        <translation>Ein Gelenk hat eine Kollision bemerkt</translation>
+        <translation>Kollision von einem Gelenk erkannt</translation>
     </message>
     <message>
         <source>A joint needed more torque than the motion requires.</source>
-        <translation>Ein Gelenk brauchte mehr Drehmoment, als die Bewegung erklärt.</translation>
+        <translation>Ein Gelenk benötigte mehr Drehmoment, als die Bewegung erfordert.</translation>
     </message>
     <message>
         <source>Remove the obstacle; if there was none, check the payload.</source>
@@ -420,11 +420,11 @@
     </message>
     <message>
         <source>Collision detected by the tool force</source>
-        <translation>Kollision an der Werkzeugkraft bemerkt</translation>
+        <translation>Kollision durch Kraft am Werkzeug erkannt</translation>
     </message>
     <message>
         <source>The force at the tool exceeded its limit.</source>
-        <translation>Die Kraft am Werkzeug überschritt das Erlaubte.</translation>
+        <translation>Die Kraft am Werkzeug hat ihren Grenzwert überschritten.</translation>
     </message>
     <message>
         <source>Position deviation</source>
@@ -436,7 +436,7 @@
     </message>
     <message>
         <source>Check for obstacles, and check payload and mounting.</source>
-        <translation>Suchen Sie nach einem Hindernis und prüfen Sie Nutzlast und Montage.</translation>
+        <translation>Prüfen Sie, ob Hindernisse im Weg sind, und prüfen Sie Nutzlast und Montage.</translation>
     </message>
     <message>
         <source>Too many protective stops</source>
@@ -448,7 +448,7 @@
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
-        <translation>Finden Sie die Ursache der Stopps, bevor Sie weitermachen; starten Sie dann die Steuerung neu.</translation>
+        <translation>Klären Sie die Ursache der Stopps, bevor Sie fortfahren; starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
         <source>Sudden change of target position</source>
@@ -456,11 +456,11 @@
     </message>
     <message>
         <source>A program commanded a step in position.</source>
-        <translation>Ein Programm verlangte einen Sprung der Position.</translation>
+        <translation>Ein Programm hat einen Positionssprung befohlen.</translation>
     </message>
     <message>
         <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
-        <translation>Lassen Sie das Programm dort beginnen, wo der Arm ist, und halten Sie seine Servo-Schritte klein.</translation>
+        <translation>Starten Sie das Programm an der aktuellen Position des Arms und halten Sie die Servo-Schritte klein.</translation>
     </message>
     <message>
         <source>Sudden change of target speed</source>
@@ -468,7 +468,7 @@
     </message>
     <message>
         <source>A program commanded a step in speed.</source>
-        <translation>Ein Programm verlangte einen Sprung der Geschwindigkeit.</translation>
+        <translation>Ein Programm hat einen Geschwindigkeitssprung befohlen.</translation>
     </message>
     <message>
         <source>Reduce the acceleration, or smooth the path.</source>
@@ -476,15 +476,15 @@
     </message>
     <message>
         <source>Protective stop requested by a program</source>
-        <translation>Schutzstopp durch ein Programm</translation>
+        <translation>Schutzstopp von einem Programm angefordert</translation>
     </message>
     <message>
         <source>The running program requested the stop.</source>
-        <translation>Das laufende Programm hat den Stopp selbst verlangt.</translation>
+        <translation>Das laufende Programm hat den Stopp angefordert.</translation>
     </message>
     <message>
         <source>See the messages of the program before this one.</source>
-        <translation>Sehen Sie sich die Meldungen des Programms davor an.</translation>
+        <translation>Lesen Sie die vorherigen Meldungen des Programms.</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -492,7 +492,7 @@
     </message>
     <message>
         <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
-        <translation>Ein Skript wurde gesendet, aber der Roboter hört nur auf sein Teach-Pendant.</translation>
+        <translation>Ein Skript wurde gesendet, aber der Roboter nimmt nur Befehle vom Teach-Pendant an.</translation>
     </message>
     <message>
         <source>Switch to Remote control on the teach pendant.</source>
@@ -519,19 +519,19 @@
     </message>
     <message>
         <source>There is no signal “%1”. See the signal list for the names.</source>
-        <translation>Es gibt kein Signal „%1“. Die Liste der Signale zeigt die Namen.</translation>
+        <translation>Es gibt kein Signal „%1“. Die Namen stehen in der Signalliste.</translation>
     </message>
     <message>
         <source>The expression contains no signal.</source>
-        <translation>Es steht kein Signal darin.</translation>
+        <translation>Der Ausdruck enthält kein Signal.</translation>
     </message>
     <message>
         <source>The expression contains too many signals.</source>
-        <translation>Es stehen zu viele Signale darin.</translation>
+        <translation>Der Ausdruck enthält zu viele Signale.</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
-        <translation>Es muss eine Zahl ergeben.</translation>
+        <translation>Der Ausdruck muss eine Zahl ergeben.</translation>
     </message>
     <message>
         <source>The text is too long.</source>
@@ -539,15 +539,15 @@
     </message>
     <message>
         <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
-        <translation>Schreiben Sie einen Namen, ein Gleichheitszeichen und einen Ausdruck: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+        <translation>Geben Sie einen Namen, ein Gleichheitszeichen und einen Ausdruck ein: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
         <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>Ein Gleichheitszeichen zu viel; ein Vergleich hat zwei: ==</translation>
+        <translation>Ein Gleichheitszeichen ist zu viel. Verwenden Sie für einen Vergleich ==</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
-        <translation>Die Zeitspanne liegt zwischen 0.001 und 60 Sekunden.</translation>
+        <translation>Das Zeitfenster muss zwischen 0,001 und 60 Sekunden liegen.</translation>
     </message>
 </context>
 <context>
@@ -577,11 +577,11 @@
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
-        <translation>Sehen Sie sich den Arm an, beseitigen Sie die Ursache, stellen Sie dann wieder her: Wiederherstellen… in der Kopfzeile oder am Teach-Pendant.</translation>
+        <translation>Prüfen Sie den Arm, beseitigen Sie die Ursache und stellen Sie den Betrieb wieder her: „Wiederherstellen…“ in der Kopfzeile oder am Teach-Pendant.</translation>
     </message>
     <message>
         <source>Power on and release the brakes with the button in the header.</source>
-        <translation>Schalten Sie ein und lösen Sie die Bremsen: Der Knopf in der Kopfzeile führt hin.</translation>
+        <translation>Schalten Sie den Arm ein und lösen Sie die Bremsen mit der Schaltfläche in der Kopfzeile.</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not answer</source>
@@ -589,15 +589,15 @@
     </message>
     <message>
         <source>the service on port %1 does not use RTDE</source>
-        <translation>was auf Port %1 antwortet, spricht kein RTDE</translation>
+        <translation>der Dienst auf Port %1 verwendet kein RTDE</translation>
     </message>
     <message>
         <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
-        <translation>Zu viele RTDE-Clients oder eine Steuerung, die hängt: Schließen Sie andere Programme, starten Sie dann die Steuerung neu.</translation>
+        <translation>Zu viele RTDE-Clients, oder die Steuerung reagiert nicht: Schließen Sie andere Programme und starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
         <source>Check the address: this is another device, or another program uses the port.</source>
-        <translation>Prüfen Sie die Adresse: Dies ist ein anderes Gerät, oder ein anderes Programm belegt den Port.</translation>
+        <translation>Prüfen Sie die Adresse: Dort antwortet ein anderes Gerät, oder ein anderes Programm verwendet den Port.</translation>
     </message>
     <message>
         <source>protocol version %1</source>
@@ -605,7 +605,7 @@
     </message>
     <message>
         <source>another program uses %1</source>
-        <translation>ein anderes Programm belegt %1</translation>
+        <translation>ein anderes Programm verwendet %1</translation>
     </message>
     <message>
         <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
@@ -621,19 +621,19 @@
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
-        <translation>24 bis 47 sind frei</translation>
+        <translation>Register 24 bis 47 sind frei</translation>
     </message>
     <message>
         <source>a fieldbus adapter or another program uses %1</source>
-        <translation>ein Feldbus-Adapter oder ein anderes Programm belegt %1</translation>
+        <translation>ein Feldbus-Adapter oder ein anderes Programm verwendet %1</translation>
     </message>
     <message>
         <source>No action needed for jogging. To use these registers, disable EtherNet/IP, PROFINET or MODBUS in the robot&apos;s installation.</source>
-        <translation>Zum Verfahren ist nichts zu tun. Um diese Register zu nutzen, schalten Sie EtherNet/IP, PROFINET oder MODBUS in der Installation des Roboters aus.</translation>
+        <translation>Zum Verfahren ist keine Aktion nötig. Um diese Register zu verwenden, deaktivieren Sie EtherNet/IP, PROFINET oder MODBUS in der Installation des Roboters.</translation>
     </message>
     <message>
         <source>registers 0 to 23 are free</source>
-        <translation>0 bis 23 sind frei</translation>
+        <translation>Register 0 bis 23 sind frei</translation>
     </message>
     <message>
         <source>the robot accepts the subscription but sends no data</source>
@@ -661,11 +661,11 @@
     </message>
     <message>
         <source>permitted, and requested by real-time loops</source>
-        <translation>erlaubt, und von Schleifen mit Priorität angefordert</translation>
+        <translation>erlaubt und von Echtzeitschleifen angefordert</translation>
     </message>
     <message>
         <source>CPUs may enter deep sleep states, which delays loops</source>
-        <translation>Prozessoren dürfen tief schlafen, Schleifen beginnen später</translation>
+        <translation>CPUs können in tiefe Ruhezustände wechseln; das verzögert Regelschleifen</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -677,11 +677,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
-        <translation>&quot;%1&quot; ist keine Adresse, und kein Host dieses Namens ist bekannt</translation>
+        <translation>&quot;%1&quot; ist keine Adresse, und es wurde kein Host mit diesem Namen gefunden</translation>
     </message>
     <message>
         <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
-        <translation>Geben Sie die vier Zahlen ein, die das Teach-Pendant unter „Über“ zeigt, oder fragen Sie den Betreiber des Netzes nach dem Namen.</translation>
+        <translation>Geben Sie die vier Zahlen ein, die das Teach-Pendant unter „Über“ anzeigt, oder fragen Sie Ihre Netzwerkadministration nach dem Namen.</translation>
     </message>
     <message>
         <source>%1 does not answer</source>
@@ -689,11 +689,11 @@
     </message>
     <message>
         <source>There is no route to %1</source>
-        <translation>Es führt kein Weg zu %1</translation>
+        <translation>Es gibt keine Route zu %1</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
-        <translation>Prüfen Sie, dass der Roboter eingeschaltet und das Kabel gesteckt ist und dass keine Firewall dazwischensteht.</translation>
+        <translation>Prüfen Sie, ob der Roboter eingeschaltet und das Kabel eingesteckt ist und keine Firewall die Verbindung blockiert.</translation>
     </message>
     <message>
         <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
@@ -701,11 +701,11 @@
     </message>
     <message>
         <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 antwortet, aber keiner der Dienste eines Roboters ist da</translation>
+        <translation>%1 antwortet, bietet aber keinen Dienst eines Roboters an</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>Prüfen Sie, dass dies die Adresse des Roboters selbst ist. Ein eben eingeschalteter Roboter braucht noch eine Minute.</translation>
+        <translation>Prüfen Sie, ob dies die Adresse des Roboters ist. Ein gerade eingeschalteter Roboter benötigt noch eine Minute.</translation>
     </message>
     <message>
         <source>%1 answers</source>
@@ -729,15 +729,15 @@
     </message>
     <message>
         <source>Enable this interface on the robot: Settings, Security, Services.</source>
-        <translation>Schalten Sie diese Schnittstelle am Roboter ein: Einstellungen, Sicherheit, Dienste.</translation>
+        <translation>Aktivieren Sie diese Schnittstelle am Roboter: Einstellungen, Sicherheit, Dienste.</translation>
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
-        <translation>Eine Firewall verschluckt diesen Port: Erlauben Sie TCP-Port %1 zum Roboter.</translation>
+        <translation>Eine Firewall blockiert diesen Port: Geben Sie TCP-Port %1 zum Roboter frei.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
-        <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung. Ohne das beobachtet Tiller nur.</translation>
+        <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung. Bis dahin kann Tiller nur beobachten.</translation>
     </message>
     <message>
         <source>the dashboard accepts connections but does not answer</source>
@@ -745,15 +745,15 @@
     </message>
     <message>
         <source>the service on port %1 is not a dashboard server</source>
-        <translation>was auf Port %1 antwortet, ist kein Dashboard</translation>
+        <translation>der Dienst auf Port %1 ist kein Dashboard-Server</translation>
     </message>
     <message>
         <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
-        <translation>Starten Sie die Steuerung des Roboters neu; bleibt es so, sehen Sie in ihr Protokoll.</translation>
+        <translation>Starten Sie die Steuerung des Roboters neu; wenn das Problem bleibt, lesen Sie ihr Protokoll.</translation>
     </message>
     <message>
         <source>Check the address, and check that no other program uses this port.</source>
-        <translation>Prüfen Sie die Adresse und dass kein anderes Programm diesen Port benutzt.</translation>
+        <translation>Prüfen Sie die Adresse und ob ein anderes Programm diesen Port verwendet.</translation>
     </message>
     <message>
         <source>this series has no Local/Remote switch</source>
@@ -769,15 +769,15 @@
     </message>
     <message>
         <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
-        <translation>weder das Dashboard (Port %1) noch die Robot API (Port %2) ist da</translation>
+        <translation>weder das Dashboard (Port %1) noch die Robot API (Port %2) ist verfügbar</translation>
     </message>
     <message>
         <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
-        <translation>Schalten Sie den Dashboard-Server am Roboter ein: Einstellungen, Sicherheit, Dienste. PolyScope X braucht 10.11 oder neuer für die Robot API.</translation>
+        <translation>Aktivieren Sie den Dashboard-Server am Roboter: Einstellungen, Sicherheit, Dienste. PolyScope X benötigt für die Robot API Version 10.11 oder neuer.</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1, Port %2; Meldungsfenster werden am Tablet geschlossen</translation>
+        <translation>Robot API %1, Port %2; Popups müssen am Teach-Pendant geschlossen werden</translation>
     </message>
     <message>
         <source>the primary interface does not describe the arm</source>
@@ -785,15 +785,15 @@
     </message>
     <message>
         <source>Check that this is the address of the robot, and restart its controller.</source>
-        <translation>Prüfen Sie, dass dies die Adresse des Roboters selbst ist, und starten Sie seine Steuerung neu.</translation>
+        <translation>Prüfen Sie, ob dies die Adresse des Roboters ist, und starten Sie seine Steuerung neu.</translation>
     </message>
     <message>
         <source>robot type %1 is not known to this version of Tiller</source>
-        <translation>Robotertyp %1 ist neuer als dieses Programm</translation>
+        <translation>diese Version von Tiller kennt den Robotertyp %1 nicht</translation>
     </message>
     <message>
         <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
-        <translation>Beobachten geht. Grenzen und Vorschau verwenden die Maße, die der Roboter meldet; verfahren Sie zuerst langsam.</translation>
+        <translation>Beobachten ist möglich. Grenzen und Vorschau verwenden die vom Roboter gemeldeten Maße; verfahren Sie zuerst langsam.</translation>
     </message>
     <message>
         <source>Address resolves</source>
@@ -825,7 +825,7 @@
     </message>
     <message>
         <source>RTDE protocol</source>
-        <translation>RTDE wird verstanden</translation>
+        <translation>RTDE-Protokoll</translation>
     </message>
     <message>
         <source>Controller software</source>
@@ -853,7 +853,7 @@
     </message>
     <message>
         <source>No fieldbus uses registers</source>
-        <translation>Kein Feldbus belegt Register</translation>
+        <translation>Kein Feldbus verwendet Register</translation>
     </message>
     <message>
         <source>Data rate</source>
@@ -861,11 +861,11 @@
     </message>
     <message>
         <source>Real-time priority on this PC</source>
-        <translation>Echtzeitrecht dieses PCs</translation>
+        <translation>Echtzeitpriorität auf diesem PC</translation>
     </message>
     <message>
         <source>Timer wake-ups of this PC</source>
-        <translation>Schnelles Aufwachen dieses PCs</translation>
+        <translation>Timer-Aufwachzeiten dieses PCs</translation>
     </message>
     <message>
         <source>TCP and payload</source>
@@ -896,11 +896,11 @@
     </message>
     <message>
         <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>Lassen Sie den Arm vor Freedrive zur Ruhe kommen.</translation>
+        <translation>Warten Sie vor Freedrive, bis der Arm stillsteht.</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>Der Arm spürt %1 bei einer Nutzlast von %2 kg: Er würde sich von selbst bewegen. Lassen Sie das Werkzeug los oder berichtigen Sie Nutzlast und TCP.</translation>
+        <translation>Der Arm misst %1 bei einer Nutzlast von %2 kg und würde wegdriften. Lassen Sie das Werkzeug los oder korrigieren Sie Nutzlast und TCP.</translation>
     </message>
 </context>
 <context>
@@ -911,29 +911,29 @@
     </message>
     <message>
         <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
-        <translation>Linker Stick X und Y, rechter Stick Z und Drehen. Rechte Schultertaste: Die Sticks drehen.</translation>
+        <translation>Linker Stick: X und Y. Rechter Stick: Z und Drehung. Rechte Schultertaste halten, um mit beiden Sticks zu drehen.</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
         <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>Kein zweiter Zeuge an diesem Bildschirm (%1): Ob eine Taste noch gehalten wird, ist nur aus den Ereignissen des Fensters bekannt.</translation>
+        <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Ob eine Taste gehalten wird, ist nur aus den Fensterereignissen bekannt.</translation>
     </message>
     <message>
         <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Der Display-Server wird alle 10 ms gefragt, ob der Knopf oder die Taste noch gedrückt ist.</translation>
+        <translation>Tastenprüfung aktiv: Tiller fragt den Display-Server alle 10 ms, ob die Taste noch gedrückt ist.</translation>
     </message>
     <message>
         <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>Der Display-Server kann nicht ein zweites Mal gefragt werden: Ob eine Taste noch gehalten wird, ist nur aus den Ereignissen des Fensters bekannt.</translation>
+        <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Ob eine Taste gehalten wird, ist nur aus den Fensterereignissen bekannt.</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
-        <translation>Dieser Bildschirm hat kleine Pixel. „Größe von allem“ in den Einstellungen macht Text, Tasten und Diagramme größer.</translation>
+        <translation>Dieser Bildschirm hat eine hohe Auflösung. Erhöhen Sie „Oberflächengröße“ in den Einstellungen, um Text, Tasten und Diagramme zu vergrößern.</translation>
     </message>
 </context>
 <context>
@@ -952,7 +952,7 @@
     </message>
     <message>
         <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
-        <translation>Scharf bewegen die Pfeiltasten den Arm; ein Rahmen steht um das Fenster. Endet nach einer halben Minute von selbst.</translation>
+        <translation>Im scharfen Zustand bewegen die Pfeiltasten den Arm, und ein Rahmen umgibt das Fenster. Endet nach 30 s ohne Bedienung.</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -988,7 +988,7 @@
     </message>
     <message>
         <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>Eine gehaltene Taste bewegt langsam und endet, wenn das Werkzeug auf diese Kraft trifft.</translation>
+        <translation>Fährt langsam, solange die Taste gehalten wird, und stoppt, wenn das Werkzeug diese Kraft erreicht.</translation>
     </message>
     <message>
         <source>Jog speed, other…</source>
@@ -996,7 +996,7 @@
     </message>
     <message>
         <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>Fragt nach der Geschwindigkeit des TCP; Drehungen und Gelenke im Verhältnis.</translation>
+        <translation>Fragt nach der TCP-Geschwindigkeit. Dreh- und Gelenkgeschwindigkeiten ändern sich im gleichen Verhältnis.</translation>
     </message>
     <message>
         <source>Jog step, other…</source>
@@ -1004,7 +1004,7 @@
     </message>
     <message>
         <source>Asks for the step length. The step angle does not change.</source>
-        <translation>Fragt nach der Länge eines Schritts; der Winkel von Drehungen bleibt.</translation>
+        <translation>Fragt nach der Schrittlänge. Der Schrittwinkel ändert sich nicht.</translation>
     </message>
     <message>
         <source>Jog turn, other…</source>
@@ -1012,7 +1012,7 @@
     </message>
     <message>
         <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>Fragt nach dem Winkel eines Schritts, der Werkzeug oder Gelenk dreht; die Länge bleibt.</translation>
+        <translation>Fragt nach dem Schrittwinkel für Werkzeug- und Gelenkdrehungen. Die Schrittlänge ändert sich nicht.</translation>
     </message>
     <message>
         <source>Jog until contact, other force…</source>
@@ -1020,7 +1020,7 @@
     </message>
     <message>
         <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>Fragt nach der Kraft in N, bei der die Bewegung endet.</translation>
+        <translation>Fragt nach der Kontaktkraft in N, bei der die Bewegung endet.</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1028,7 +1028,7 @@
     </message>
     <message>
         <source>Selects the axes that can be moved by hand during Freedrive.</source>
-        <translation>Was die Hand bewegen kann, während Freedrive gehalten wird.</translation>
+        <translation>Wählt die Achsen, die bei Freedrive von Hand bewegt werden können.</translation>
     </message>
 </context>
 <context>
@@ -1137,15 +1137,15 @@
     </message>
     <message>
         <source>TCP at the speed cap of %1</source>
-        <translation>TCP an seiner Geschwindigkeitsgrenze: %1</translation>
+        <translation>TCP an der Geschwindigkeitsgrenze von %1</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
-        <translation>die Grenze steht in den Einstellungen</translation>
+        <translation>Grenze in den Einstellungen ändern</translation>
     </message>
     <message>
         <source>Elbow at the speed cap of %1</source>
-        <translation>Ellbogen an seiner Geschwindigkeitsgrenze: %1</translation>
+        <translation>Ellbogen an der Geschwindigkeitsgrenze von %1</translation>
     </message>
     <message>
         <source>move less sideways</source>
@@ -1153,15 +1153,15 @@
     </message>
     <message>
         <source>Rotation at its cap of %1</source>
-        <translation>Drehung an ihrer Grenze: %1</translation>
+        <translation>Drehung an der Grenze von %1</translation>
     </message>
     <message>
         <source>%1 at its maximum speed of %2</source>
-        <translation>%1 an der Höchstgeschwindigkeit: %2</translation>
+        <translation>%1 an der Höchstgeschwindigkeit von %2</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
-        <translation>eine langsamere Stufe wählen</translation>
+        <translation>eine niedrigere Geschwindigkeit wählen</translation>
     </message>
     <message>
         <source>move away from it</source>
@@ -1195,7 +1195,7 @@
     </message>
     <message>
         <source>The arm can be moved by hand.</source>
-        <translation>Der Arm folgt der Hand, die ihn bewegt.</translation>
+        <translation>Der Arm kann von Hand bewegt werden.</translation>
     </message>
     <message>
         <source>MOVING</source>
@@ -1263,15 +1263,15 @@
     </message>
     <message>
         <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
-        <translation>Pakete kommen spät oder gar nicht: Verfahren kann von selbst enden, und Diagramme haben Lücken. Verwenden Sie ein Kabel, keine Funkverbindung, und schließen Sie andere Programme.</translation>
+        <translation>Pakete kommen spät oder gehen verloren: Das Verfahren kann stoppen, und Diagramme haben Lücken. Verwenden Sie ein Kabel statt einer Funkverbindung und schließen Sie andere Programme.</translation>
     </message>
     <message>
         <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>Befehle brauchen länger als 20 ms: Der Arm folgt der Taste merklich spät. Verfahren Sie langsam.</translation>
+        <translation>Befehle dauern länger als 20 ms: Der Arm reagiert verzögert auf Tasten. Verfahren Sie langsam.</translation>
     </message>
     <message>
         <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>Gut: Der Arm folgt der Taste sofort, und eine getrennte Verbindung stoppt ihn binnen einer Viertelsekunde.</translation>
+        <translation>Gut: Der Arm reagiert sofort auf Tasten und stoppt innerhalb von 250 ms, wenn die Verbindung ausfällt.</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1283,7 +1283,7 @@
     </message>
     <message>
         <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
-        <translation>Spät ist ein Paket, das mehr als eine halbe Periode nach seiner Zeit kommt.</translation>
+        <translation>Ein Paket gilt als spät, wenn es mehr als eine halbe Periode nach der erwarteten Zeit eintrifft.</translation>
     </message>
     <message>
         <source>No robot connected</source>
@@ -1351,7 +1351,7 @@
     </message>
     <message>
         <source>Select the simulator or enter the address of a robot</source>
-        <translation>Wählen Sie den Simulator oder die Adresse eines Roboters</translation>
+        <translation>Wählen Sie den Simulator oder geben Sie die Adresse eines Roboters ein</translation>
     </message>
     <message>
         <source>Powers the arm. Brakes stay engaged.</source>
@@ -1363,7 +1363,7 @@
     </message>
     <message>
         <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>Zeigt, was den Arm gestoppt hat, die letzten fünf Sekunden und den Weg zurück. Nichts bewegt sich.</translation>
+        <translation>Zeigt, was den Arm gestoppt hat, die letzten fünf Sekunden und die Schritte zur Wiederherstellung. Es bewegt sich nichts.</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1414,7 +1414,7 @@
     </message>
     <message>
         <source>The arm is powered off. Power it on.</source>
-        <translation>Der Arm ist aus. Schalten Sie ihn ein.</translation>
+        <translation>Der Arm ist ausgeschaltet. Schalten Sie ihn ein.</translation>
     </message>
     <message>
         <source>Power on</source>
@@ -1422,7 +1422,7 @@
     </message>
     <message>
         <source>The arm is powered and initializing. Wait a moment.</source>
-        <translation>Der Arm hat Strom und macht sich bereit. Warten Sie einen Moment.</translation>
+        <translation>Der Arm ist eingeschaltet und wird initialisiert. Warten Sie einen Moment.</translation>
     </message>
     <message>
         <source>Idle</source>
@@ -1438,7 +1438,7 @@
     </message>
     <message>
         <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
-        <translation>Der Arm wird von Hand gegen seine Bremsen bewegt. Lassen Sie den Freedrive-Knopf los.</translation>
+        <translation>Der Arm wird mit gelösten Bremsen von Hand bewegt. Lassen Sie die Freedrive-Taste los.</translation>
     </message>
     <message>
         <source>Running</source>
@@ -1470,7 +1470,7 @@
     </message>
     <message>
         <source>The reduced safety limits are active.</source>
-        <translation>Der Roboter hält seine reduzierten Grenzen ein.</translation>
+        <translation>Die reduzierten Sicherheitsgrenzen sind aktiv.</translation>
     </message>
     <message>
         <source>Protective stop</source>
@@ -1494,7 +1494,7 @@
     </message>
     <message>
         <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
-        <translation>Eine Schutzeinrichtung ist offen. Schließen Sie sie; wo ein Zurücksetzen eingerichtet ist, drücken Sie es.</translation>
+        <translation>Eine Schutzeinrichtung ist offen. Schließen Sie sie, und drücken Sie die Reset-Taste, falls ein Reset konfiguriert ist.</translation>
     </message>
     <message>
         <source>System emergency stop</source>
@@ -1534,7 +1534,7 @@
     </message>
     <message>
         <source>A joint was replaced. Validate the joints on the teach pendant.</source>
-        <translation>Ein Gelenk wurde getauscht. Bestätigen Sie die Gelenke am Teach-Pendant.</translation>
+        <translation>Ein Gelenk wurde getauscht. Validieren Sie die Gelenke am Teach-Pendant.</translation>
     </message>
     <message>
         <source>Undefined</source>
@@ -1542,7 +1542,7 @@
     </message>
     <message>
         <source>The controller does not report its safety mode. Check the teach pendant.</source>
-        <translation>Die Steuerung nennt ihren Sicherheitsmodus nicht. Sehen Sie auf das Teach-Pendant.</translation>
+        <translation>Die Steuerung meldet ihren Sicherheitsmodus nicht. Prüfen Sie das Teach-Pendant.</translation>
     </message>
     <message>
         <source>Automatic safeguard stop</source>
@@ -1614,7 +1614,7 @@
     </message>
     <message>
         <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
-        <translation>Die PROFIsafe-Steuerung verlangt einen Not-Halt. Lösen Sie ihn dort, dann schalten Sie ein und lösen die Bremsen.</translation>
+        <translation>Die PROFIsafe-Steuerung fordert einen Not-Halt an. Heben Sie ihn dort auf, schalten Sie dann ein und lösen Sie die Bremsen.</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1630,7 +1630,7 @@
     </message>
     <message>
         <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
-        <translation>Das Werkzeug hat eine Sicherheitsebene durchquert, die ein Eingang eingeschaltet hat. Fahren Sie es am Teach-Pendant heraus oder schalten Sie den Eingang aus.</translation>
+        <translation>Das Werkzeug hat eine Sicherheitsebene durchquert, die ein Eingang aktiviert. Fahren Sie es mit dem Teach-Pendant heraus oder schalten Sie den Eingang aus.</translation>
     </message>
     <message>
         <source>Program stopping</source>
@@ -1662,7 +1662,7 @@
     </message>
     <message>
         <source>The program is pausing.</source>
-        <translation>Das Programm kommt zum Halten.</translation>
+        <translation>Das Programm wird pausiert.</translation>
     </message>
     <message>
         <source>Program paused</source>
@@ -1670,7 +1670,7 @@
     </message>
     <message>
         <source>Play continues the interrupted motion. Stop the program to discard it.</source>
-        <translation>Abspielen setzt die unterbrochene Bewegung fort; stoppen Sie das Programm, um sie zu verwerfen.</translation>
+        <translation>„Abspielen“ setzt die unterbrochene Bewegung fort. Stoppen Sie das Programm, um sie zu verwerfen.</translation>
     </message>
     <message>
         <source>Program resuming</source>
@@ -1678,7 +1678,7 @@
     </message>
     <message>
         <source>The program is resuming: the arm may move.</source>
-        <translation>Das Programm geht weiter: Der Arm kann sich bewegen.</translation>
+        <translation>Das Programm wird fortgesetzt: Der Arm kann sich bewegen.</translation>
     </message>
     <message>
         <source>Unknown robot mode %1. See the teach pendant.</source>
@@ -1697,7 +1697,7 @@
     <name>OutputGripper</name>
     <message>
         <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
-        <translation>Der Roboter hat die Ausgänge nicht bestätigt. Vielleicht gehören sie einem anderen Programm oder der Installation.</translation>
+        <translation>Der Roboter hat die Ausgänge nicht bestätigt. Möglicherweise steuert sie ein anderes Programm oder die Installation.</translation>
     </message>
     <message>
         <source>Gripper: close</source>
@@ -1717,11 +1717,11 @@
     </message>
     <message>
         <source>open requested</source>
-        <translation>soll öffnen</translation>
+        <translation>Öffnen angefordert</translation>
     </message>
     <message>
         <source>close requested</source>
-        <translation>soll schließen</translation>
+        <translation>Schließen angefordert</translation>
     </message>
     <message>
         <source>both outputs off</source>
@@ -1744,11 +1744,11 @@
     </message>
     <message>
         <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>Schreibt jedes Paket des Roboters in eine CSV-Datei, bis es beendet wird.</translation>
+        <translation>Schreibt jedes Paket des Roboters in eine CSV-Datei, bis Sie die Aufzeichnung beenden.</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
-        <translation>Es läuft schon eine Aufzeichnung.</translation>
+        <translation>Es läuft bereits eine Aufzeichnung.</translation>
     </message>
     <message>
         <source>Connect to a robot first.</source>
@@ -1760,11 +1760,11 @@
     </message>
     <message>
         <source>Stops the recording and completes its file.</source>
-        <translation>Beendet die Aufzeichnung; ihre Datei ist vollständig.</translation>
+        <translation>Beendet die Aufzeichnung und schließt ihre Datei ab.</translation>
     </message>
     <message>
         <source>No recording is running.</source>
-        <translation>Es wird nichts aufgezeichnet.</translation>
+        <translation>Es läuft keine Aufzeichnung.</translation>
     </message>
     <message>
         <source>Pause or resume the plots</source>
@@ -1772,7 +1772,7 @@
     </message>
     <message>
         <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
-        <translation>Hält die Diagramme an; Daten und Aufzeichnung gehen weiter. Noch einmal: zurück zu den neuesten Werten.</translation>
+        <translation>Hält die Diagramme an, während Daten und Aufzeichnung weiterlaufen. Erneut drücken, um zu den neuesten Messwerten zurückzukehren.</translation>
     </message>
     <message>
         <source>Export the plots…</source>
@@ -1780,7 +1780,7 @@
     </message>
     <message>
         <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>Speichert den gezeigten Bereich als Bild, Zeichnung, Seite oder Werte.</translation>
+        <translation>Speichert den sichtbaren Bereich als Bild, Zeichnung, Seite oder Werte.</translation>
     </message>
     <message>
         <source>Plots show %1</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
-        <translation>Wie viel Zeit die Diagramme zeigen.</translation>
+        <translation>Stellt den Zeitbereich der Diagramme ein.</translation>
     </message>
     <message>
         <source>Search inputs and outputs</source>
@@ -1804,7 +1804,7 @@
     </message>
     <message>
         <source>Applies to the focused row of the I/O tab.</source>
-        <translation>Die Zeile des Registers E/A, die den Fokus hat.</translation>
+        <translation>Gilt für die Zeile mit Fokus im Register E/A.</translation>
     </message>
     <message>
         <source>Switch selected output</source>
@@ -1812,7 +1812,7 @@
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>Der Ausgang des Registers E/A, der den Fokus hat: ein, oder wieder aus.</translation>
+        <translation>Schaltet den Ausgang mit Fokus im Register E/A ein oder aus.</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
@@ -1820,7 +1820,7 @@
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>Der Ausgang des Registers E/A, der den Fokus hat: für eine halbe Sekunde ein, dann aus.</translation>
+        <translation>Schaltet den Ausgang mit Fokus im Register E/A für 0,5 s ein, dann aus.</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1828,7 +1828,7 @@
     </message>
     <message>
         <source>Shows only entries that contain these words.</source>
-        <translation>Zeigt nur die Zeilen mit diesen Wörtern.</translation>
+        <translation>Zeigt nur Einträge, die diese Wörter enthalten.</translation>
     </message>
     <message>
         <source>Log: show all</source>
@@ -1844,7 +1844,7 @@
     </message>
     <message>
         <source>Selects which log entries are shown.</source>
-        <translation>Wählt, welche Zeilen des Protokolls gezeigt werden.</translation>
+        <translation>Wählt, welche Protokolleinträge angezeigt werden.</translation>
     </message>
     <message>
         <source>Copy the log</source>
@@ -1852,7 +1852,7 @@
     </message>
     <message>
         <source>Copies the selected entries, or all visible entries.</source>
-        <translation>Kopiert die gewählten Zeilen oder alle gezeigten.</translation>
+        <translation>Kopiert die gewählten oder alle sichtbaren Einträge.</translation>
     </message>
     <message>
         <source>Export the log…</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>Writes the visible entries to a file.</source>
-        <translation>Schreibt die gezeigten Zeilen in eine Datei.</translation>
+        <translation>Schreibt die sichtbaren Einträge in eine Datei.</translation>
     </message>
     <message>
         <source>Search signals for the plots</source>
@@ -1868,7 +1868,7 @@
     </message>
     <message>
         <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
-        <translation>Öffnet die Liste von allem, was der Roboter meldet: auf ein Diagramm durch Ziehen, Doppelklick oder Eingabetaste.</translation>
+        <translation>Öffnet die Liste aller Signale. Fügen Sie ein Signal durch Ziehen, Doppelklick oder Enter in ein Diagramm ein.</translation>
     </message>
     <message>
         <source>New page of plots</source>
@@ -1876,26 +1876,26 @@
     </message>
     <message>
         <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>Eine leere Seite hinter den anderen; alle Seiten zeigen dieselbe Zeit.</translation>
+        <translation>Fügt hinter den anderen eine leere Seite hinzu. Alle Seiten haben dieselbe Zeitachse.</translation>
     </message>
     <message>
         <source>Show the entire history</source>
-        <translation>Den ganzen Verlauf der Diagramme zeigen</translation>
+        <translation>Gesamten Verlauf anzeigen</translation>
     </message>
     <message>
         <source>Shows all data in memory and scales each plot automatically.</source>
-        <translation>Alles, was im Speicher ist, jedes Diagramm in seiner besten Skala.</translation>
+        <translation>Zeigt alle Daten im Speicher und skaliert jedes Diagramm automatisch.</translation>
     </message>
 </context>
 <context>
     <name>PlotMenu</name>
     <message>
         <source>Remove lane %1</source>
-        <translation>Die Spur %1 wegnehmen</translation>
+        <translation>Spur %1 entfernen</translation>
     </message>
     <message>
         <source>Add note here…</source>
-        <translation>Hier notieren…</translation>
+        <translation>Hier Notiz hinzufügen…</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -1907,7 +1907,7 @@
     </message>
     <message>
         <source>Read %1 at the cursors</source>
-        <translation>Die Cursor %1 ablesen lassen</translation>
+        <translation>%1 an den Cursorn ablesen</translation>
     </message>
     <message>
         <source>Move %1 to a plot of its own</source>
@@ -1915,15 +1915,15 @@
     </message>
     <message>
         <source>Remove %1</source>
-        <translation>%1 wegnehmen</translation>
+        <translation>%1 entfernen</translation>
     </message>
     <message>
         <source>Warn when %1</source>
-        <translation>Alarm, wenn %1</translation>
+        <translation>Warnen, wenn %1</translation>
     </message>
     <message>
         <source>Do not warn when %1</source>
-        <translation>Kein Alarm, wenn %1</translation>
+        <translation>Nicht warnen, wenn %1</translation>
     </message>
     <message>
         <source>Rate of change of %1</source>
@@ -1931,7 +1931,7 @@
     </message>
     <message>
         <source>Moving mean of %1 over 0.5 s</source>
-        <translation>Gleitender Mittelwert von %1 über eine halbe Sekunde</translation>
+        <translation>Gleitender Mittelwert von %1 über 0,5 s</translation>
     </message>
     <message>
         <source>Mean %1</source>
@@ -1947,15 +1947,15 @@
     </message>
     <message>
         <source>New plot to the right</source>
-        <translation>Neues Diagramm daneben</translation>
+        <translation>Neues Diagramm rechts</translation>
     </message>
     <message>
         <source>Remove this plot</source>
-        <translation>Dieses Diagramm wegnehmen</translation>
+        <translation>Dieses Diagramm entfernen</translation>
     </message>
     <message>
         <source>Scale to the curves</source>
-        <translation>Die Kurven über die Skala entscheiden lassen</translation>
+        <translation>An die Kurven anpassen</translation>
     </message>
     <message>
         <source>Show all</source>
@@ -1970,11 +1970,11 @@
     </message>
     <message>
         <source>The arm is in a protective stop. Press Recover… in the header.</source>
-        <translation>Der Arm ist in einem Schutzstopp. Drücken Sie Wiederherstellen in der Kopfzeile.</translation>
+        <translation>Der Arm ist in einem Schutzstopp. Drücken Sie „Wiederherstellen…“ in der Kopfzeile.</translation>
     </message>
     <message>
         <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
-        <translation>Entriegelt. Der Arm läuft noch nicht: Folgen Sie der Seite zur Wiederherstellung.</translation>
+        <translation>Entriegelt. Der Arm läuft noch nicht: Folgen Sie den Schritten auf der Seite Wiederherstellung.</translation>
     </message>
     <message>
         <source>Unlocked. Take control again.</source>
@@ -1982,43 +1982,43 @@
     </message>
     <message>
         <source>The arm is running and under your control again.</source>
-        <translation>Der Arm läuft und ist wieder unter Ihrer Steuerung.</translation>
+        <translation>Der Arm läuft und wird wieder von Ihnen gesteuert.</translation>
     </message>
     <message>
         <source>No new frame yet. Use 3 points in the Frames tab.</source>
-        <translation>Noch kein neues Koordinatensystem. „Drei Punkte“ steht im Register Koordinatensysteme.</translation>
+        <translation>Noch kein neues Koordinatensystem. Verwenden Sie „3 Punkte“ im Register Koordinatensysteme.</translation>
     </message>
     <message>
         <source>“%1” meets the requirements.</source>
-        <translation>„%1“ liegt wie verlangt.</translation>
+        <translation>„%1“ erfüllt die Anforderungen.</translation>
     </message>
     <message>
         <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
-        <translation>„%1“: Sein Z weicht %2° von dem der Basis ab. Der dritte Punkt liegt auf der Seite von +Y.</translation>
+        <translation>„%1“: Die Z-Achse weicht um %2° von der Z-Achse der Basis ab. Der dritte Punkt muss auf der Seite +Y liegen.</translation>
     </message>
     <message>
         <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
-        <translation>„%1“: Sein X weicht %2° vom Y der Basis ab.</translation>
+        <translation>„%1“: Die X-Achse weicht um %2° von der Y-Achse der Basis ab.</translation>
     </message>
     <message>
         <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>„%1“ wurde nicht mit dem Arm aufgenommen: Der TCP war nicht an seinem Ursprung.</translation>
+        <translation>„%1“ wurde nicht mit dem Arm geteacht: Der TCP war nicht an seinem Ursprung.</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>Der Wegpunkt ist nicht mehr da. Start setzt einen neuen.</translation>
+        <translation>Der Wegpunkt wurde gelöscht. „Start“ fügt einen neuen hinzu.</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
-        <translation>„%1“ ist, wo er war. Der Arm ist %2 entlang X davon entfernt.</translation>
+        <translation>„%1“ wurde nicht geändert. Der Arm ist entlang X %2 davon entfernt.</translation>
     </message>
     <message>
         <source>“%1” has moved by %2 and is %3 from the expected position.</source>
-        <translation>„%1“ wurde um %2 verschoben und ist %3 von seinem Ziel entfernt.</translation>
+        <translation>„%1“ wurde um %2 verschoben und ist %3 von der erwarteten Position entfernt.</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the tool orientation changed.</source>
-        <translation>„%1“ ist am Ort, aber das Werkzeug wurde gedreht.</translation>
+        <translation>„%1“ ist an der erwarteten Position, aber die Werkzeugorientierung hat sich geändert.</translation>
     </message>
     <message>
         <source>“%1” is at the part again.</source>
@@ -2026,23 +2026,23 @@
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
-        <translation>„%1“ ist am Ort, aber der Arm ist nicht dort. Teachen Sie nach, während der Arm am Teil ist.</translation>
+        <translation>„%1“ ist an der erwarteten Position, der Arm aber nicht. Teachen Sie den Wegpunkt nach, während der Arm am Teil ist.</translation>
     </message>
     <message>
         <source>Slowed down to %1. Continue.</source>
-        <translation>Auf %1 verlangsamt. Weiter.</translation>
+        <translation>Auf %1 verlangsamt. Fahren Sie weiter.</translation>
     </message>
     <message>
         <source>No limit reached yet. The line below the pad will name it.</source>
-        <translation>Noch keine Grenze. Die Zeile unter dem Tastenfeld wird sie nennen.</translation>
+        <translation>Noch keine Grenze erreicht. Die Zeile unter dem Tastenfeld nennt sie dann.</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
-        <translation>Das ist die Grenze. Nun zurück: %1 von %2.</translation>
+        <translation>Grenze erreicht. Fahren Sie nun zurück: %1 von %2.</translation>
     </message>
     <message>
         <source>You reached the limit and moved out of it again.</source>
-        <translation>Gefunden, und wieder heraus.</translation>
+        <translation>Sie haben die Grenze erreicht und wieder verlassen.</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>No recording yet. Press Record above the plots.</source>
-        <translation>Noch keine Aufzeichnung. „Aufzeichnen“ steht über den Diagrammen.</translation>
+        <translation>Noch keine Aufzeichnung. Drücken Sie „Aufzeichnen“ über den Diagrammen.</translation>
     </message>
     <message>
         <source>Recorded. Enter the force that the plot shows.</source>
@@ -2062,11 +2062,11 @@
     </message>
     <message>
         <source>%1 does not match the recording. Look at the Fz curve.</source>
-        <translation>%1 ist nicht, was aufgezeichnet wurde. Sehen Sie auf die Kurve Fz.</translation>
+        <translation>%1 stimmt nicht mit der Aufzeichnung überein. Betrachten Sie die Kurve Fz.</translation>
     </message>
     <message>
         <source>Correct: it was %1.</source>
-        <translation>Richtig: Es waren %1.</translation>
+        <translation>Richtig: %1.</translation>
     </message>
     <message>
         <source>Recover from a protective stop</source>
@@ -2090,23 +2090,23 @@
     </message>
     <message>
         <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>Start lässt den simulierten Arm kollidieren, und er geht in einen Schutzstopp. Sehen Sie nach, was ihn stoppte, warten Sie die fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
+        <translation>„Start“ lässt den simulierten Arm kollidieren und löst einen Schutzstopp aus. Finden Sie heraus, was ihn gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
-        <translation>Teachen Sie ein Koordinatensystem aus drei Punkten im Register Koordinatensysteme. Sein X soll entlang Y+ der Basis zeigen, sein Z nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter entlang Y+, dann einen weiter entlang X−.</translation>
+        <translation>Teachen Sie im Register Koordinatensysteme ein Koordinatensystem aus drei Punkten. Seine X-Achse muss entlang Y+ der Basis zeigen, seine Z-Achse nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter in Y+, dann einen Punkt weiter in X−.</translation>
     </message>
     <message>
         <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>Start setzt einen Wegpunkt „Teil“ dorthin, wo der Arm steht. Das Teil wurde seitdem um %1 entlang X+ der Basis verschoben. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
+        <translation>„Start“ fügt an der aktuellen Position des Arms einen Wegpunkt „Teil“ hinzu. Danach verschiebt sich das Teil um %1 in X+ der Basis. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
-        <translation>Fahren Sie von der Basis weg nach außen, bis eine Grenze den Arm auf die Hälfte verlangsamt. Die Zeile unter dem Tastenfeld nennt sie und den Weg heraus. Fahren Sie dann %1 zurück.</translation>
+        <translation>Fahren Sie nach außen, weg von der Basis, bis eine Grenze die Geschwindigkeit halbiert. Die Zeile unter dem Tastenfeld nennt die Grenze und wie Sie sie verlassen. Fahren Sie dann um %1 zurück.</translation>
     </message>
     <message>
         <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>Start lässt eine Hand von oben auf das Werkzeug drücken. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie. Lesen Sie in den Diagrammen, wie groß die Kraft Fz ist, und geben Sie sie ein.</translation>
+        <translation>„Start“ lässt eine Hand von oben auf das Werkzeug drücken. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2147,11 +2147,11 @@
     </message>
     <message>
         <source>No data from the robot. Reconnecting automatically.</source>
-        <translation>Keine Daten vom Roboter. Verbindet sich von selbst wieder.</translation>
+        <translation>Keine Daten vom Roboter. Die Verbindung wird automatisch wiederhergestellt.</translation>
     </message>
     <message>
         <source>Robot data are late. Waiting for new data.</source>
-        <translation>Die Daten des Roboters sind spät. Warte auf ihre Rückkehr.</translation>
+        <translation>Die Daten des Roboters sind verspätet. Warten auf neue Daten.</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -2166,7 +2166,7 @@
     <name>RecordingChoice</name>
     <message>
         <source>A file name must not be empty or begin with a period.</source>
-        <translation>Eine Datei braucht einen Namen, der nicht mit einem Punkt beginnt.</translation>
+        <translation>Ein Dateiname darf nicht leer sein und nicht mit einem Punkt beginnen.</translation>
     </message>
     <message>
         <source>A file name cannot contain “%1”.</source>
@@ -2185,11 +2185,11 @@
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
-        <translation>Der Arm kann bewegt werden. Was vor dem Stopp vorgemerkt war, bewegt ihn nicht: Jede Bewegung braucht einen neuen Druck.</translation>
+        <translation>Der Arm kann bewegt werden. Bewegungen von vor dem Stopp werden nicht fortgesetzt: Jede Bewegung erfordert einen neuen Tastendruck.</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
-        <translation>Der Arm ist bereit. Übernehmen Sie die Steuerung, um ihn zu bewegen, oder machen Sie am Teach-Pendant weiter.</translation>
+        <translation>Der Arm ist bereit. Übernehmen Sie die Steuerung, um ihn zu bewegen, oder fahren Sie am Teach-Pendant fort.</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -2205,15 +2205,15 @@
     </message>
     <message>
         <source>I inspected the arm: no one touches it and nothing is trapped.</source>
-        <translation>Ich habe mir den Arm angesehen: Niemand berührt ihn, nichts ist eingeklemmt.</translation>
+        <translation>Ich habe den Arm geprüft: Niemand berührt ihn, und nichts ist eingeklemmt.</translation>
     </message>
     <message>
         <source>The cause of the stop is known and removed.</source>
-        <translation>Was ihn gestoppt hat, ist bekannt und beseitigt.</translation>
+        <translation>Die Ursache des Stopps ist bekannt und beseitigt.</translation>
     </message>
     <message>
         <source>Payload and TCP match the mounted tool.</source>
-        <translation>Nutzlast und TCP sind die des montierten Werkzeugs.</translation>
+        <translation>Nutzlast und TCP passen zum montierten Werkzeug.</translation>
     </message>
     <message>
         <source>Possible in %1 s</source>
@@ -2221,15 +2221,15 @@
     </message>
     <message>
         <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>Ich habe mir den Arm und das Protokoll des Roboters angesehen: Die Ursache ist bekannt.</translation>
+        <translation>Ich habe den Arm und das Protokoll des Roboters geprüft: Die Ursache ist bekannt.</translation>
     </message>
     <message>
         <source>The cause is removed, and no one is within reach of the arm.</source>
-        <translation>Die Ursache ist beseitigt, und niemand ist in der Reichweite des Arms.</translation>
+        <translation>Die Ursache ist beseitigt, und niemand befindet sich im Arbeitsbereich des Arms.</translation>
     </message>
     <message>
         <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>Hier ist nichts zu drücken: Es endet, wenn seine Ursache weg ist.</translation>
+        <translation>Hier ist keine Aktion nötig: Der Zustand endet, wenn die Ursache beseitigt ist.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -2291,7 +2291,7 @@
     </message>
     <message>
         <source>A program is already running.</source>
-        <translation>Es läuft schon ein Programm.</translation>
+        <translation>Es läuft bereits ein Programm.</translation>
     </message>
     <message>
         <source>Connect…</source>
@@ -2299,7 +2299,7 @@
     </message>
     <message>
         <source>Select the simulator, a robot or a project.</source>
-        <translation>Simulator, Roboter oder Projekt wählen.</translation>
+        <translation>Wählen Sie den Simulator, einen Roboter oder ein Projekt.</translation>
     </message>
     <message>
         <source>Simulated robot</source>
@@ -2315,7 +2315,7 @@
     </message>
     <message>
         <source>Checks everything between this PC and the robot and suggests fixes.</source>
-        <translation>Sieht sich alles zwischen diesem PC und dem Roboter an, jeweils mit Abhilfe.</translation>
+        <translation>Prüft alles zwischen diesem PC und dem Roboter und schlägt Abhilfe vor.</translation>
     </message>
     <message>
         <source>Select a robot first.</source>
@@ -2327,7 +2327,7 @@
     </message>
     <message>
         <source>Stops our motion, then closes the connection.</source>
-        <translation>Beendet die Verbindung; eine Bewegung von hier stoppt zuerst.</translation>
+        <translation>Stoppt unsere Bewegung und trennt dann die Verbindung.</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
@@ -2339,7 +2339,7 @@
     </message>
     <message>
         <source>The arm is powered on or powering on.</source>
-        <translation>Der Arm hat Strom oder bekommt ihn gerade.</translation>
+        <translation>Der Arm ist eingeschaltet oder wird eingeschaltet.</translation>
     </message>
     <message>
         <source>The arm may sag by a few millimetres. Keep clear.</source>
@@ -2347,11 +2347,11 @@
     </message>
     <message>
         <source>Stops programs, engages the brakes and powers the arm off.</source>
-        <translation>Schließt die Bremsen und nimmt dem Arm den Strom; Programme stoppen.</translation>
+        <translation>Stoppt Programme, schließt die Bremsen und schaltet den Arm aus.</translation>
     </message>
     <message>
         <source>The arm is powered off.</source>
-        <translation>Der Arm ist aus.</translation>
+        <translation>Der Arm ist ausgeschaltet.</translation>
     </message>
     <message>
         <source>Recover…</source>
@@ -2359,15 +2359,15 @@
     </message>
     <message>
         <source>Shows what stopped the arm and the recovery steps.</source>
-        <translation>Zeigt, was den Arm gestoppt hat, und den Weg zurück.</translation>
+        <translation>Zeigt, was den Arm gestoppt hat, und die Schritte zur Wiederherstellung.</translation>
     </message>
     <message>
         <source>The safety system reports no stop.</source>
-        <translation>Kein Stopp der Sicherheit.</translation>
+        <translation>Das Sicherheitssystem meldet keinen Stopp.</translation>
     </message>
     <message>
         <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
-        <translation>Nach einer Verletzung oder einem Fehler, wenn die Ursache gefunden ist. Der Arm bleibt aus.</translation>
+        <translation>Nach einer Verletzung oder einem Fehler, sobald die Ursache gefunden ist. Der Arm bleibt ausgeschaltet.</translation>
     </message>
     <message>
         <source>Only after a violation or a fault.</source>
@@ -2383,7 +2383,7 @@
     </message>
     <message>
         <source>Already in control.</source>
-        <translation>Schon gesteuert.</translation>
+        <translation>Steuerung bereits übernommen.</translation>
     </message>
     <message>
         <source>Give control back</source>
@@ -2403,7 +2403,7 @@
     </message>
     <message>
         <source>Software stop of all motion. Not an emergency stop.</source>
-        <translation>Software-Stopp von allem, was sich bewegt. Kein Not-Halt.</translation>
+        <translation>Software-Stopp jeder Bewegung. Kein Not-Halt.</translation>
     </message>
     <message>
         <source>Load program…</source>
@@ -2411,7 +2411,7 @@
     </message>
     <message>
         <source>Loads a program stored on the robot by name.</source>
-        <translation>Lädt ein Programm des Roboters nach seinem Namen.</translation>
+        <translation>Lädt ein auf dem Roboter gespeichertes Programm nach Namen.</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
@@ -2423,7 +2423,7 @@
     </message>
     <message>
         <source>Stops the program on the robot.</source>
-        <translation>Stoppt das eigene Programm des Roboters.</translation>
+        <translation>Stoppt das Programm auf dem Roboter.</translation>
     </message>
     <message>
         <source>Starts the control program on the robot. Asks before it stops another program.</source>
@@ -2545,7 +2545,7 @@
     </message>
     <message>
         <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
-        <translation>Das Programm auf dem Roboter wurde nicht gestoppt: Stoppen Sie es am Teach-Pendant. %1</translation>
+        <translation>Das Programm auf dem Roboter konnte nicht gestoppt werden: Stoppen Sie es am Teach-Pendant. %1</translation>
     </message>
     <message>
         <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
@@ -2560,11 +2560,11 @@
     <name>RobotTooling</name>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+        <translation>Tiller hat nicht die Steuerung. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
         <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
-        <translation>TCP und Nutzlast werden im Stand gesetzt. Lassen Sie den Arm zur Ruhe kommen.</translation>
+        <translation>TCP und Nutzlast können nur im Stillstand gesetzt werden. Warten Sie, bis der Arm stillsteht.</translation>
     </message>
     <message>
         <source>TCP set on the robot: %1</source>
@@ -2583,7 +2583,7 @@
     </message>
     <message>
         <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
-        <translation>Ein Teil wird aus einem Zubringer genommen und auf einen von sechs Plätzen eines Trays gelegt. Die Plätze stehen im Koordinatensystem des Trays und bewegen sich mit ihm.</translation>
+        <translation>Nimmt ein Teil aus einem Zubringer und legt es auf einen von sechs Plätzen eines Trays. Die Plätze sind im Koordinatensystem des Trays definiert und bewegen sich mit ihm.</translation>
     </message>
     <message>
         <source>Gluing along a path</source>
@@ -2591,11 +2591,11 @@
     </message>
     <message>
         <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
-        <translation>Eine Naht um einen Deckel mit runden Ecken, langsam und in Geraden. Überschleifen hält die Düse durch die Ecken in Bewegung.</translation>
+        <translation>Trägt langsam und in geraden Linien eine Raupe um einen Deckel mit runden Ecken auf. Überschleifen hält die Düse in den Ecken in Bewegung.</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation>Messrunde</translation>
+        <translation>Messen</translation>
     </message>
     <message>
         <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
@@ -2606,11 +2606,11 @@
     <name>SceneActions</name>
     <message>
         <source>Default view, perspective</source>
-        <translation>Blick von der ersten Seite, perspektivisch</translation>
+        <translation>Standardansicht, perspektivisch</translation>
     </message>
     <message>
         <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>Zwischen vorn und Seite, etwas von oben, mit allem im Bild.</translation>
+        <translation>Zwischen vorn und Seite, leicht von oben, alles sichtbar.</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -2642,14 +2642,14 @@
     </message>
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
-        <translation>Arm, Ziel und Wegpunkte ins Bild, von der Seite, von der jetzt geblickt wird.</translation>
+        <translation>Passt Arm, Ziel und Wegpunkte in die Ansicht ein, ohne die Blickrichtung zu ändern.</translation>
     </message>
 </context>
 <context>
     <name>SessionRecording</name>
     <message>
         <source>Cannot record: connect to a robot first.</source>
-        <translation>Es wird nichts aufgezeichnet: Verbinden Sie sich zuerst mit einem Roboter.</translation>
+        <translation>Aufzeichnen nicht möglich: Verbinden Sie sich zuerst mit einem Roboter.</translation>
     </message>
     <message>
         <source>Recording to %1</source>
@@ -2671,11 +2671,11 @@
     </message>
     <message>
         <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>Den Wert von &quot;%1&quot; können Einstellungen nicht haben.</translation>
+        <translation>Ungültiger Wert für die Einstellung &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
-        <translation>Die Datei ist zu groß für Einstellungen.</translation>
+        <translation>Die Datei ist zu groß für eine Einstellungsdatei.</translation>
     </message>
     <message>
         <source>The file is damaged at byte %1: %2.</source>
@@ -2683,7 +2683,7 @@
     </message>
     <message>
         <source>The file contains no Tiller settings.</source>
-        <translation>Die Datei enthält keine Einstellungen von Tiller.</translation>
+        <translation>Die Datei enthält keine Tiller-Einstellungen.</translation>
     </message>
     <message>
         <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
@@ -2691,15 +2691,15 @@
     </message>
     <message>
         <source>The file does not state its version.</source>
-        <translation>Die Datei sagt nicht, welche Version sie hat.</translation>
+        <translation>Die Datei enthält keine Versionsangabe.</translation>
     </message>
     <message>
         <source>The list of values is missing or too long.</source>
-        <translation>Die Datei hat keine Liste von Werten oder eine zu lange.</translation>
+        <translation>Die Liste der Werte fehlt oder ist zu lang.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; ist kein Name einer Einstellung.</translation>
+        <translation>&quot;%1&quot; ist kein gültiger Einstellungsname.</translation>
     </message>
 </context>
 <context>
@@ -2734,7 +2734,7 @@
     </message>
     <message>
         <source>Other</source>
-        <translation>Mehr</translation>
+        <translation>Sonstige</translation>
     </message>
     <message>
         <source>Registers</source>
@@ -2862,11 +2862,11 @@
     </message>
     <message>
         <source>Position deviation, ratio to limit</source>
-        <translation>Positionsabweichung zu ihrer Grenze</translation>
+        <translation>Positionsabweichung, Verhältnis zur Grenze</translation>
     </message>
     <message>
         <source>Collision measure, ratio to limit</source>
-        <translation>Kollisionsmaß zu seiner Grenze</translation>
+        <translation>Kollisionsmaß, Verhältnis zur Grenze</translation>
     </message>
     <message>
         <source>Joint modes</source>
@@ -3105,7 +3105,7 @@
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
-        <translation>Die Kappe bewegt und dreht sich so, wie das Werkzeug es soll.</translation>
+        <translation>Das Werkzeug folgt der Bewegung der Kappe.</translation>
     </message>
 </context>
 <context>
@@ -3120,18 +3120,18 @@
     </message>
     <message>
         <source>Values are missing in this range: select a range without gaps.</source>
-        <translation>In diesem Bereich fehlen Werte: Wählen Sie einen ohne Lücke.</translation>
+        <translation>In diesem Bereich fehlen Werte: Wählen Sie einen Bereich ohne Lücken.</translation>
     </message>
     <message>
         <source>Not enough memory.</source>
-        <translation>Der Speicher reicht nicht.</translation>
+        <translation>Nicht genügend Speicher.</translation>
     </message>
 </context>
 <context>
     <name>StartProject</name>
     <message>
         <source>The last project no longer exists: %1</source>
-        <translation>Das Projekt, an dem zuletzt gearbeitet wurde, ist nicht mehr da: %1</translation>
+        <translation>Das letzte Projekt ist nicht mehr vorhanden: %1</translation>
     </message>
 </context>
 <context>
@@ -3217,31 +3217,31 @@
     <name>Texts</name>
     <message>
         <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
-        <translation>Prüfen Sie die Adresse: vier Zahlen wie 192.168.0.10 oder ein Name, den das Netz kennt.</translation>
+        <translation>Prüfen Sie die Adresse: vier Zahlen, z. B. 192.168.0.10, oder ein Hostname.</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
-        <translation>Prüfen Sie, dass der Roboter eingeschaltet, das Kabel gesteckt und dieser PC im selben Netz ist.</translation>
+        <translation>Prüfen Sie, ob der Roboter eingeschaltet, das Kabel eingesteckt und dieser PC im selben Netzwerk ist.</translation>
     </message>
     <message>
         <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>Schalten Sie die Schnittstelle am Roboter ein: Einstellungen, Sicherheit, Dienste. Ein eben gestarteter Roboter braucht vielleicht noch eine Minute.</translation>
+        <translation>Aktivieren Sie die Schnittstelle am Roboter: Einstellungen, Sicherheit, Dienste. Ein gerade gestarteter Roboter benötigt eventuell noch eine Minute.</translation>
     </message>
     <message>
         <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
-        <translation>Der Roboter hat die Verbindung beendet: Vielleicht startet er neu oder wurde zwischen Lokal und Fern umgeschaltet.</translation>
+        <translation>Der Roboter hat die Verbindung geschlossen: Er startet eventuell neu oder wurde zwischen Lokal und Fernsteuerung umgeschaltet.</translation>
     </message>
     <message>
         <source>The robot does not answer. Check the cable and the address.</source>
-        <translation>Der Roboter antwortet nicht. Prüfen Sie das Kabel und dass die Adresse die des Roboters ist.</translation>
+        <translation>Der Roboter antwortet nicht. Prüfen Sie Kabel und Adresse.</translation>
     </message>
     <message>
         <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
-        <translation>Es kommen keine Daten mehr. Prüfen Sie das Kabel; die Verbindung kommt von selbst zurück, Bewegung nicht.</translation>
+        <translation>Es werden keine Daten mehr empfangen. Prüfen Sie das Kabel. Tiller verbindet sich automatisch neu; die Bewegung wird nicht fortgesetzt.</translation>
     </message>
     <message>
         <source>The answer violates the RTDE protocol. Check address and port.</source>
-        <translation>Was dort antwortet, spricht RTDE nicht, wie es soll. Prüfen Sie Adresse und Port.</translation>
+        <translation>Die Antwort verletzt das RTDE-Protokoll. Prüfen Sie Adresse und Port.</translation>
     </message>
     <message>
         <source>The robot&apos;s software is too old for this.</source>
@@ -3249,11 +3249,11 @@
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
-        <translation>Die Software des Roboters hat diesen Wert nicht.</translation>
+        <translation>Die Software des Roboters stellt diesen Wert nicht bereit.</translation>
     </message>
     <message>
         <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
-        <translation>Ein anderes Programm oder ein Feldbus am Roboter belegt diese Register: Schließen Sie das andere Programm oder schalten Sie den Feldbus in der Installation aus.</translation>
+        <translation>Ein anderes Programm oder ein Feldbus des Roboters verwendet diese Register: Schließen Sie das andere Programm oder deaktivieren Sie den Feldbus in der Installation.</translation>
     </message>
     <message>
         <source>Connect to a robot first.</source>
@@ -3273,19 +3273,19 @@
     </message>
     <message>
         <source>Choose a target within the range of the arm and a speed within the cap.</source>
-        <translation>Wählen Sie ein Ziel im Bereich des Arms und eine Geschwindigkeit innerhalb der Grenze.</translation>
+        <translation>Wählen Sie ein Ziel im Bewegungsbereich des Arms und eine Geschwindigkeit innerhalb der Grenze.</translation>
     </message>
     <message>
         <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
-        <translation>Der Arm kann diese Pose nicht erreichen: Rücken Sie den Punkt näher oder drehen Sie das Werkzeug.</translation>
+        <translation>Der Arm kann diese Pose nicht erreichen: Verschieben Sie den Punkt näher heran oder drehen Sie das Werkzeug.</translation>
     </message>
     <message>
         <source>The robot could not run the program. See the log for the message of the controller.</source>
-        <translation>Der Roboter konnte das gesendete Programm nicht ausführen. Seine eigenen Worte stehen im Protokoll.</translation>
+        <translation>Der Roboter konnte das Programm nicht ausführen. Die Meldung der Steuerung steht im Protokoll.</translation>
     </message>
     <message>
         <source>Check that the file exists and that you have permission to read it.</source>
-        <translation>Prüfen Sie, dass die Datei vorhanden ist und gelesen werden darf.</translation>
+        <translation>Prüfen Sie, ob die Datei vorhanden ist und Sie sie lesen dürfen.</translation>
     </message>
     <message>
         <source>Choose a folder that you have permission to write to.</source>
@@ -3293,7 +3293,7 @@
     </message>
     <message>
         <source>The file was not changed. Open a backup, or repair the reported position.</source>
-        <translation>Die Datei wurde gelassen, wie sie ist. Öffnen Sie eine Sicherung oder reparieren Sie die genannte Stelle.</translation>
+        <translation>Die Datei wurde nicht geändert. Öffnen Sie eine Sicherung oder reparieren Sie die gemeldete Stelle.</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3317,7 +3317,7 @@
     </message>
     <message>
         <source>Timed out</source>
-        <translation>Keine Antwort in der Zeit</translation>
+        <translation>Zeitüberschreitung</translation>
     </message>
     <message>
         <source>Cancelled</source>
@@ -3329,7 +3329,7 @@
     </message>
     <message>
         <source>Protocol error</source>
-        <translation>Nicht verstanden</translation>
+        <translation>Protokollfehler</translation>
     </message>
     <message>
         <source>Not supported by this robot</source>
@@ -3365,7 +3365,7 @@
     </message>
     <message>
         <source>Invalid value</source>
-        <translation>Kein gültiger Wert</translation>
+        <translation>Ungültiger Wert</translation>
     </message>
     <message>
         <source>Out of reach</source>
@@ -3465,7 +3465,7 @@
     </message>
     <message>
         <source>input not refreshed in time</source>
-        <translation>nicht rechtzeitig erneuert</translation>
+        <translation>Eingabe nicht rechtzeitig erneuert</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -3505,23 +3505,23 @@
     </message>
     <message>
         <source>no confirmation that the key is still held</source>
-        <translation>kein Zeichen, dass noch gehalten wurde</translation>
+        <translation>keine Bestätigung, dass die Taste noch gehalten wird</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
-        <translation>so lange gehalten wie möglich; neu drücken</translation>
+        <translation>maximale Haltezeit erreicht; erneut drücken</translation>
     </message>
     <message>
         <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
-        <translation>PolyScope X vor 10.11 nimmt solche Befehle nicht über das Netz an: Verwenden Sie das Tablet.</translation>
+        <translation>PolyScope X vor 10.11 nimmt solche Befehle nicht über das Netzwerk an: Verwenden Sie das Teach-Pendant.</translation>
     </message>
     <message>
         <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
-        <translation>PolyScope X hat keinen Befehl, Meldungsfenster über das Netz zu schließen: Verwenden Sie das Tablet.</translation>
+        <translation>PolyScope X kann Popups nicht über das Netzwerk schließen: Verwenden Sie das Teach-Pendant.</translation>
     </message>
     <message>
         <source>Monitoring. Take control to move the arm.</source>
-        <translation>Nur beobachtend. Übernehmen Sie die Steuerung, um den Arm zu bewegen.</translation>
+        <translation>Beobachten. Übernehmen Sie die Steuerung, um den Arm zu bewegen.</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -3537,15 +3537,15 @@
     </message>
     <message>
         <source>The control program does not respond. Take control again.</source>
-        <translation>Das Steuerprogramm antwortet nicht. Übernehmen Sie wieder die Steuerung.</translation>
+        <translation>Das Steuerprogramm antwortet nicht. Übernehmen Sie erneut die Steuerung.</translation>
     </message>
     <message>
         <source>The connection was lost. Take control again.</source>
-        <translation>Die Verbindung ging verloren. Übernehmen Sie wieder die Steuerung.</translation>
+        <translation>Die Verbindung wurde unterbrochen. Übernehmen Sie erneut die Steuerung.</translation>
     </message>
     <message>
         <source>Your script is running. Control returns when it ends.</source>
-        <translation>Ein eigenes Skript läuft. Die Steuerung kommt zurück, wenn es endet.</translation>
+        <translation>Ihr Skript läuft. Die Steuerung kehrt zurück, wenn es endet.</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -3580,11 +3580,11 @@
     </message>
     <message>
         <source>“%1” must be J or L</source>
-        <translation>„%1“ ist weder J noch L</translation>
+        <translation>„%1“ muss J oder L sein</translation>
     </message>
     <message>
         <source>“%1” must be joints or pose</source>
-        <translation>„%1“ ist weder joints noch pose</translation>
+        <translation>„%1“ muss joints oder pose sein</translation>
     </message>
     <message>
         <source>there is no frame “%1” in this project</source>
@@ -3592,18 +3592,18 @@
     </message>
     <message>
         <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
-        <translation>Das ist keine Tabelle von Wegpunkten. Kopieren Sie einen aus der Liste, um die Spalten zu sehen, oder fügen Sie die sechs Zahlen einer Pose ein.</translation>
+        <translation>Dies ist keine Wegpunkttabelle. Kopieren Sie einen Wegpunkt aus der Liste, um die Spalten zu sehen, oder fügen Sie die sechs Werte einer Pose ein.</translation>
     </message>
     <message>
         <source>“%1” is not a waypoint colour</source>
-        <translation>„%1“ ist keine Farbe eines Wegpunkts</translation>
+        <translation>„%1“ ist keine Wegpunktfarbe</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
         <source>Line %1: missing closing quotation mark</source>
-        <translation>Zeile %1: Ein Anführungszeichen ist nicht geschlossen</translation>
+        <translation>Zeile %1: schließendes Anführungszeichen fehlt</translation>
     </message>
 </context>
 <context>
@@ -3621,15 +3621,15 @@
     </message>
     <message>
         <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>In dieser Reihenfolge ausgeführt, wenn „Durchfahren“ den Arm dorthin gebracht hat, und nur solange die Taste gehalten wird.</translation>
+        <translation>Wird in dieser Reihenfolge ausgeführt, wenn „Durchfahren“ den Wegpunkt erreicht, und nur solange die Taste gehalten wird.</translation>
     </message>
     <message>
         <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>Diese Wegpunkte haben verschiedene Aktionen. „Ändern“ gibt allen die untenstehenden.</translation>
+        <translation>Diese Wegpunkte haben unterschiedliche Aktionen. „Ändern“ ersetzt sie alle durch die Aktionen unten.</translation>
     </message>
     <message>
         <source>Actions in order</source>
-        <translation>Aktionen in ihrer Reihenfolge</translation>
+        <translation>Aktionen in Reihenfolge</translation>
     </message>
     <message>
         <source>Change</source>
@@ -3641,7 +3641,7 @@
     </message>
     <message>
         <source>Add an action after the selected one</source>
-        <translation>Eine Aktion hinter der gewählten hinzufügen</translation>
+        <translation>Aktion nach der gewählten hinzufügen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3649,7 +3649,7 @@
     </message>
     <message>
         <source>Remove the selected action</source>
-        <translation>Die gewählte Aktion entfernen</translation>
+        <translation>Gewählte Aktion entfernen</translation>
     </message>
     <message>
         <source>Up</source>
@@ -3657,7 +3657,7 @@
     </message>
     <message>
         <source>Move the selected action up</source>
-        <translation>Die gewählte Aktion früher ausführen</translation>
+        <translation>Gewählte Aktion nach oben verschieben</translation>
     </message>
     <message>
         <source>Down</source>
@@ -3665,15 +3665,15 @@
     </message>
     <message>
         <source>Move the selected action down</source>
-        <translation>Die gewählte Aktion später ausführen</translation>
+        <translation>Gewählte Aktion nach unten verschieben</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation>Was getan wird</translation>
+        <translation>Aktion</translation>
     </message>
     <message>
         <source>Terminal</source>
-        <translation>Welche Klemme</translation>
+        <translation>Klemme</translation>
     </message>
     <message>
         <source>On or off</source>
@@ -3693,11 +3693,11 @@
     </message>
     <message>
         <source>Timeout in seconds</source>
-        <translation>Höchstens, Sekunden</translation>
+        <translation>Zeitlimit in Sekunden</translation>
     </message>
     <message>
         <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>Dann endet es und sagt es. 0: solange die Taste gehalten wird, höchstens eine Stunde</translation>
+        <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde</translation>
     </message>
 </context>
 <context>
@@ -3750,7 +3750,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
     </message>
     <message>
         <source>e.g. bar; empty: not scaled</source>
-        <translation>bar; leer: nicht skaliert</translation>
+        <translation>z. B. bar; leer: nicht skaliert</translation>
     </message>
     <message>
         <source>At 4 mA or 0 V</source>
@@ -3777,11 +3777,11 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
     </message>
     <message>
         <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
-        <translation>Pfeile bewegen X und Y, BildAuf und BildAb bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − drehen ein Gelenk. Leertaste und Esc stoppen. Klicken Sie oder warten Sie eine halbe Minute: Die Tastatur ist abgeschaltet.</translation>
+        <translation>Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen. Zum Entschärfen klicken oder 30 s warten.</translation>
     </message>
     <message>
         <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
-        <translation>Dann bewegen die Pfeiltasten den Arm, solange sie gehalten werden; ein Rahmen steht um das Fenster.</translation>
+        <translation>Im scharfen Zustand bewegen die Pfeiltasten den Arm, solange sie gehalten werden. Ein Rahmen umgibt das Fenster.</translation>
     </message>
 </context>
 <context>
@@ -4073,7 +4073,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>Compare this recording with the arm model, with different limits</source>
-        <translation>Diese Aufzeichnung mit dem Modell ihres Arms vergleichen, mit anderen Grenzen</translation>
+        <translation>Diese Aufzeichnung mit dem Modell des Arms vergleichen, mit anderen Grenzen</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -4085,11 +4085,11 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>Stop comparing</source>
-        <translation>Nicht weiter vergleichen</translation>
+        <translation>Vergleich beenden</translation>
     </message>
     <message>
         <source>Place cursor A where arm and model diverge</source>
-        <translation>Cursor A dorthin setzen, wo Arm und Modell sich trennen</translation>
+        <translation>Cursor A dorthin setzen, wo Arm und Modell voneinander abweichen</translation>
     </message>
 </context>
 <context>
@@ -4100,7 +4100,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>Was den Gelenken befohlen war, bekommt der simulierte Arm, und was er tut, wird mit der Aufzeichnung verglichen. Den simulierten Arm berührt nichts, und er kennt keine Reibung.</translation>
+        <translation>Der simulierte Arm folgt den aufgezeichneten Gelenksollwerten, und seine Bewegung wird mit der aufgezeichneten verglichen. Das Modell kennt weder Kontakt noch Reibung.</translation>
     </message>
     <message>
         <source>Model of the arm</source>
@@ -4136,7 +4136,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>Signals with a limit of 0 are not compared.</source>
-        <translation>Was die Grenze 0 hat, wird nicht verglichen.</translation>
+        <translation>Signale mit der Grenze 0 werden nicht verglichen.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -4147,11 +4147,11 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
-        <translation>Bewegt den Arm (bis das Programm endet)</translation>
+        <translation>Bewegt den Arm (bis Tiller geschlossen wird)</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>Nur die am weitesten ausgelenkte Achse</translation>
+        <translation>Nur dominante Achse</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -4163,7 +4163,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>Direction in which the arm would move</source>
-        <translation>Wohin der Arm fahren würde</translation>
+        <translation>Richtung, in die sich der Arm bewegen würde</translation>
     </message>
     <message>
         <source>Dead-man</source>
@@ -4175,7 +4175,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>Tastatur, solange scharf (Strg+J): Pfeile X und Y, BildAuf und BildAb Z, mit Alt drehen sie, 1 bis 6 mit + und − ein Gelenk, Pos1, Ende richtet aus, Rücktaste zurück, F Freedrive. Strg langsamer, Umschalt schneller. Leertaste und Esc stoppen.</translation>
+        <translation>Tastatur, wenn scharf (Strg+J): Pfeiltasten X und Y, Bild auf und Bild ab Z, mit Alt Drehung, 1 bis 6 mit + und − Gelenke, Pos1 Home, Ende Ausrichten, Rücktaste Zurück, F Freedrive. Strg langsamer, Umschalt schneller. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4183,7 +4183,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>Kein Gamepad und keine SpaceMouse ist da. Stecken Sie eines ein: Es erscheint von selbst.</translation>
+        <translation>Kein Gamepad und keine SpaceMouse gefunden. Schließen Sie ein Gerät an; es wird automatisch erkannt.</translation>
     </message>
     <message>
         <source>● held (%1)</source>
@@ -4202,7 +4202,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     <name>tiller::FigureBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>„%1“ wurde nicht übernommen: %2 bis %3. Nichts wurde geändert.</translation>
+        <translation>„%1“ liegt außerhalb des Bereichs (%2 bis %3). Es wurde nichts geändert.</translation>
     </message>
 </context>
 <context>
@@ -4248,7 +4248,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>Die Liste kommt nicht von selbst wieder. Der Befehl „Erste Schritte“ holt sie zurück.</translation>
+        <translation>Die Liste erscheint nicht wieder. Mit dem Befehl „Erste Schritte“ können Sie sie anzeigen.</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -4267,11 +4267,11 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>In Basis. Eingabetaste übernimmt; nichts bewegt sich außer dem Koordinatensystem.</translation>
+        <translation>In Basis. Mit Enter übernehmen. Nur das Koordinatensystem ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
-        <translation>kein Wegpunkt verwendet es</translation>
+        <translation>von keinem Wegpunkt verwendet</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it</source>
@@ -4289,7 +4289,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     <name>tiller::FrameEditing</name>
     <message>
         <source>No waypoints moved with it.</source>
-        <translation>Kein Wegpunkt bewegte sich mit ihm.</translation>
+        <translation>Keine Wegpunkte wurden mitbewegt.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints moved with it.</source>
@@ -4301,8 +4301,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     <message numerus="yes">
         <source>%n of them are now out of reach.</source>
         <translation>
-            <numerusform>%n von ihnen ist dort außer Reichweite.</numerusform>
-            <numerusform>%n von ihnen sind dort außer Reichweite.</numerusform>
+            <numerusform>%n davon ist nun außer Reichweite.</numerusform>
+            <numerusform>%n davon sind nun außer Reichweite.</numerusform>
         </translation>
     </message>
     <message>
@@ -4315,11 +4315,11 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>The frame moves by %1 (%2, base frame).</source>
-        <translation>Es verschiebt sich um %1 (%2, Basis-System).</translation>
+        <translation>Das Koordinatensystem verschiebt sich um %1 (%2, Basis-Koordinatensystem).</translation>
     </message>
     <message>
         <source>No waypoint uses this frame.</source>
-        <translation>Kein Wegpunkt ist in ihm angegeben.</translation>
+        <translation>Kein Wegpunkt verwendet dieses Koordinatensystem.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it.</source>
@@ -4342,15 +4342,15 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>Touched up “%1”</source>
-        <translation>„%1“ ist nachgeteacht</translation>
+        <translation>„%1“ nachgeteacht</translation>
     </message>
     <message>
         <source>Set the position of “%1”</source>
-        <translation>Ort von „%1“ setzen</translation>
+        <translation>Position von „%1“ setzen</translation>
     </message>
     <message>
         <source>“%1” was set numerically. %2</source>
-        <translation>„%1“ ist in Zahlen gesetzt. %2</translation>
+        <translation>„%1“ wurde numerisch gesetzt. %2</translation>
     </message>
     <message>
         <source>Duplicate “%1”</source>
@@ -4363,8 +4363,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     <message numerus="yes">
         <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
-            <numerusform>%n Wegpunkt ist in ihm angegeben. Er bleibt, wo er ist, angegeben in Basis.</numerusform>
-            <numerusform>%n Wegpunkte sind in ihm angegeben. Sie bleiben, wo sie sind, angegeben in Basis.</numerusform>
+            <numerusform>%n Wegpunkt verwendet dieses Koordinatensystem. Er behält seine Position und wird in Basis umgerechnet.</numerusform>
+            <numerusform>%n Wegpunkte verwenden dieses Koordinatensystem. Sie behalten ihre Position und werden in Basis umgerechnet.</numerusform>
         </translation>
     </message>
     <message>
@@ -4392,11 +4392,11 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>„%1“ ist ein Koordinatensystem, das jeder Roboter hat. Wählen Sie einen anderen Namen.</translation>
+        <translation>„%1“ ist ein vordefiniertes Koordinatensystem. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Another frame is named “%1”. Choose another name.</source>
-        <translation>„%1“ heißt schon ein anderes Koordinatensystem. Wählen Sie einen anderen Namen.</translation>
+        <translation>Ein anderes Koordinatensystem heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -4436,7 +4436,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>Waypoints that move with the frame</source>
-        <translation>Wegpunkte, die sich mit ihm bewegen</translation>
+        <translation>Wegpunkte, die sich mit dem Koordinatensystem bewegen</translation>
     </message>
     <message>
         <source>TCP %1</source>
@@ -4498,15 +4498,15 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>Create frame</source>
-        <translation>System anlegen</translation>
+        <translation>Koordinatensystem erstellen</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the point again.</source>
-        <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie den Punkt erneut.</translation>
+        <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie den Punkt erneut.</translation>
     </message>
     <message>
         <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
-        <translation>Der Punkt auf +X ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn erneut, mindestens %2 entfernt: Je weiter, desto genauer die Achsen.</translation>
+        <translation>Der Punkt auf +X ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn mindestens %2 entfernt erneut. Ein größerer Abstand ergibt genauere Achsen.</translation>
     </message>
     <message>
         <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
@@ -4514,23 +4514,23 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
-        <translation>Die drei Punkte liegen auf einer Linie: Der dritte ist nur %1 neben der X-Achse. Nehmen Sie ihn erneut, mindestens %2 auf der Seite von +Y.</translation>
+        <translation>Die drei Punkte liegen auf einer Linie: Der dritte ist nur %1 von der X-Achse entfernt. Nehmen Sie ihn mindestens %2 in Richtung +Y erneut.</translation>
     </message>
     <message>
         <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
-        <translation>Bereit: Der Punkt auf +X ist %1 entfernt, der dritte liegt %2 neben der X-Achse.</translation>
+        <translation>Bereit: Der Punkt auf +X ist %1 vom Ursprung entfernt, der dritte %2 von der X-Achse.</translation>
     </message>
     <message>
         <source>Jog the tip to the origin of the frame and take the point (P).</source>
-        <translation>Fahren Sie die Spitze dorthin, wo das Koordinatensystem beginnt, und nehmen Sie den Punkt (P).</translation>
+        <translation>Fahren Sie die Spitze zum Ursprung des Koordinatensystems und nehmen Sie den Punkt (P).</translation>
     </message>
     <message>
         <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
-        <translation>Nun zu einem Punkt auf +X: %1 vom Ursprung, %2 ist das Mindeste.</translation>
+        <translation>Fahren Sie nun zu einem Punkt auf +X: %1 vom Ursprung, mindestens %2.</translation>
     </message>
     <message>
         <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
-        <translation>Nun auf die Seite von +Y: %1 neben der X-Achse, %2 ist das Mindeste.</translation>
+        <translation>Fahren Sie nun in Richtung +Y: %1 von der X-Achse, mindestens %2.</translation>
     </message>
     <message>
         <source>Take  P</source>
@@ -4573,13 +4573,13 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
     <message>
         <source>More frame commands</source>
-        <translation>Mehr zu Koordinatensystemen</translation>
+        <translation>Weitere Befehle für Koordinatensysteme</translation>
     </message>
     <message>
         <source>No frames yet.
 Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
         <translation>Noch keine Koordinatensysteme.
-Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP“, oder „3 Punkte“ für Ursprung, +X und +Y.</translation>
+Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP“ oder „3 Punkte“, um Ursprung, +X und +Y zu nehmen.</translation>
     </message>
     <message>
         <source>new frame</source>
@@ -4587,7 +4587,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
+        <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -4595,7 +4595,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
-        <translation>Ein Koordinatensystem am TCP, mit den Achsen des Werkzeugs (Umschalt+T)</translation>
+        <translation>Koordinatensystem am TCP mit den Achsen des Werkzeugs erstellen (Umschalt+T)</translation>
     </message>
     <message>
         <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
@@ -4603,7 +4603,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
-        <translation>Das gewählte Koordinatensystem geht dorthin, wo der TCP ist (Umschalt+U)</translation>
+        <translation>Gewähltes Koordinatensystem zum TCP verschieben (Umschalt+U)</translation>
     </message>
     <message>
         <source>Select a frame to touch up.</source>
@@ -4623,7 +4623,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Create frame from points</source>
-        <translation>Das Koordinatensystem aus den genommenen Punkten anlegen</translation>
+        <translation>Koordinatensystem aus Punkten erstellen</translation>
     </message>
     <message>
         <source>Cancel frame teaching</source>
@@ -4647,7 +4647,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Enter frame numerically</source>
-        <translation>Koordinatensystem in Zahlen setzen</translation>
+        <translation>Koordinatensystem numerisch eingeben</translation>
     </message>
     <message>
         <source>Duplicate frame</source>
@@ -4671,22 +4671,22 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Create frame</source>
-        <translation>System anlegen</translation>
+        <translation>Koordinatensystem erstellen</translation>
     </message>
 </context>
 <context>
     <name>tiller::GoThrough</name>
     <message>
         <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>Es gibt keine Wegpunkte zum Abfahren. Teachen Sie welche oder wählen Sie sie.</translation>
+        <translation>Es gibt keine Wegpunkte zum Durchfahren. Teachen oder wählen Sie zuerst Wegpunkte.</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
-        <translation>Vor diesem gibt es keinen Wegpunkt.</translation>
+        <translation>Dies ist der erste Wegpunkt.</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project.</source>
-        <translation>Ein Wegpunkt des Wegs ist nicht mehr in diesem Projekt.</translation>
+        <translation>Ein Wegpunkt der Route wurde aus dem Projekt gelöscht.</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
@@ -4694,7 +4694,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>Eine Schleife aus einem einzigen Wegpunkt führt nirgendwohin. Wählen Sie weitere Wegpunkte, oder fahren Sie ohne Schleife.</translation>
+        <translation>Eine Schleife benötigt mindestens zwei Wegpunkte. Wählen Sie weitere Wegpunkte oder schalten Sie die Schleife aus.</translation>
     </message>
 </context>
 <context>
@@ -4717,23 +4717,23 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Previous waypoint, hold</source>
-        <translation>Einen Wegpunkt zurück, halten</translation>
+        <translation>Voriger Wegpunkt, halten</translation>
     </message>
     <message>
         <source>Moves to the previous waypoint while the key is held</source>
-        <translation>Fährt zum vorigen Wegpunkt zurück, solange die Taste gehalten wird</translation>
+        <translation>Fährt zum vorigen Wegpunkt, solange die Taste gehalten wird</translation>
     </message>
     <message>
         <source>Next waypoint, hold</source>
-        <translation>Einen Wegpunkt weiter, halten</translation>
+        <translation>Nächster Wegpunkt, halten</translation>
     </message>
     <message>
         <source>Moves to the next waypoint while the key is held, and stops there</source>
-        <translation>Fährt zum kommenden Wegpunkt, solange die Taste gehalten wird, und hält dort</translation>
+        <translation>Fährt zum nächsten Wegpunkt, solange die Taste gehalten wird, und stoppt dort</translation>
     </message>
     <message>
         <source>Waypoints of the route</source>
-        <translation>Welche Wegpunkte abgefahren werden</translation>
+        <translation>Wegpunkte der Route</translation>
     </message>
     <message>
         <source>Waypoints</source>
@@ -4741,7 +4741,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>Welche Wegpunkte abgefahren werden, in der Reihenfolge der Liste</translation>
+        <translation>Wählt die Wegpunkte der Route in der Reihenfolge der Liste</translation>
     </message>
     <message>
         <source>From here</source>
@@ -4757,11 +4757,11 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>Nach dem letzten Wegpunkt kommt wieder der erste, solange die Taste gehalten wird</translation>
+        <translation>Beginnt nach dem letzten wieder beim ersten Wegpunkt, solange die Taste gehalten wird</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+        <translation>Tiller hat nicht die Steuerung. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -4769,7 +4769,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Next: %1 of %2, %3</source>
-        <translation>Der kommende: %1 von %2, %3</translation>
+        <translation>Nächster: %1 von %2, %3</translation>
     </message>
     <message>
         <source>done</source>
@@ -4777,7 +4777,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Done. The next press starts at the first waypoint.</source>
-        <translation>Fertig. Der nächste Druck beginnt beim ersten.</translation>
+        <translation>Fertig. Der nächste Tastendruck beginnt beim ersten Wegpunkt.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints</source>
@@ -4792,7 +4792,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
-        <translation>Fährt von Wegpunkt zu Wegpunkt, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit, und führt an jedem aus, was dort zu tun ist. Loslassen hält an; der nächste Druck fährt zum kommenden Wegpunkt weiter.</translation>
+        <translation>Fährt von Wegpunkt zu Wegpunkt, solange die Taste gehalten wird, höchstens mit der Verfahrgeschwindigkeit, und führt die Aktionen jedes Wegpunkts aus. Loslassen pausiert; der nächste Druck fährt zum nächsten Wegpunkt weiter.</translation>
     </message>
     <message>
         <source>At %1: %2</source>
@@ -4822,11 +4822,11 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Gripper opening</source>
-        <translation>Wie weit der Greifer offen ist</translation>
+        <translation>Greiferöffnung</translation>
     </message>
     <message>
         <source>Gripped object</source>
-        <translation>Was der Greifer hält</translation>
+        <translation>Gegriffenes Objekt</translation>
     </message>
     <message>
         <source>Activate</source>
@@ -4878,7 +4878,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Gripper type</source>
-        <translation>Welcher Greifer</translation>
+        <translation>Greifertyp</translation>
     </message>
     <message>
         <source>None</source>
@@ -4906,19 +4906,19 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Target opening</source>
-        <translation>Gewünschte Öffnung</translation>
+        <translation>Zielöffnung</translation>
     </message>
     <message>
         <source>Finger speed</source>
-        <translation>Geschwindigkeit der Finger</translation>
+        <translation>Fingergeschwindigkeit</translation>
     </message>
     <message>
         <source>Finger force</source>
-        <translation>Kraft der Finger</translation>
+        <translation>Fingerkraft</translation>
     </message>
     <message>
         <source>Suggested action</source>
-        <translation>Was am Greifer zu tun ist</translation>
+        <translation>Vorgeschlagene Aktion</translation>
     </message>
     <message>
         <source>Closes</source>
@@ -4954,15 +4954,15 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
-        <translation>Wie weit die Finger öffnen sollen, 0 bis %1. „Bewegen“ schickt sie dorthin.</translation>
+        <translation>Zielöffnung der Finger, 0 bis %1. „Bewegen“ startet die Bewegung.</translation>
     </message>
     <message>
         <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
-        <translation>Der nächsten Bewegung. 0 % sind etwa %1, 100 % etwa %2.</translation>
+        <translation>Geschwindigkeit der nächsten Bewegung. 0 % sind etwa %1, 100 % etwa %2.</translation>
     </message>
     <message>
         <source>Force of the next grip. 0 % is about %1, 100 % about %2.</source>
-        <translation>Des nächsten Griffs. 0 % sind etwa %1, 100 % etwa %2.</translation>
+        <translation>Kraft des nächsten Griffs. 0 % sind etwa %1, 100 % etwa %2.</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -4986,11 +4986,11 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Please wait…</source>
-        <translation>Einen Moment…</translation>
+        <translation>Bitte warten…</translation>
     </message>
     <message>
         <source>Select the mounted gripper. The choice is stored for this robot.</source>
-        <translation>Wählen Sie, was am Handgelenk ist. Es wird mit diesem Roboter gemerkt.</translation>
+        <translation>Wählen Sie den montierten Greifer. Die Auswahl wird für diesen Roboter gespeichert.</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5018,19 +5018,19 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>active, at standstill</source>
-        <translation>aktiv, steht</translation>
+        <translation>aktiv, im Stillstand</translation>
     </message>
     <message>
         <source>unknown while moving</source>
-        <translation>unbekannt, während er sich bewegt</translation>
+        <translation>während der Bewegung unbekannt</translation>
     </message>
     <message>
         <source>object, outer grip</source>
-        <translation>ein Objekt, von außen</translation>
+        <translation>Objekt, Außengriff</translation>
     </message>
     <message>
         <source>object, inner grip</source>
-        <translation>ein Objekt, von innen</translation>
+        <translation>Objekt, Innengriff</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -5038,7 +5038,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>The gripper cannot be reached with this port offset.</source>
-        <translation>Mit diesem Port-Versatz ist kein Greifer erreichbar.</translation>
+        <translation>Der Greifer ist mit diesem Port-Versatz nicht erreichbar.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5054,31 +5054,31 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
-        <translation>Ein Stopp des Arms lässt den Greifer, wie er ist: Er hält weiter.</translation>
+        <translation>Das Stoppen des Arms ändert den Greifer nicht: Er hält weiter.</translation>
     </message>
     <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
-        <translation>Die Finger öffnen und schließen einmal; was sie halten, fällt. Halten Sie Finger aus dem Greifer.</translation>
+        <translation>Die Finger öffnen und schließen einmal und lassen ein gegriffenes Objekt fallen. Halten Sie Ihre Finger vom Greifer fern.</translation>
     </message>
     <message>
         <source>Opens the gripper and releases the object.</source>
-        <translation>Öffnet den Greifer; was er hält, wird losgelassen.</translation>
+        <translation>Öffnet den Greifer und lässt das Objekt los.</translation>
     </message>
     <message>
         <source>Closes the gripper. Keep your fingers clear of it.</source>
-        <translation>Schließt den Greifer. Halten Sie Finger heraus.</translation>
+        <translation>Schließt den Greifer. Halten Sie Ihre Finger fern.</translation>
     </message>
     <message>
         <source>Moves the fingers to this opening.</source>
-        <translation>Schickt die Finger auf diese Öffnung.</translation>
+        <translation>Bewegt die Finger auf diese Öffnung.</translation>
     </message>
     <message>
         <source>Speed or force is out of range.</source>
-        <translation>Geschwindigkeit oder Kraft ist keine, die er annimmt.</translation>
+        <translation>Geschwindigkeit oder Kraft liegt außerhalb des Bereichs.</translation>
     </message>
     <message>
         <source>The gripper did not accept the command.</source>
-        <translation>Der Greifer nahm den Befehl nicht an.</translation>
+        <translation>Der Greifer hat den Befehl nicht angenommen.</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
@@ -5129,15 +5129,15 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>LAST STOP · no key check</source>
-        <translation>LETZTER STOPP · kein Zeuge</translation>
+        <translation>LETZTER STOPP · keine Tastenprüfung</translation>
     </message>
     <message>
         <source>not measured</source>
-        <translation>nicht gesehen</translation>
+        <translation>nicht gemessen</translation>
     </message>
     <message>
         <source>Data stopped while the arm was moving: the stop could not be measured.</source>
-        <translation>Die Daten endeten, während der Arm sich bewegte: Wie er stoppte, ist nicht bekannt.</translation>
+        <translation>Die Daten endeten während der Bewegung des Arms: Der Stopp konnte nicht gemessen werden.</translation>
     </message>
     <message>
         <source>%1 ms · %2</source>
@@ -5145,7 +5145,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Measured from stop command to standstill. Cause: %1</source>
-        <translation>Vom Stopp bis zum Stillstand, gemessen. Ursache: %1</translation>
+        <translation>Gemessen vom Stoppbefehl bis zum Stillstand. Ursache: %1</translation>
     </message>
     <message>
         <source>No stop measured yet</source>
@@ -5157,7 +5157,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>Der Arm kann schneller werden als %1. Senken Sie die Grenze in den Einstellungen; sie endet mit dem Programm.</translation>
+        <translation>Der Arm kann sich schneller als %1 bewegen. Senken Sie die Grenze in den Einstellungen; sie wird beim Schließen von Tiller zurückgesetzt.</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -5172,14 +5172,14 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Halten Sie diese Taste: Sie bewegt den Arm nur, solange sie gehalten wird.</translation>
+        <translation>Halten Sie diese Taste: Der Arm bewegt sich nur, solange sie gehalten wird.</translation>
     </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
-        <translation>Das Fenster war nicht das aktive. Drücken Sie noch einmal.</translation>
+        <translation>Das Fenster war nicht aktiv. Drücken Sie erneut.</translation>
     </message>
     <message>
         <source>Click in the window first.</source>
@@ -5191,11 +5191,11 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>Another key is already held.</source>
-        <translation>Eine andere Taste wird gehalten.</translation>
+        <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>Der Display-Server antwortet nicht: Niemand könnte sagen, wann die Taste losgelassen wird.</translation>
+        <translation>Der Display-Server antwortet nicht: Das Loslassen der Taste könnte nicht erkannt werden.</translation>
     </message>
 </context>
 <context>
@@ -5226,7 +5226,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
-        <translation>Alles ab %1 s davor ist in %2. Doppelklicken Sie diese Zeile, um es zu öffnen.</translation>
+        <translation>Die Aufzeichnung %2 beginnt %1 s vor dem Stopp. Doppelklicken Sie auf diesen Eintrag, um sie zu öffnen.</translation>
     </message>
 </context>
 <context>
@@ -5249,13 +5249,13 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>%1, outdated</source>
-        <translation>%1, alte Daten</translation>
+        <translation>%1, veraltet</translation>
     </message>
     <message>
         <source>
 Cannot be switched while the robot sends no data.</source>
         <translation>
-Kann nicht geschaltet werden, solange keine Daten vom Roboter kommen.</translation>
+Kann nicht geschaltet werden, solange der Roboter keine Daten sendet.</translation>
     </message>
     <message>
         <source>
@@ -5335,7 +5335,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Select a row of the I/O tab with the Tab key first.</source>
-        <translation>Gehen Sie zuerst mit der Tabulatortaste zu einer Zeile des Registers E/A.</translation>
+        <translation>Wählen Sie zuerst mit der Tabulatortaste eine Zeile im Register E/A.</translation>
     </message>
     <message>
         <source>The robot did not confirm %1</source>
@@ -5343,7 +5343,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Another program or the installation may control it.</source>
-        <translation>Vielleicht gehört es einem anderen Programm oder der Installation.</translation>
+        <translation>Möglicherweise steuert ihn ein anderes Programm oder die Installation.</translation>
     </message>
     <message>
         <source>Analog</source>
@@ -5351,7 +5351,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Registers of robot programs</source>
-        <translation>Register der Roboterprogramme</translation>
+        <translation>Register von Roboterprogrammen</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
@@ -5359,7 +5359,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Replay is active: return to live data first.</source>
-        <translation>Dies ist eine Wiedergabe: Gehen Sie zuerst zurück zu Live.</translation>
+        <translation>Wiedergabe ist aktiv: Kehren Sie zuerst zu den Livedaten zurück.</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -5394,7 +5394,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Frame of the displayed pose</source>
-        <translation>Unter dem Tastenfeld gezeigt</translation>
+        <translation>Koordinatensystem der angezeigten Pose</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -5402,7 +5402,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>release and press again</source>
-        <translation>loslassen und neu drücken</translation>
+        <translation>loslassen und erneut drücken</translation>
     </message>
     <message>
         <source>Freedrive</source>
@@ -5430,7 +5430,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Retraces the last motion while held</source>
-        <translation>Fährt den Weg zurück, den der Arm kam, solange gehalten</translation>
+        <translation>Fährt die letzte Bewegung zurück, solange gehalten</translation>
     </message>
     <message>
         <source>home</source>
@@ -5446,11 +5446,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Another key is already held.</source>
-        <translation>Eine andere Taste wird gehalten.</translation>
+        <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
         <source>Last stop: not measured, data stopped while the arm was moving</source>
-        <translation>Letzter Stopp: nicht gesehen, die Daten endeten während der Bewegung</translation>
+        <translation>Letzter Stopp: nicht gemessen, die Daten endeten während der Bewegung</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
@@ -5458,7 +5458,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
-        <translation>Der Arm folgt der Hand, solange gehalten: %1. Rechtsklick: andere Achsen</translation>
+        <translation>Bewegen Sie den Arm von Hand, solange diese Taste gehalten wird: %1. Rechtsklick wählt Achsen</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -5523,7 +5523,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Rotation</source>
-        <translation>Drehen</translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>Rotates while the key is held</source>
@@ -5535,7 +5535,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Axes of the view: X right, Y away from you, Z up</source>
-        <translation>Achsen des Bilds: X rechts, Y von Ihnen weg, Z oben</translation>
+        <translation>Achsen der Ansicht: X rechts, Y von Ihnen weg, Z nach oben</translation>
     </message>
     <message>
         <source>Needs the 3D view</source>
@@ -5547,11 +5547,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>One step per press: %1</source>
-        <translation>Ein Schritt je Druck: %1</translation>
+        <translation>Ein Schritt je Tastendruck: %1</translation>
     </message>
     <message>
         <source>One rotation step per press, tool or joint: %1</source>
-        <translation>Eine Drehung je Druck, von Werkzeug oder Gelenk: %1</translation>
+        <translation>Ein Drehschritt je Tastendruck, Werkzeug oder Gelenk: %1</translation>
     </message>
     <message>
         <source>≤ %1</source>
@@ -5559,15 +5559,15 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>Langsam, bis das Werkzeug mit %1 N etwas berührt, solange gehalten. Noch einmal klicken für andere Schritte</translation>
+        <translation>Fährt langsam, solange gehalten, bis die Kontaktkraft %1 N erreicht. Erneut klicken für andere Schritte</translation>
     </message>
     <message>
         <source>One step per press: %1. Click again for other steps</source>
-        <translation>Ein Schritt je Druck: %1. Noch einmal klicken für andere Schritte</translation>
+        <translation>Ein Schritt je Tastendruck: %1. Erneut klicken für andere Schritte</translation>
     </message>
     <message>
         <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>Eine Drehung je Druck, von Werkzeug oder Gelenk: %1. Noch einmal klicken für andere Drehungen</translation>
+        <translation>Ein Drehschritt je Tastendruck, Werkzeug oder Gelenk: %1. Erneut klicken für andere Winkel</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -5575,7 +5575,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Other angle…</source>
-        <translation>Andere Drehung…</translation>
+        <translation>Anderer Winkel…</translation>
     </message>
     <message>
         <source>Other step…</source>
@@ -5599,15 +5599,15 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Angle in degrees</source>
-        <translation>Drehung in Grad</translation>
+        <translation>Winkel in Grad</translation>
     </message>
     <message>
         <source>TCP speed in %1</source>
-        <translation>Geschwindigkeit des TCP in %1</translation>
+        <translation>TCP-Geschwindigkeit in %1</translation>
     </message>
     <message>
         <source>Contact force that ends the motion, in N</source>
-        <translation>Kraft in N, die die Bewegung beendet</translation>
+        <translation>Kontaktkraft in N, bei der die Bewegung endet</translation>
     </message>
 </context>
 <context>
@@ -5702,11 +5702,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Open the recording of this incident at the time of the stop</source>
-        <translation>Die Aufzeichnung dieses Vorfalls im Augenblick des Stopps öffnen</translation>
+        <translation>Aufzeichnung dieses Vorfalls zum Zeitpunkt des Stopps öffnen</translation>
     </message>
     <message>
         <source>Open the recording at this time</source>
-        <translation>Die Aufzeichnung an diesem Augenblick öffnen</translation>
+        <translation>Aufzeichnung an diesem Zeitpunkt öffnen</translation>
     </message>
 </context>
 <context>
@@ -5733,7 +5733,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Filter the log by text</source>
-        <translation>Das Protokoll nach Wörtern filtern</translation>
+        <translation>Protokoll nach Text filtern</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -5745,7 +5745,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
-        <translation>Die gewählten Zeilen kopieren oder alle gezeigten (Strg+C)</translation>
+        <translation>Gewählte oder alle sichtbaren Einträge kopieren (Strg+C)</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -5753,11 +5753,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Write the visible entries to a file</source>
-        <translation>Die gezeigten Zeilen in eine Datei schreiben</translation>
+        <translation>Sichtbare Einträge in eine Datei schreiben</translation>
     </message>
     <message>
         <source>Details of the selected entry</source>
-        <translation>Die gewählte Zeile in voller Länge</translation>
+        <translation>Details des gewählten Eintrags</translation>
     </message>
     <message>
         <source>write %1</source>
@@ -5781,50 +5781,50 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>Die Aufzeichnung der gewählten Zeile öffnen: Vorfälle haben eine</translation>
+        <translation>Aufzeichnung des gewählten Eintrags öffnen (Vorfälle haben eine Aufzeichnung)</translation>
     </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
     <message>
         <source>%1 collides with %2 after %3 of the path</source>
-        <translation>%1 trifft %2 des Arms nach %3 des Wegs</translation>
+        <translation>%1 kollidiert nach %3 der Bahn mit %2</translation>
     </message>
     <message>
         <source>The path enters the wrist singularity after %1 of its length</source>
-        <translation>Die Linie läuft nach %1 des Wegs in die Handgelenk-Singularität</translation>
+        <translation>Die Bahn erreicht nach %1 ihrer Länge die Handgelenk-Singularität</translation>
     </message>
     <message>
         <source>Slow near the wrist singularity at %1 of the path</source>
-        <translation>Langsam nahe der Handgelenk-Singularität bei %1 des Wegs</translation>
+        <translation>Langsam nahe der Handgelenk-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
         <source>The path enters the elbow singularity after %1 of its length</source>
-        <translation>Die Linie läuft nach %1 des Wegs in den gestreckten Ellbogen</translation>
+        <translation>Die Bahn erreicht nach %1 ihrer Länge die Ellbogen-Singularität</translation>
     </message>
     <message>
         <source>Slow near the elbow singularity at %1 of the path</source>
-        <translation>Langsam nahe dem gestreckten Ellbogen bei %1 des Wegs</translation>
+        <translation>Langsam nahe der Ellbogen-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
         <source>The path enters the shoulder singularity after %1 of its length</source>
-        <translation>Die Linie läuft nach %1 des Wegs in die Achse der Basis</translation>
+        <translation>Die Bahn erreicht nach %1 ihrer Länge die Schulter-Singularität</translation>
     </message>
     <message>
         <source>Slow near the shoulder singularity at %1 of the path</source>
-        <translation>Langsam nahe der Achse der Basis bei %1 des Wegs</translation>
+        <translation>Langsam nahe der Schulter-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
         <source>A joint would have to jump after %1 of the path</source>
-        <translation>Ein Gelenk müsste nach %1 des Wegs auf einmal drehen</translation>
+        <translation>Nach %1 der Bahn müsste ein Gelenk springen</translation>
     </message>
     <message>
         <source>%1 exceeds its range after %2 of the path</source>
-        <translation>%1 verlässt seinen Bereich nach %2 des Wegs</translation>
+        <translation>%1 überschreitet nach %2 der Bahn seinen Bereich</translation>
     </message>
     <message>
         <source>The path leaves the reach of the arm after %1 of its length</source>
-        <translation>Die Linie verlässt die Reichweite des Arms nach %1 des Wegs</translation>
+        <translation>Die Bahn verlässt nach %1 ihrer Länge die Reichweite des Arms</translation>
     </message>
     <message>
         <source>Base</source>
@@ -5953,15 +5953,15 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
-        <translation>Die Aufzeichnung der Bahn endete von selbst: Die Daten hörten auf, oder sie dauerte zehn Minuten.</translation>
+        <translation>Bahnaufzeichnung gestoppt: keine Daten mehr, oder das Limit von zehn Minuten wurde erreicht.</translation>
     </message>
     <message>
         <source>The path recorded so far is kept.</source>
-        <translation>Was bis dahin aufgezeichnet wurde, bleibt.</translation>
+        <translation>Die bisher aufgezeichnete Bahn bleibt erhalten.</translation>
     </message>
     <message>
         <source>Stop recording path</source>
-        <translation>Die Aufzeichnung der Bahn beenden</translation>
+        <translation>Bahnaufzeichnung beenden</translation>
     </message>
     <message>
         <source>Simplifying the path…</source>
@@ -5969,19 +5969,19 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
-        <translation>Vom Roboter kommen keine Daten: Es gibt nichts aufzuzeichnen.</translation>
+        <translation>Der Roboter sendet keine Daten: Es gibt nichts aufzuzeichnen.</translation>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
-        <translation>Beendet die Aufzeichnung und behält die Bahn als Wegpunkte</translation>
+        <translation>Beendet die Aufzeichnung und speichert die Bahn als Wegpunkte</translation>
     </message>
     <message>
         <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>Zeichnet auf, wohin der Arm geführt wird, durch Freedrive oder Verfahren, bis erneut gedrückt wird, und behält die Bahn als Wegpunkte. Es bewegt nichts.</translation>
+        <translation>Zeichnet die Bahn des Arms bei Freedrive oder Verfahren auf, bis erneut gedrückt wird, und speichert sie als Wegpunkte. Der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
-        <translation>Wählen Sie die Wegpunkte der Bahn, mindestens zwei.</translation>
+        <translation>Wählen Sie mindestens zwei Wegpunkte der Bahn.</translation>
     </message>
     <message>
         <source>Export path</source>
@@ -5993,7 +5993,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
-        <translation>Die Bahn wurde nicht geschrieben.</translation>
+        <translation>Die Bahn wurde nicht exportiert.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written as a path to %1</source>
@@ -6015,19 +6015,19 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     <name>tiller::PathRecorder</name>
     <message>
         <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
-        <translation>%1 hat keine Spalte „%2“. Es braucht timestamp und actual_q_0 bis actual_q_5.</translation>
+        <translation>%1 hat keine Spalte „%2“. Die Spalten timestamp und actual_q_0 bis actual_q_5 sind erforderlich.</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
-        <translation>Vom Roboter kommen keine Daten: Es gibt nichts aufzuzeichnen.</translation>
+        <translation>Der Roboter sendet keine Daten: Es gibt nichts aufzuzeichnen.</translation>
     </message>
     <message>
         <source>Import refused: a path is being recorded. Stop that recording first.</source>
-        <translation>Nichts wurde gelesen: Eine Bahn wird aufgezeichnet. Beenden Sie das zuerst.</translation>
+        <translation>Import abgelehnt: Es wird gerade eine Bahn aufgezeichnet. Beenden Sie diese Aufzeichnung zuerst.</translation>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
-        <translation>Die Vorführung konnte nicht gelesen werden.</translation>
+        <translation>Die Demonstration konnte nicht importiert werden.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6035,7 +6035,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>The arm did not move: no path was stored.</source>
-        <translation>Der Arm hat sich nicht bewegt: Es wurde keine Bahn behalten.</translation>
+        <translation>Der Arm hat sich nicht bewegt: Es wurde keine Bahn gespeichert.</translation>
     </message>
     <message>
         <source>Record “%1”</source>
@@ -6043,22 +6043,22 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
-        <translation>„%1“: %2 s in %3 Wegpunkten. Jeder aufgezeichnete Ort liegt innerhalb von %4 und %5 von ihnen.</translation>
+        <translation>„%1“: %2 s, %3 Wegpunkte. Größte Abweichung von der Aufzeichnung: %4 und %5.</translation>
     </message>
     <message numerus="yes">
         <source>%n packets were lost.</source>
         <translation>
-            <numerusform>%n Paket kam nicht an.</numerusform>
-            <numerusform>%n Pakete kamen nicht an.</numerusform>
+            <numerusform>%n Paket ging verloren.</numerusform>
+            <numerusform>%n Pakete gingen verloren.</numerusform>
         </translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
-        <translation>Wählen Sie die Wegpunkte der Bahn, mindestens zwei.</translation>
+        <translation>Wählen Sie mindestens zwei Wegpunkte der Bahn.</translation>
     </message>
     <message>
         <source>“%1” is out of reach. Touch it up, or remove it.</source>
-        <translation>„%1“ ist nicht erreichbar. Teachen Sie ihn nach oder lassen Sie ihn aus.</translation>
+        <translation>„%1“ ist außer Reichweite. Teachen Sie ihn nach oder entfernen Sie ihn.</translation>
     </message>
 </context>
 <context>
@@ -6113,11 +6113,11 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Layer height</source>
-        <translation>Höhe einer Lage</translation>
+        <translation>Lagenhöhe</translation>
     </message>
     <message>
         <source>Distance between layers, opposite to the tool direction.</source>
-        <translation>Von einer Lage zur nächsten, gegen die Richtung des Werkzeugs.</translation>
+        <translation>Abstand zwischen den Lagen, entgegen der Werkzeugrichtung.</translation>
     </message>
     <message>
         <source>Order</source>
@@ -6133,7 +6133,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Create pattern</source>
-        <translation>Muster anlegen</translation>
+        <translation>Muster erstellen</translation>
     </message>
     <message>
         <source>Change</source>
@@ -6145,31 +6145,31 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>A pattern with this name exists. Choose another name.</source>
-        <translation>Ein Muster dieses Namens gibt es schon. Wählen Sie einen anderen.</translation>
+        <translation>Ein Muster mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>Wählen Sie den Wegpunkt jeder Ecke. Teachen Sie zuerst die drei Ecken, wo keine sind.</translation>
+        <translation>Wählen Sie für jede Ecke einen Wegpunkt. Teachen Sie zuerst die drei Ecken.</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
-        <translation>Zwei Ecken sind derselbe Ort. Wählen Sie für eine einen anderen Wegpunkt.</translation>
+        <translation>Zwei Ecken sind identisch. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
     </message>
     <message>
         <source>Invalid layer height.</source>
-        <translation>Die Höhe einer Lage ist keine mögliche Zahl.</translation>
+        <translation>Ungültige Lagenhöhe.</translation>
     </message>
     <message>
         <source>Enter a layer height.</source>
-        <translation>Lagen brauchen eine Höhe.</translation>
+        <translation>Geben Sie eine Lagenhöhe ein.</translation>
     </message>
     <message>
         <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>%1 Plätze sind mehr als die %2, die ein Muster haben kann.</translation>
+        <translation>Das Muster hat %1 Plätze; das Maximum ist %2.</translation>
     </message>
     <message>
         <source>All cells are excluded.</source>
-        <translation>Alle Plätze sind ausgelassen.</translation>
+        <translation>Alle Plätze sind ausgeschlossen.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -6180,7 +6180,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>%1 All are within reach.</source>
-        <translation>%1 Alle sind erreichbar.</translation>
+        <translation>%1 Alle sind in Reichweite.</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -6189,8 +6189,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     <message numerus="yes">
         <source>%n of them are out of reach and marked.</source>
         <translation>
-            <numerusform>%n von ihnen ist außer Reichweite und markiert.</numerusform>
-            <numerusform>%n von ihnen sind außer Reichweite und markiert.</numerusform>
+            <numerusform>%n davon ist außer Reichweite und markiert.</numerusform>
+            <numerusform>%n davon sind außer Reichweite und markiert.</numerusform>
         </translation>
     </message>
 </context>
@@ -6202,7 +6202,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>Klicken Sie einen Platz an, um ihn auszulassen oder wieder aufzunehmen. Die erste Ecke ist unten links.</translation>
+        <translation>Klicken Sie auf einen Platz, um ihn aus- oder einzuschließen. Die erste Ecke ist unten links.</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -6221,11 +6221,11 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Measure payload</source>
-        <translation>Die Nutzlast finden</translation>
+        <translation>Nutzlast messen</translation>
     </message>
     <message>
         <source>Measure the payload in several poses</source>
-        <translation>Die Nutzlast durch Wiegen in mehreren Posen finden</translation>
+        <translation>Nutzlast in mehreren Posen messen</translation>
     </message>
     <message>
         <source>Next pose, hold</source>
@@ -6233,7 +6233,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
-        <translation>Dreht das Handgelenk zur nächsten Pose, solange die Taste gehalten wird, nicht schneller als die Verfahrgeschwindigkeit. Achten Sie darauf, dass das Werkzeug Platz zum Drehen hat.</translation>
+        <translation>Dreht das Handgelenk zur nächsten Pose, solange die Taste gehalten wird, höchstens mit der Verfahrgeschwindigkeit. Achten Sie darauf, dass das Werkzeug genug Platz zum Drehen hat.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6241,49 +6241,49 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Cancel payload measurement</source>
-        <translation>Das Finden der Nutzlast abbrechen</translation>
+        <translation>Nutzlastmessung abbrechen</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+        <translation>Tiller hat nicht die Steuerung. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
-        <translation>Der Arm hat sich bewegt. Lassen Sie ihn zur Ruhe kommen, berühren Sie nichts und nehmen Sie die Pose erneut.</translation>
+        <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose erneut.</translation>
     </message>
     <message>
         <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
-        <translation>Der Roboter sendet keine Kräfte. Geben Sie Masse und Schwerpunkt stattdessen in Zahlen ein.</translation>
+        <translation>Der Roboter sendet keine Kräfte. Geben Sie stattdessen Masse und Schwerpunkt ein.</translation>
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
-        <translation>Wiege… nichts soll das Werkzeug berühren.</translation>
+        <translation>Nutzlast wird gemessen… Halten Sie das Werkzeug frei von Kontakt.</translation>
     </message>
     <message>
         <source>%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.</source>
-        <translation>%1 kg, Schwerpunkt bei %2 vom Flansch. Die Posen stimmen auf %3 und %4 überein.</translation>
+        <translation>%1 kg, Schwerpunkt %2 vom Flansch entfernt. Die Posen stimmen innerhalb von %3 und %4 überein.</translation>
     </message>
     <message>
         <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
-        <translation>%1 Das ist schlecht: Pose %2 passt am wenigsten. Entfernen Sie sie und nehmen Sie eine andere.</translation>
+        <translation>%1 Die Genauigkeit ist gering: Pose %2 weicht am stärksten ab. Entfernen Sie sie und nehmen Sie eine andere Pose.</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
-        <translation>Das Werkzeug ist zwischen den Posen zu wenig gedreht. Nehmen Sie noch eine, auf eine andere Seite gedreht.</translation>
+        <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose mit anders gedrehtem Werkzeug.</translation>
     </message>
     <message>
         <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg: zu leicht, als dass der Sensor den Schwerpunkt nennen könnte. Geben Sie ihn in Zahlen ein.</translation>
+        <translation>%1 kg: zu leicht, um den Schwerpunkt zu messen. Geben Sie ihn manuell ein.</translation>
     </message>
     <message>
         <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
-        <translation>Lassen Sie den Arm zur Ruhe kommen, berühren Sie nichts und nehmen Sie die Pose. Drehen Sie dann das Handgelenk, durch Verfahren oder mit „Nächste Pose“, und nehmen Sie drei weitere.</translation>
+        <translation>Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose. Drehen Sie dann das Handgelenk durch Verfahren oder mit „Nächste Pose“ und nehmen Sie drei weitere Posen.</translation>
     </message>
     <message numerus="yes">
         <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Drehen Sie das Handgelenk auf eine andere Seite und nehmen Sie die Pose. Noch nötig: %n</numerusform>
-            <numerusform>Drehen Sie das Handgelenk auf eine andere Seite und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+            <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
+            <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
         </translation>
     </message>
     <message>
@@ -6292,11 +6292,11 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Remove least accurate pose</source>
-        <translation>Die schlechteste entfernen</translation>
+        <translation>Ungenaueste Pose entfernen</translation>
     </message>
     <message>
         <source>Remove last pose</source>
-        <translation>Die letzte entfernen</translation>
+        <translation>Letzte Pose entfernen</translation>
     </message>
     <message>
         <source>Pose %1  %2</source>
@@ -6304,7 +6304,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ passt am wenigsten</translation>
+        <translation>  ◀ am ungenauesten</translation>
     </message>
 </context>
 <context>
@@ -6335,7 +6335,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Another payload is named “%1”. Choose another name.</source>
-        <translation>„%1“ heißt schon eine andere Nutzlast. Wählen Sie einen anderen Namen.</translation>
+        <translation>Eine andere Nutzlast heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -6360,8 +6360,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     <message>
         <source>No payloads yet.
 Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
-        <translation>Noch keine Nutzlast.
-Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um sie mit dem Arm zu finden.</translation>
+        <translation>Noch keine Nutzlasten.
+Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Messen…“, um sie mit dem Arm zu messen.</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -6397,7 +6397,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
-        <translation>Eingabetaste übernimmt es ins Projekt; der Roboter behält das Seine.</translation>
+        <translation>Mit Enter in das Projekt übernehmen. Die Nutzlast des Roboters ändert sich nicht.</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -6409,27 +6409,27 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Measure…</source>
-        <translation>Wiegen…</translation>
+        <translation>Messen…</translation>
     </message>
     <message>
         <source>Measure the payload with the arm</source>
-        <translation>Die Nutzlast mit dem Arm finden</translation>
+        <translation>Nutzlast mit dem Arm messen</translation>
     </message>
     <message>
         <source>Verify</source>
-        <translation>Stimmt sie?</translation>
+        <translation>Prüfen</translation>
     </message>
     <message>
         <source>Verify the payload</source>
-        <translation>Prüfen, ob die Nutzlast stimmt</translation>
+        <translation>Nutzlast prüfen</translation>
     </message>
     <message>
         <source>Store the active payload of the robot</source>
-        <translation>Die Nutzlast behalten, die der Roboter hat</translation>
+        <translation>Aktive Nutzlast des Roboters speichern</translation>
     </message>
     <message>
         <source>Enter new payload</source>
-        <translation>Neue Nutzlast in Zahlen</translation>
+        <translation>Neue Nutzlast eingeben</translation>
     </message>
     <message>
         <source>payload</source>
@@ -6465,7 +6465,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Select the payload to set.</source>
-        <translation>Wählen Sie eine Nutzlast zum Setzen.</translation>
+        <translation>Wählen Sie die zu setzende Nutzlast.</translation>
     </message>
     <message>
         <source>Use the payload “%1”</source>
@@ -6473,7 +6473,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+        <translation>Tiller hat nicht die Steuerung. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
         <source>Delete the payload “%1”</source>
@@ -6481,63 +6481,63 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
-        <translation>Wiege… nichts soll das Werkzeug berühren.</translation>
+        <translation>Nutzlast wird gemessen… Halten Sie das Werkzeug frei von Kontakt.</translation>
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
-        <translation>Der Arm hat sich bewegt. Lassen Sie ihn zur Ruhe kommen, berühren Sie nichts und prüfen Sie erneut.</translation>
+        <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und prüfen Sie erneut.</translation>
     </message>
     <message>
         <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>Der Roboter sendet keine Kräfte: Seine Nutzlast kann nicht geprüft werden.</translation>
+        <translation>Der Roboter sendet keine Kräfte: Die Nutzlast kann nicht geprüft werden.</translation>
     </message>
     <message>
         <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>Mit %1 kg spürt der Arm in Ruhe %2 und %3.</translation>
+        <translation>Mit %1 kg misst der Arm im Stillstand %2 und %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
-        <translation>Die Nutzlast stimmt. %1</translation>
+        <translation>Die Nutzlast ist korrekt. %1</translation>
     </message>
     <message>
         <source>The payload is correct</source>
-        <translation>Die Nutzlast stimmt</translation>
+        <translation>Die Nutzlast ist korrekt</translation>
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
-        <translation>Dort hängen etwa %1 kg mehr, als ihm gesagt wurde.</translation>
+        <translation>Die Last ist etwa %1 kg schwerer als die eingestellte Nutzlast.</translation>
     </message>
     <message>
         <source>The load is about %1 kg lighter than the configured payload.</source>
-        <translation>Dort hängen etwa %1 kg weniger, als ihm gesagt wurde.</translation>
+        <translation>Die Last ist etwa %1 kg leichter als die eingestellte Nutzlast.</translation>
     </message>
     <message>
         <source>The centre of gravity differs, or something is touching the tool.</source>
-        <translation>Ihr Schwerpunkt liegt anderswo, oder etwas berührt das Werkzeug.</translation>
+        <translation>Der Schwerpunkt weicht ab, oder etwas berührt das Werkzeug.</translation>
     </message>
     <message>
         <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
-        <translation>%1 %2 Wiegen Sie sie oder wählen Sie eine andere Nutzlast. Den Kraftsensor auf null zu setzen, verbirgt eine falsche Nutzlast, bis das Werkzeug sich dreht.</translation>
+        <translation>%1 %2 Messen Sie sie oder wählen Sie eine andere Nutzlast. Das Nullsetzen des Kraftsensors verdeckt eine falsche Nutzlast, bis sich das Werkzeug dreht.</translation>
     </message>
     <message>
         <source>The payload is wrong. %1 %2</source>
-        <translation>Die Nutzlast stimmt nicht. %1 %2</translation>
+        <translation>Die Nutzlast ist falsch. %1 %2</translation>
     </message>
     <message>
         <source>The payload is wrong</source>
-        <translation>Die Nutzlast stimmt nicht</translation>
+        <translation>Die Nutzlast ist falsch</translation>
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1, wie der Roboter sie hat</translation>
+        <translation>%1, auf dem Roboter aktiv</translation>
     </message>
     <message>
         <source>%1; the robot has %2 kg, centre of gravity %3</source>
-        <translation>%1; dem Roboter wurden %2 kg, Schwerpunkt %3 gesagt</translation>
+        <translation>%1; der Roboter hat %2 kg, Schwerpunkt %3</translation>
     </message>
     <message>
         <source>The robot&apos;s payload differs from “%1”</source>
-        <translation>Der Roboter hat eine andere Nutzlast als „%1“</translation>
+        <translation>Die Nutzlast des Roboters weicht von „%1“ ab</translation>
     </message>
     <message>
         <source>On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing was changed.</source>
@@ -6576,11 +6576,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>X-axis signal</source>
-        <translation>Über diesem Signal</translation>
+        <translation>Signal der X-Achse</translation>
     </message>
     <message>
         <source>Add a signal to the plots first.</source>
-        <translation>Bringen Sie zuerst ein Signal in die Diagramme.</translation>
+        <translation>Fügen Sie zuerst ein Signal in die Diagramme ein.</translation>
     </message>
     <message>
         <source>There are no samples in this range.</source>
@@ -6588,11 +6588,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
-        <translation>In diesem Bereich fehlen Messwerte: Setzen Sie die Cursor A und B so, dass keine Lücke dazwischen liegt.</translation>
+        <translation>In diesem Bereich fehlen Messwerte: Setzen Sie die Cursor A und B so, dass keine Lücke dazwischenliegt.</translation>
     </message>
     <message>
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
-        <translation>Hann-Fenster von %1 Werten · %2 Hz je Linie · Mittel von %3 · %4 … %5 s</translation>
+        <translation>Hann-Fenster mit %1 Messwerten · Auflösung %2 Hz · Mittel aus %3 · %4 … %5 s</translation>
     </message>
     <message>
         <source>Frequency [Hz]</source>
@@ -6612,8 +6612,8 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     <message numerus="yes">
         <source>%n sample(s), every %1th shown</source>
         <translation>
-            <numerusform>%n Messwert, einer von %1</numerusform>
-            <numerusform>%n Messwerte, einer von %1</numerusform>
+            <numerusform>%n Messwert, jeder %1. angezeigt</numerusform>
+            <numerusform>%n Messwerte, jeder %1. angezeigt</numerusform>
         </translation>
     </message>
     <message>
@@ -6622,7 +6622,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
-        <translation>Diese beiden sind nicht aus derselben Aufzeichnung: Setzen Sie die Cursor A und B um einen kürzeren Bereich.</translation>
+        <translation>Diese Signale stammen aus verschiedenen Aufzeichnungen: Setzen Sie die Cursor A und B um einen kürzeren Bereich.</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -6633,11 +6633,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     <name>tiller::PlotComparison</name>
     <message>
         <source>Not compared with the arm model: the recording does not state the robot model.</source>
-        <translation>Nicht mit dem Modell des Arms verglichen: welcher Arm das ist, ist nicht bekannt.</translation>
+        <translation>Nicht mit dem Armmodell verglichen: Die Aufzeichnung nennt das Robotermodell nicht.</translation>
     </message>
     <message>
         <source>Arm and model diverge: %1</source>
-        <translation>Arm und Modell trennen sich: %1</translation>
+        <translation>Arm und Modell weichen voneinander ab: %1</translation>
     </message>
     <message>
         <source>Comparing the arm with its model: %1</source>
@@ -6680,7 +6680,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
-        <translation>Klicken Sie in die Diagramme, um die Cursor A und B zu setzen; ziehen Sie sie, oder verwenden Sie die Tasten A, B und die Pfeile. Klicken Sie einen Namen in einer Legende an, um seine Kurve zu verbergen, mit Strg, um dieses Signal abzulesen.</translation>
+        <translation>Klicken Sie in die Diagramme, um die Cursor A und B zu setzen; ziehen Sie sie oder verwenden Sie A, B und die Pfeiltasten. Klicken Sie auf einen Legendeneintrag, um seine Kurve auszublenden; Strg+Klick liest dieses Signal an den Cursorn ab.</translation>
     </message>
     <message>
         <source>Time window</source>
@@ -6688,7 +6688,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
-        <translation>Wie viel Zeit die Diagramme zeigen. Das Mausrad über den Diagrammen zoomt; über den Werten links oder mit Strg zoomt es diese, und ein Doppelklick dort lässt wieder die Kurven entscheiden.</translation>
+        <translation>Zeitbereich der Diagramme. Das Mausrad zoomt die Zeitachse; über der Werteachse oder mit Strg zoomt es die Werte. Doppelklick auf die Werteachse skaliert automatisch.</translation>
     </message>
     <message>
         <source>Pause the plots</source>
@@ -6704,7 +6704,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Export the visible range</source>
-        <translation>Den gezeigten Bereich exportieren</translation>
+        <translation>Sichtbaren Bereich exportieren</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6712,7 +6712,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Save the visible range as an image (PNG) or as values (CSV)</source>
-        <translation>Das Gezeigte als Bild (PNG) oder als Werte (CSV) speichern</translation>
+        <translation>Sichtbaren Bereich als Bild (PNG) oder Werte (CSV) speichern</translation>
     </message>
     <message>
         <source>Record to a CSV file</source>
@@ -6720,11 +6720,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>In eine CSV-Datei aufzeichnen, was der Roboter sendet; die Taste daneben sagt, was und wohin</translation>
+        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Die Pfeiltaste legt Signale und Ordner fest</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>Die Kraft wurde nicht auf null gesetzt: Die Diagramme zeigen keine Werte. Verbinden Sie sich mit einem Roboter oder gehen Sie zu einer Zeit mit Werten.</translation>
+        <translation>Die Kraft kann nicht auf null gesetzt werden: Die Diagramme zeigen keine Messwerte. Verbinden Sie sich mit einem Roboter oder blättern Sie zu einer Zeit mit Messwerten.</translation>
     </message>
     <message>
         <source>Paused · %1 s back</source>
@@ -6752,7 +6752,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Freeze the plots; data and recording continue</source>
-        <translation>Die Diagramme anhalten; Daten und Aufzeichnung gehen weiter</translation>
+        <translation>Diagramme anhalten; Daten und Aufzeichnung laufen weiter</translation>
     </message>
     <message>
         <source>Back to the newest samples</source>
@@ -6760,11 +6760,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Show the force as measured by the robot. %1</source>
-        <translation>Die Kraft wieder zeigen, wie der Roboter sie misst. %1</translation>
+        <translation>Die vom Roboter gemessene Kraft anzeigen. %1</translation>
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
-        <translation>Die Kraft ab dem jetzigen Wert zählen. Nur was die Diagramme zeigen: Roboter, Aufzeichnungen und exportierte Werte behalten das Gemessene.</translation>
+        <translation>Die aktuelle Kraft in den Diagrammen abziehen. Roboter, Aufzeichnungen und exportierte Werte werden nicht geändert.</translation>
     </message>
     <message>
         <source>● REC %1</source>
@@ -6788,11 +6788,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>Nichts wurde exportiert: Die Diagramme zeigen keine Werte. Verbinden Sie sich mit einem Roboter oder gehen Sie zu einer Zeit mit Werten.</translation>
+        <translation>Export nicht möglich: Die Diagramme zeigen keine Messwerte. Verbinden Sie sich mit einem Roboter oder blättern Sie zu einer Zeit mit Messwerten.</translation>
     </message>
     <message>
         <source>Exported the visible range to %1</source>
-        <translation>Gezeigter Bereich exportiert nach %1</translation>
+        <translation>Sichtbarer Bereich exportiert nach %1</translation>
     </message>
     <message>
         <source>Picture (*.png)</source>
@@ -6812,7 +6812,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Recording options</source>
-        <translation>Was aufgezeichnet wird</translation>
+        <translation>Aufzeichnungsoptionen</translation>
     </message>
     <message>
         <source>Rows, signals, folder and file name of the next recording</source>
@@ -6820,13 +6820,13 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>One row per packet</source>
-        <translation>Eine Zeile für jedes Paket</translation>
+        <translation>Eine Zeile je Paket</translation>
     </message>
     <message numerus="yes">
         <source>One row every %n packet(s)</source>
         <translation>
-            <numerusform>Eine Zeile für jedes Paket</numerusform>
-            <numerusform>Eine Zeile für je %n Pakete</numerusform>
+            <numerusform>Eine Zeile alle %n Pakete</numerusform>
+            <numerusform>Eine Zeile alle %n Pakete</numerusform>
         </translation>
     </message>
     <message>
@@ -6850,7 +6850,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Open folder</source>
-        <translation>Den Ordner zeigen</translation>
+        <translation>Ordner öffnen</translation>
     </message>
     <message>
         <source>Folder for recordings</source>
@@ -6866,11 +6866,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>nennen Sie die Datei .png, .svg oder .pdf für ein Bild, .csv für Werte</translation>
+        <translation>verwenden Sie die Endung .png, .svg oder .pdf für ein Bild oder .csv für Werte</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
-        <translation>%1, bei %2 s der Diagrammzeit</translation>
+        <translation>%1, bei %2 s auf der Zeitachse</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -6882,11 +6882,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>What happened at this time?</source>
-        <translation>Was geschah in diesem Moment?</translation>
+        <translation>Was ist zu diesem Zeitpunkt passiert?</translation>
     </message>
     <message>
         <source>The plots were copied to the clipboard as an image.</source>
-        <translation>Die Diagramme sind als Bild in der Zwischenablage.</translation>
+        <translation>Die Diagramme wurden als Bild in die Zwischenablage kopiert.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -6902,7 +6902,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Remove this page</source>
-        <translation>Diese Seite wegnehmen</translation>
+        <translation>Diese Seite entfernen</translation>
     </message>
     <message>
         <source>Standard plots</source>
@@ -6914,19 +6914,19 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Close recordings</source>
-        <translation>Die Aufzeichnungen schließen</translation>
+        <translation>Aufzeichnungen schließen</translation>
     </message>
     <message>
         <source>Copy plots as image</source>
-        <translation>Die Diagramme als Bild kopieren</translation>
+        <translation>Diagramme als Bild kopieren</translation>
     </message>
     <message>
         <source>Save layout…</source>
-        <translation>Diese Anordnung speichern…</translation>
+        <translation>Layout speichern…</translation>
     </message>
     <message>
         <source>Open layout…</source>
-        <translation>Eine Anordnung öffnen…</translation>
+        <translation>Layout öffnen…</translation>
     </message>
     <message>
         <source>Memory for the history</source>
@@ -6934,7 +6934,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>save the layout to %1</source>
-        <translation>die Anordnung nach %1 speichern</translation>
+        <translation>das Layout nach %1 speichern</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -6950,15 +6950,15 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Save plot layout</source>
-        <translation>Die Anordnung der Diagramme speichern</translation>
+        <translation>Diagrammlayout speichern</translation>
     </message>
     <message>
         <source>Plot layouts (*.json)</source>
-        <translation>Anordnung von Diagrammen (*.json)</translation>
+        <translation>Diagrammlayouts (*.json)</translation>
     </message>
     <message>
         <source>Open plot layout</source>
-        <translation>Eine Anordnung der Diagramme öffnen</translation>
+        <translation>Diagrammlayout öffnen</translation>
     </message>
     <message>
         <source>%1 and more</source>
@@ -6974,7 +6974,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>Alles, was der Roboter meldet: auf ein Diagramm ziehen, an seinen Rand für ein eigenes, oder Doppelklick</translation>
+        <translation>Alle Signale des Roboters: Ziehen Sie ein Signal in ein Diagramm oder an dessen Rand für ein neues Diagramm, oder doppelklicken Sie darauf</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -6986,11 +6986,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
-        <translation>Was jedes Signal an den Cursorn A und B hat und was dazwischen liegt: kleinster, größter, Mittelwert, RMS, Abweichung, Steigung</translation>
+        <translation>Werte an den Cursorn A und B und Statistik dazwischen: Minimum, Maximum, Mittelwert, RMS, Standardabweichung, Steigung</translation>
     </message>
     <message>
         <source>Pages and layout of the plots</source>
-        <translation>Seiten und Anordnung der Diagramme</translation>
+        <translation>Seiten und Layout der Diagramme</translation>
     </message>
     <message>
         <source>Layout ▾</source>
@@ -6998,7 +6998,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>read a plot layout</source>
-        <translation>eine Anordnung der Diagramme lesen</translation>
+        <translation>ein Diagrammlayout lesen</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>
@@ -7006,7 +7006,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Export the visible range…</source>
-        <translation>Gezeigten Bereich exportieren…</translation>
+        <translation>Sichtbaren Bereich exportieren…</translation>
     </message>
     <message>
         <source>Time axis</source>
@@ -7014,7 +7014,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Relative to the newest sample</source>
-        <translation>Vor dem neuesten Messwert</translation>
+        <translation>Relativ zum neuesten Messwert</translation>
     </message>
     <message>
         <source>Controller time</source>
@@ -7026,7 +7026,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>The maximum number of plot pages is reached: remove a page first.</source>
-        <translation>Es gibt so viele Diagrammseiten, wie es geben darf: Nehmen Sie zuerst eine weg.</translation>
+        <translation>Die maximale Zahl an Diagrammseiten ist erreicht: Entfernen Sie zuerst eine Seite.</translation>
     </message>
     <message>
         <source>Record to an MCAP file</source>
@@ -7034,7 +7034,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>Aufzeichnen, was der Roboter sendet, in eine MCAP-Datei; die Taste daneben sagt, was und wohin</translation>
+        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Die Pfeiltaste legt Signale und Ordner fest</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7087,7 +7087,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Double-click to rename</source>
-        <translation>Doppelklick: anderer Name</translation>
+        <translation>Zum Umbenennen doppelklicken</translation>
     </message>
 </context>
 <context>
@@ -7150,15 +7150,15 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>Klicken Sie in die Diagramme, um A, dann B zu setzen: Was dazwischen liegt, wird hier zusammengefasst.</translation>
+        <translation>Klicken Sie in die Diagramme, um A und dann B zu setzen. Die Statistik des Bereichs dazwischen erscheint hier.</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
-        <translation>%1 · wird zusammengefasst: %2</translation>
+        <translation>%1 · wird berechnet: %2</translation>
     </message>
     <message>
         <source>Statistics are incomplete: %1</source>
-        <translation>Nicht der ganze Bereich konnte zusammengefasst werden: %1</translation>
+        <translation>Die Statistik ist unvollständig: %1</translation>
     </message>
 </context>
 <context>
@@ -7185,7 +7185,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Fixed scale · double-click the axis to scale automatically</source>
-        <translation>Skala gehalten · Doppelklick auf die Achse gibt sie frei</translation>
+        <translation>Feste Skala · Doppelklick auf die Achse skaliert automatisch</translation>
     </message>
     <message>
         <source>No samples yet: connect to a robot</source>
@@ -7193,7 +7193,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Zeroed (offset %1 %2)</source>
-        <translation>Auf null: %1 %2 abgezogen</translation>
+        <translation>Auf null gesetzt (Versatz %1 %2)</translation>
     </message>
     <message>
         <source>Plots over time</source>
@@ -7201,7 +7201,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A und B setzen die Cursor, die Pfeiltasten bewegen sie, auf und ab wählen das Signal, das sie ablesen; H verbirgt seine Kurve, Strg+Entf nimmt sie weg; Plus und Minus ändern das Zeitfenster, mit Strg die Skala der Werte, Strg+0 lässt wieder die Kurven entscheiden; N schreibt eine Notiz; F zeigt alles; Ende geht zurück zu den neuesten Werten</translation>
+        <translation>A und B setzen die Cursor, links und rechts bewegen sie, auf und ab wählen das abgelesene Signal. H blendet dessen Kurve aus, Strg+Entf entfernt sie. Plus und Minus ändern den Zeitbereich, mit Strg die Werteskala; Strg+0 skaliert automatisch. N fügt eine Notiz hinzu, F zeigt alle Daten, Ende kehrt zu den neuesten Messwerten zurück</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -7263,11 +7263,11 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>Ausrichtung wie in den Einstellungen gewählt. Δ₀: Weg seit null. Klick: Weg seit dem Druck</translation>
+        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick: Verschiebung seit dem Tastendruck</translation>
     </message>
     <message>
         <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>Ausrichtung wie in den Einstellungen gewählt. Δ: Weg seit dem Druck. Klick: hier null</translation>
+        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit dem Tastendruck. Klick: hier null</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -7290,7 +7290,7 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     </message>
     <message>
         <source>Another position is named “%1”. Choose another name.</source>
-        <translation>„%1“ heißt schon eine andere Stellung. Wählen Sie einen anderen Namen.</translation>
+        <translation>Eine andere Position heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -7303,8 +7303,8 @@ Drücken Sie „Vom Roboter“, um seine zu behalten, oder „Wiegen…“, um s
     <message>
         <source>No positions yet.
 Jog the arm to a position and press Set home here, or Add here.</source>
-        <translation>Noch keine Stellungen.
-Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hinzufügen“.</translation>
+        <translation>Noch keine Positionen.
+Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hier hinzufügen“.</translation>
     </message>
     <message>
         <source>Safe height</source>
@@ -7312,11 +7312,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
-        <translation>%1. Eingabetaste übernimmt; nichts bewegt sich außer der Stellung.</translation>
+        <translation>%1. Mit Enter übernehmen. Nur die gespeicherte Position ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
-        <translation>Darüber steht im Basis-System nichts: Dort darf der TCP seitwärts fahren.</translation>
+        <translation>Höhe im Basis-Koordinatensystem, über der es keine Hindernisse gibt: Darüber darf sich der TCP seitwärts bewegen.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -7324,7 +7324,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>Set the safe height to the current TCP height</source>
-        <translation>Die sichere Höhe ist dort, wo der TCP jetzt ist</translation>
+        <translation>Sichere Höhe auf die aktuelle Höhe des TCP setzen</translation>
     </message>
     <message>
         <source>Set home here</source>
@@ -7336,7 +7336,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>Store the current position of the arm</source>
-        <translation>Die Stellung behalten, die der Arm hat</translation>
+        <translation>Aktuelle Position des Arms speichern</translation>
     </message>
     <message>
         <source>Use as home</source>
@@ -7352,7 +7352,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>Reset to default home</source>
-        <translation>Wieder das übliche Home verwenden</translation>
+        <translation>Auf Standard-Home zurücksetzen</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -7364,7 +7364,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
+        <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -7372,11 +7372,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>Set “%1” to the current position of the arm?</source>
-        <translation>„%1“ dorthin setzen, wo der Arm steht?</translation>
+        <translation>„%1“ auf die aktuelle Position des Arms setzen?</translation>
     </message>
     <message>
         <source>The Home key will move the arm there.</source>
-        <translation>Die Taste Home fährt von nun an dorthin.</translation>
+        <translation>Die Taste Home fährt den Arm dann dorthin.</translation>
     </message>
     <message>
         <source>Set home</source>
@@ -7436,11 +7436,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>Die Taste Home fährt zum üblichen Home: aufrecht, frei von sich selbst.</translation>
+        <translation>Die Taste Home fährt zur Standard-Home-Position: Arm aufrecht, ohne Selbstkollision.</translation>
     </message>
     <message>
         <source>%1: target of the Home key</source>
-        <translation>%1: Die Taste Home fährt dorthin</translation>
+        <translation>%1: Ziel der Taste Home</translation>
     </message>
     <message>
         <source>%1 · %2 %3 from here</source>
@@ -7451,7 +7451,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     <name>tiller::Practice</name>
     <message>
         <source>Start the simulated robot first (robot menu).</source>
-        <translation>Starten Sie zuerst den simulierten Roboter: Er steht im Menü Roboter.</translation>
+        <translation>Starten Sie zuerst den simulierten Roboter (Menü Roboter).</translation>
     </message>
     <message>
         <source>Power the arm on and release the brakes first.</source>
@@ -7459,11 +7459,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>Der Arm ist in einem Stopp. Stellen Sie ihn zuerst wieder her.</translation>
+        <translation>Der Arm wurde vom Sicherheitssystem gestoppt. Stellen Sie ihn zuerst wieder her.</translation>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
-        <translation>Erledigt. Start beginnt noch einmal.</translation>
+        <translation>Erledigt. Drücken Sie „Start“, um die Aufgabe zu wiederholen.</translation>
     </message>
     <message>
         <source>Press Start.</source>
@@ -7490,7 +7490,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>enter value, press Return</source>
-        <translation>Zahl, dann Eingabetaste</translation>
+        <translation>Wert eingeben, Enter drücken</translation>
     </message>
     <message>
         <source>Fz [N]</source>
@@ -7498,11 +7498,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>Previous task</source>
-        <translation>Die vorige Aufgabe</translation>
+        <translation>Vorige Aufgabe</translation>
     </message>
     <message>
         <source>Next task</source>
-        <translation>Die nächste Aufgabe</translation>
+        <translation>Nächste Aufgabe</translation>
     </message>
     <message>
         <source>Practice · %1 of %2</source>
@@ -7510,15 +7510,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>Starts or restarts the task</source>
-        <translation>Beginnt die Aufgabe, oder beginnt sie neu</translation>
+        <translation>Startet die Aufgabe oder startet sie neu</translation>
     </message>
     <message>
         <source>Continues with the next task</source>
-        <translation>Weiter zur nächsten Aufgabe</translation>
+        <translation>Fährt mit der nächsten Aufgabe fort</translation>
     </message>
     <message>
         <source>Available after the check above has passed</source>
-        <translation>Möglich, sobald die Prüfung oben es sagt</translation>
+        <translation>Verfügbar, sobald die Prüfung oben bestanden ist</translation>
     </message>
 </context>
 <context>
@@ -7529,11 +7529,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>Check</source>
-        <translation>Hinsehen</translation>
+        <translation>Prüfen</translation>
     </message>
     <message>
         <source>Failed</source>
-        <translation>Schlecht</translation>
+        <translation>Fehlgeschlagen</translation>
     </message>
     <message>
         <source>Not checked</source>
@@ -7549,7 +7549,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Home hier“ oder „Hier hi
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>Trotzdem verbunden zeigt das Fenster, welche Daten es gibt. Was oben rot ist, kann verhindern, dass die Steuerung übernommen wird, oder eine Bewegung mittendrin beenden.</translation>
+        <translation>Wenn Sie trotzdem verbinden, zeigt das Fenster die verfügbaren Daten. Die roten Punkte oben können das Übernehmen der Steuerung verhindern oder eine laufende Bewegung stoppen.</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -7569,19 +7569,19 @@ Keep the emergency stop at hand: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
 Watch the arm, not the screen, while you hold a key.
 Release the key to stop the arm.</source>
-        <translation>Halten Sie alle aus der Reichweite des Arms.
+        <translation>Halten Sie alle Personen aus dem Arbeitsbereich des Arms fern.
 Halten Sie den Not-Halt griffbereit: STOP in diesem Fenster ist ein Software-Stopp.
-Beginnen Sie langsam: Die erste Geschwindigkeit ist %1.
-Sehen Sie auf den Arm, nicht auf den Bildschirm, während eine Taste gehalten wird.
-Lassen Sie die Taste los, und der Arm stoppt.</translation>
+Beginnen Sie langsam: Die Anfangsgeschwindigkeit ist %1.
+Beobachten Sie den Arm, nicht den Bildschirm, während Sie eine Taste halten.
+Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Checking %1…</source>
-        <translation>Prüfe %1…</translation>
+        <translation>%1 wird geprüft…</translation>
     </message>
     <message>
         <source>Problems found</source>
-        <translation>Etwas steht im Weg</translation>
+        <translation>Probleme gefunden</translation>
     </message>
     <message>
         <source>Ready, with warnings</source>
@@ -7611,7 +7611,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Change order</source>
-        <translation>Die Reihenfolge ändern</translation>
+        <translation>Reihenfolge ändern</translation>
     </message>
 </context>
 <context>
@@ -7626,7 +7626,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>%1. Update Tiller to open it. The file was not changed.</source>
-        <translation>%1. Aktualisieren Sie Tiller, um sie zu öffnen. Die Datei wurde gelassen, wie sie ist.</translation>
+        <translation>%1. Aktualisieren Sie Tiller, um sie zu öffnen. Die Datei wurde nicht geändert.</translation>
     </message>
     <message>
         <source>Open project</source>
@@ -7650,7 +7650,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>“%1” is a copy with unsaved changes.</source>
-        <translation>„%1“ ist eine Kopie und hat Änderungen, die in keiner Datei sind.</translation>
+        <translation>„%1“ ist eine Kopie mit ungespeicherten Änderungen.</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -7949,7 +7949,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Suspected joint: %1 (largest deviation from its target current).</source>
-        <translation>Verdächtiges Gelenk: %1, dessen Strom am weitesten von seinem Sollwert abwich.</translation>
+        <translation>Verdächtiges Gelenk: %1 (größte Abweichung vom Sollstrom).</translation>
     </message>
     <message>
         <source> (%1 s)</source>
@@ -7957,11 +7957,11 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Tick the items that you have checked.</source>
-        <translation>Haken Sie ab, was Sie sich angesehen haben.</translation>
+        <translation>Haken Sie die Punkte ab, die Sie geprüft haben.</translation>
     </message>
     <message>
         <source>Requested; waiting for the robot…</source>
-        <translation>Angefordert; warte auf den Roboter…</translation>
+        <translation>Angefordert; warten auf den Roboter…</translation>
     </message>
 </context>
 <context>
@@ -7992,7 +7992,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Input register type</source>
-        <translation>Art des Eingangsregisters</translation>
+        <translation>Typ des Eingangsregisters</translation>
     </message>
     <message>
         <source>Input register number</source>
@@ -8000,7 +8000,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Input register value</source>
-        <translation>Wert für das Eingangsregister</translation>
+        <translation>Wert des Eingangsregisters</translation>
     </message>
     <message>
         <source>Write</source>
@@ -8019,7 +8019,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>Zeigen, was der Roboter jetzt tut; eine Aufzeichnung bleibt in den Diagrammen offen</translation>
+        <translation>Aktuellen Zustand des Roboters zeigen. Die Aufzeichnung bleibt in den Diagrammen offen</translation>
     </message>
 </context>
 <context>
@@ -8042,7 +8042,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>The popup could not be closed from here: close it on the teach pendant.</source>
-        <translation>Es konnte von hier nicht geschlossen werden: Schließen Sie es am Teach-Pendant.</translation>
+        <translation>Das Popup konnte von hier nicht geschlossen werden: Schließen Sie es am Teach-Pendant.</translation>
     </message>
     <message>
         <source>No data from the robot: close it on the teach pendant.</source>
@@ -8057,7 +8057,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>A waiting program continues when the popup is closed: keep clear of the arm.</source>
-        <translation>Ein Programm, das darauf wartet, geht nach dem Schließen weiter: Halten Sie Abstand vom Arm.</translation>
+        <translation>Ein wartendes Programm läuft weiter, sobald das Popup geschlossen wird: Halten Sie Abstand vom Arm.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8096,7 +8096,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Taking control was cancelled by a stop</source>
-        <translation>Das Übernehmen der Steuerung wurde durch einen Stopp beendet</translation>
+        <translation>Das Übernehmen der Steuerung wurde durch einen Stopp abgebrochen</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -8136,11 +8136,11 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>No data from the robot. Reconnecting automatically; motion does not resume.</source>
-        <translation>Keine Daten vom Roboter. Verbindet sich von selbst wieder; Bewegung geht nicht weiter.</translation>
+        <translation>Keine Daten vom Roboter. Die Verbindung wird automatisch wiederhergestellt; die Bewegung wird nicht fortgesetzt.</translation>
     </message>
     <message>
         <source>Robot data are late.</source>
-        <translation>Die Daten vom Roboter sind spät.</translation>
+        <translation>Die Daten des Roboters sind verspätet.</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -8182,7 +8182,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
-        <translation>Der Greifer meldet keine Werte. Schalten Sie den Arm ein; bleibt es so, prüfen Sie das Kabel des Greifers am Handgelenk.</translation>
+        <translation>Der Greifer sendet keine Werte. Schalten Sie den Arm ein; wenn das Problem bleibt, prüfen Sie das Greiferkabel am Handgelenk.</translation>
     </message>
     <message>
         <source>The gripper answers again</source>
@@ -8194,7 +8194,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
-        <translation>Der Greifer wurde nicht aktiv. Sehen Sie nach, dass nichts seine Finger blockiert, dann drücken Sie wieder Aktivieren.</translation>
+        <translation>Der Greifer wurde nicht aktiviert. Prüfen Sie, ob etwas seine Finger blockiert, und drücken Sie dann erneut „Aktivieren“.</translation>
     </message>
     <message>
         <source>The gripper holds an object (%1 open)</source>
@@ -8214,27 +8214,27 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
-        <translation>Bei %1:%2 antwortet niemand für den Greifer. Installieren Sie die URCap von Robotiq am Roboter und wählen Sie den Greifer in der Installation.</translation>
+        <translation>Unter %1:%2 antwortet kein Greiferdienst. Installieren Sie die URCap von Robotiq auf dem Roboter und wählen Sie den Greifer in der Installation.</translation>
     </message>
     <message>
         <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>Der Greifer antwortet nicht. Prüfen Sie sein Kabel am Handgelenk und seine Seite in der Installation des Roboters; bleibt es so, starten Sie den Roboter neu.</translation>
+        <translation>Der Greifer antwortet nicht. Prüfen Sie sein Kabel am Handgelenk und seine Seite in der Installation des Roboters; wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
-        <translation>Der Roboter hat die Verbindung zum Greifer beendet, vielleicht startet er neu. Sie kommt von selbst zurück; der Greifer hält weiter.</translation>
+        <translation>Der Roboter hat die Verbindung zum Greifer geschlossen und startet eventuell neu. Tiller verbindet sich automatisch neu; der Greifer hält weiter.</translation>
     </message>
     <message>
         <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
-        <translation>Der Greifer hat es nicht angenommen. Aktivieren Sie ihn; ist er aktiv, sehen Sie auf seine Seite in der Installation des Roboters.</translation>
+        <translation>Der Greifer hat den Befehl nicht angenommen. Aktivieren Sie ihn; wenn er aktiv ist, prüfen Sie seine Seite in der Installation des Roboters.</translation>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
-        <translation>Der Greifer wird aktiviert: Was verlangt wurde, geschieht danach.</translation>
+        <translation>Der Greifer wird aktiviert; der Befehl wird danach ausgeführt.</translation>
     </message>
     <message>
         <source>The gripper received a motion command before it was active. Press Activate.</source>
-        <translation>Der Greifer bekam ein Ziel, bevor er aktiv war. Drücken Sie Aktivieren.</translation>
+        <translation>Der Greifer hat einen Bewegungsbefehl erhalten, bevor er aktiv war. Drücken Sie „Aktivieren“.</translation>
     </message>
     <message>
         <source>The gripper is too hot. Let it cool down, then press Activate.</source>
@@ -8242,35 +8242,35 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
-        <translation>Der Greifer hat eine Sekunde lang nichts gehört. Prüfen Sie sein Kabel am Handgelenk, dann drücken Sie Aktivieren.</translation>
+        <translation>Der Greifer hat eine Sekunde lang keinen Befehl erhalten. Prüfen Sie sein Kabel am Handgelenk und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
         <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
-        <translation>Der Greifer hat zu wenig Spannung. Stellen Sie die Werkzeugspannung auf 24 V, dann drücken Sie Aktivieren.</translation>
+        <translation>Die Versorgungsspannung des Greifers ist zu niedrig. Stellen Sie die Werkzeugspannung auf 24 V und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
         <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
-        <translation>Das automatische Lösen des Greifers läuft. Warten Sie, bis es endet, dann drücken Sie Aktivieren.</translation>
+        <translation>Das automatische Lösen des Greifers läuft. Warten Sie, bis es abgeschlossen ist, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
         <source>The automatic release of the gripper is complete. Press Activate.</source>
-        <translation>Das automatische Lösen des Greifers ist beendet. Drücken Sie Aktivieren.</translation>
+        <translation>Das automatische Lösen des Greifers ist abgeschlossen. Drücken Sie „Aktivieren“.</translation>
     </message>
     <message>
         <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
-        <translation>Der Greifer hat einen internen Fehler. Drücken Sie Aktivieren; kommt er wieder, fragen Sie Robotiq.</translation>
+        <translation>Der Greifer hat einen internen Fehler. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, wenden Sie sich an Robotiq.</translation>
     </message>
     <message>
         <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
-        <translation>Die Aktivierung ist fehlgeschlagen. Sehen Sie nach, dass nichts die Finger blockiert, dann drücken Sie Aktivieren.</translation>
+        <translation>Die Aktivierung ist fehlgeschlagen. Prüfen Sie, ob etwas die Finger blockiert, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
         <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
-        <translation>Der Greifer zieht zu viel Strom. Sehen Sie nach, dass nichts die Finger blockiert, dann drücken Sie Aktivieren.</translation>
+        <translation>Der Greifer nimmt zu viel Strom auf. Prüfen Sie, ob etwas die Finger blockiert, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
         <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
-        <translation>Der Greifer meldet Fehler %1. Drücken Sie Aktivieren; kommt er wieder, sehen Sie in sein Handbuch.</translation>
+        <translation>Der Greifer meldet Fehler %1. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, lesen Sie sein Handbuch.</translation>
     </message>
 </context>
 <context>
@@ -8288,7 +8288,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Default view, perspective</source>
-        <translation>Blick von der ersten Seite, perspektivisch</translation>
+        <translation>Standardansicht, perspektivisch</translation>
     </message>
     <message>
         <source>Front</source>
@@ -8320,7 +8320,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Fit the arm, target and waypoints in the view</source>
-        <translation>Arm, Ziel und Wegpunkte ins Bild</translation>
+        <translation>Arm, Ziel und Wegpunkte in die Ansicht einpassen</translation>
     </message>
 </context>
 <context>
@@ -8331,7 +8331,7 @@ Lassen Sie die Taste los, und der Arm stoppt.</translation>
     </message>
     <message>
         <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
-        <translation>Ziehen oder Pfeiltasten, um von einer anderen Seite zu blicken, mit Umschalt oder der rechten Taste, um das Bild zu verschieben, Mausrad oder Plus und Minus, um näher zu kommen, Doppelklick oder Pos1 für die erste Ansicht. Nichts hier bewegt den Roboter.</translation>
+        <translation>Ziehen oder Pfeiltasten drehen die Ansicht; mit Umschalt oder der rechten Maustaste verschieben. Zoomen mit dem Mausrad oder mit Plus und Minus. Doppelklick oder Pos1 zeigt die Standardansicht. Nichts hier bewegt den Roboter.</translation>
     </message>
     <message>
         <source>NO DATA</source>
@@ -8668,7 +8668,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+        <translation>Tiller hat nicht die Steuerung. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
         <source>Delete the TCP “%1”</source>
@@ -8680,7 +8680,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1, wie der Roboter ihn hat</translation>
+        <translation>%1, auf dem Roboter aktiv</translation>
     </message>
     <message>
         <source>%1, %2 from the robot&apos;s TCP</source>
@@ -8798,27 +8798,27 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
-        <translation>Der Flansch drehte sich unterwegs um %1, am meisten bei Pose %2. Nehmen Sie die drei erneut, ohne das Werkzeug zu drehen.</translation>
+        <translation>Der Flansch hat sich um bis zu %1 gedreht (Pose %2). Nehmen Sie die drei Posen erneut, ohne das Werkzeug zu drehen.</translation>
     </message>
     <message>
         <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>Der Weg entlang +Z ist nur %1. Nehmen Sie die drei erneut, mindestens %2 auseinander.</translation>
+        <translation>Der Abstand entlang +Z beträgt nur %1. Nehmen Sie die drei Posen mindestens %2 auseinander erneut.</translation>
     </message>
     <message>
         <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>Der Weg Richtung +X ist nur %1. Nehmen Sie die drei erneut, mindestens %2 auseinander.</translation>
+        <translation>Der Abstand entlang +X beträgt nur %1. Nehmen Sie die drei Posen mindestens %2 auseinander erneut.</translation>
     </message>
     <message>
         <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
-        <translation>Die drei Posen liegen auf einer Linie: Die dritte ist nur %1 daneben. Nehmen Sie die drei erneut.</translation>
+        <translation>Die drei Posen liegen auf einer Linie: Die dritte ist nur %1 von der Linie entfernt. Nehmen Sie die drei Posen erneut.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the three poses again.</source>
-        <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie die drei erneut.</translation>
+        <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie die drei Posen erneut.</translation>
     </message>
     <message>
         <source>Retake last pose</source>
-        <translation>Die letzte erneut nehmen</translation>
+        <translation>Letzte Pose erneut nehmen</translation>
     </message>
     <message>
         <source>Take pose %1</source>
@@ -8830,11 +8830,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ passt am wenigsten</translation>
+        <translation>  ◀ am ungenauesten</translation>
     </message>
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
-        <translation>Posen können genommen werden, solange der Roboter Daten sendet.</translation>
+        <translation>Posen können nur genommen werden, solange der Roboter Daten sendet.</translation>
     </message>
 </context>
 <context>
@@ -8879,11 +8879,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     <name>tiller::TravelWatch</name>
     <message>
         <source>%1: %2 left to the limit of %3</source>
-        <translation>%1: noch %2, dann ist %3 an seiner Grenze</translation>
+        <translation>%1: noch %2 bis zur Grenze von %3</translation>
     </message>
     <message>
         <source>%1: %2 left to the end of reach or a singularity</source>
-        <translation>%1: noch %2, dann das Ende der Reichweite oder eine Singularität</translation>
+        <translation>%1: noch %2 bis zum Ende der Reichweite oder einer Singularität</translation>
     </message>
     <message>
         <source>%1: %2 left, then %3 is %4 from %5</source>
@@ -8909,7 +8909,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>The view is too small to expand this</source>
-        <translation>Die Ansicht ist zu klein zum Ausklappen</translation>
+        <translation>Die Ansicht ist zu klein, um dies auszuklappen</translation>
     </message>
     <message>
         <source>Expand</source>
@@ -8924,7 +8924,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
-        <translation>Im System des Wegpunkts. Eingabetaste übernimmt; nichts bewegt sich außer dem Wegpunkt.</translation>
+        <translation>Im Koordinatensystem des Wegpunkts. Mit Enter übernehmen. Nur der Wegpunkt ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Selected waypoint</source>
@@ -8940,7 +8940,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>Das System, in dem er angegeben ist und mit dem er sich bewegt. Der Ort bleibt, wo er ist. —: Die Gelenke bestimmen</translation>
+        <translation>Bezugs-Koordinatensystem des Wegpunkts. Die Position im Raum ändert sich nicht. —: Gelenkpositionen haben Vorrang</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -8955,11 +8955,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>joints have priority</source>
-        <translation>Gelenke bestimmen</translation>
+        <translation>Gelenke haben Vorrang</translation>
     </message>
     <message>
         <source>pose has priority</source>
-        <translation>Pose bestimmt</translation>
+        <translation>Pose hat Vorrang</translation>
     </message>
     <message>
         <source>cell of “%1”</source>
@@ -8983,15 +8983,15 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Shows the Go through controls instead of the values.</source>
-        <translation>Zeigt die Tasten von Durchfahren an der Stelle der Zahlen.</translation>
+        <translation>Zeigt die Bedienung von „Durchfahren“ statt der Werte.</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation>Zahlen</translation>
+        <translation>Werte</translation>
     </message>
     <message>
         <source>Shows the values instead of the Go through controls.</source>
-        <translation>Zeigt die Zahlen an der Stelle der Tasten von Durchfahren.</translation>
+        <translation>Zeigt die Werte statt der Bedienung von „Durchfahren“.</translation>
     </message>
 </context>
 <context>
@@ -9028,11 +9028,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Create the pattern “%1”</source>
-        <translation>Das Muster „%1“ anlegen</translation>
+        <translation>Muster „%1“ erstellen</translation>
     </message>
     <message>
         <source>Convert the pattern “%1” to waypoints</source>
-        <translation>Das Muster „%1“ auflösen</translation>
+        <translation>Muster „%1“ in Wegpunkte umwandeln</translation>
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
@@ -9048,11 +9048,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>Das Koordinatensystem, in dem er damals angegeben war, ist nicht mehr im Projekt.</translation>
+        <translation>Das Koordinatensystem der früheren Version wurde aus dem Projekt gelöscht.</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
-        <translation>Ein früheres „%1“ zurückholen</translation>
+        <translation>Frühere Version von „%1“ wiederherstellen</translation>
     </message>
     <message>
         <source>Import waypoints</source>
@@ -9072,11 +9072,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Import failed</source>
-        <translation>Nichts wurde importiert</translation>
+        <translation>Import fehlgeschlagen</translation>
     </message>
     <message>
         <source>%1 is too large for a waypoint file.</source>
-        <translation>%1 ist zu groß für eine Liste von Wegpunkten.</translation>
+        <translation>%1 ist zu groß für eine Wegpunktdatei.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -9103,7 +9103,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Export failed</source>
-        <translation>Nichts wurde exportiert</translation>
+        <translation>Export fehlgeschlagen</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written to %1</source>
@@ -9114,7 +9114,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Select the waypoints to add actions to.</source>
-        <translation>Wählen Sie Wegpunkte, an denen etwas zu tun ist.</translation>
+        <translation>Wählen Sie die Wegpunkte, denen Aktionen hinzugefügt werden sollen.</translation>
     </message>
     <message numerus="yes">
         <source>Change the actions at %n waypoints</source>
@@ -9139,7 +9139,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Paste failed</source>
-        <translation>Nichts wurde eingefügt</translation>
+        <translation>Einfügen fehlgeschlagen</translation>
     </message>
     <message>
         <source>There are no waypoints on the clipboard.</source>
@@ -9177,7 +9177,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Restore the version before this change</source>
-        <translation>Zurück vor diese Änderung</translation>
+        <translation>Version vor dieser Änderung wiederherstellen</translation>
     </message>
     <message>
         <source>Name: “%1”, now “%2”</source>
@@ -9185,15 +9185,15 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
-        <translation>Ort: um %1 verschoben (%2, Basis-System)</translation>
+        <translation>Position: um %1 verschoben (%2, Basis-Koordinatensystem)</translation>
     </message>
     <message>
         <source>Joints: largest change %2 (%1)</source>
-        <translation>Gelenke: %1 drehte sich am meisten, um %2</translation>
+        <translation>Gelenke: größte Änderung %2 (%1)</translation>
     </message>
     <message>
         <source>joints have priority</source>
-        <translation>die Gelenke bestimmen</translation>
+        <translation>Gelenke haben Vorrang</translation>
     </message>
     <message>
         <source>Base</source>
@@ -9201,7 +9201,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>a deleted frame</source>
-        <translation>ein System, das es nicht mehr gibt</translation>
+        <translation>ein gelöschtes Koordinatensystem</translation>
     </message>
     <message>
         <source>Frame: %1, now %2</source>
@@ -9229,7 +9229,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>TCP: taught with another TCP</source>
-        <translation>TCP: mit einem anderen geteacht</translation>
+        <translation>TCP: mit einem anderen TCP geteacht</translation>
     </message>
     <message>
         <source>Group: “%1”, now “%2”</source>
@@ -9245,19 +9245,19 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Actions: changed</source>
-        <translation>Aktionen: andere als jetzt</translation>
+        <translation>Aktionen: geändert</translation>
     </message>
     <message>
         <source>Not changed since it was taught.</source>
-        <translation>Er wurde nicht geändert, seit er geteacht wurde.</translation>
+        <translation>Seit dem Teachen nicht geändert.</translation>
     </message>
     <message>
         <source>The version before this change equals the current version.</source>
-        <translation>Davor war er, wie er jetzt ist.</translation>
+        <translation>Die Version vor dieser Änderung gleicht der aktuellen.</translation>
     </message>
     <message>
         <source>Before this change:</source>
-        <translation>Davor war er:</translation>
+        <translation>Vor dieser Änderung:</translation>
     </message>
 </context>
 <context>
@@ -9280,7 +9280,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
-        <translation>Ein Gelenk würde seinen Bereich verlassen. Teachen Sie den Wegpunkt aus einer anderen Armstellung nach.</translation>
+        <translation>Ein Gelenk würde seinen Bereich überschreiten. Teachen Sie den Wegpunkt mit einer anderen Armstellung nach.</translation>
     </message>
     <message>
         <source>Its frame is not in this project. Choose another frame.</source>
@@ -9288,11 +9288,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>Die gerade Linie von hier verlässt die Reichweite des Arms. Verwenden Sie MoveJ oder beginnen Sie anderswo.</translation>
+        <translation>Die gerade Linie von der aktuellen Position verlässt die Reichweite des Arms. Verwenden Sie MoveJ oder beginnen Sie an einer anderen Position.</translation>
     </message>
     <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
-        <translation>Außer Reichweite. Teachen Sie ihn näher an der Basis nach.</translation>
+        <translation>Außer Reichweite. Teachen Sie den Wegpunkt näher an der Basis nach.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -9308,19 +9308,19 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>MoveL: the TCP moves along a straight line</source>
-        <translation>MoveL: Der TCP fährt eine gerade Linie</translation>
+        <translation>MoveL: Der TCP fährt entlang einer geraden Linie</translation>
     </message>
     <message>
         <source>Joints have priority: the arm returns to the same configuration</source>
-        <translation>Die Gelenke bestimmen: Der Arm kommt in derselben Stellung zurück</translation>
+        <translation>Gelenke haben Vorrang: Der Arm kehrt in dieselbe Stellung zurück</translation>
     </message>
     <message>
         <source>The pose has priority: the waypoint moves with its frame</source>
-        <translation>Die Pose bestimmt: Er bewegt sich mit seinem Koordinatensystem</translation>
+        <translation>Die Pose hat Vorrang: Der Wegpunkt bewegt sich mit seinem Koordinatensystem</translation>
     </message>
     <message>
         <source>Within reach</source>
-        <translation>Erreichbar</translation>
+        <translation>In Reichweite</translation>
     </message>
     <message>
         <source>Name</source>
@@ -9352,7 +9352,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Waypoint %2 is named “%1”. Choose another name.</source>
-        <translation>„%1“ heißt schon Wegpunkt %2. Wählen Sie einen anderen Namen.</translation>
+        <translation>Wegpunkt %2 heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -9360,15 +9360,15 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Change “%1” to MoveJ</source>
-        <translation>„%1“ zu MoveJ machen</translation>
+        <translation>„%1“ auf MoveJ ändern</translation>
     </message>
     <message>
         <source>Change “%1” to MoveL</source>
-        <translation>„%1“ zu MoveL machen</translation>
+        <translation>„%1“ auf MoveL ändern</translation>
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>Der Arm kommt nicht dorthin. „%1“ blieb, wie er war.</translation>
+        <translation>Der Arm kann diese Pose nicht erreichen. „%1“ wurde nicht geändert.</translation>
     </message>
     <message>
         <source>Change the pose of “%1”</source>
@@ -9384,7 +9384,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
-        <translation>„%1“ in %2 angeben</translation>
+        <translation>Koordinatensystem von „%1“ auf %2 ändern</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -9412,11 +9412,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Name %1, next waypoint</source>
-        <translation>Name %1, der kommende</translation>
+        <translation>Name %1, nächster Wegpunkt</translation>
     </message>
     <message>
         <source>Actions: %1</source>
-        <translation>Dort ausgeführt: %1</translation>
+        <translation>Aktionen: %1</translation>
     </message>
     <message>
         <source>Name %1</source>
@@ -9474,7 +9474,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Only the selected properties are changed.</source>
-        <translation>Nur Angehaktes wird geändert.</translation>
+        <translation>Nur die gewählten Eigenschaften werden geändert.</translation>
     </message>
     <message>
         <source>Properties of “%1”</source>
@@ -9569,7 +9569,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Rotation</source>
-        <translation>Drehen</translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>Mirror</source>
@@ -9585,7 +9585,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Tool of each waypoint</source>
-        <translation>Werkzeug, jeder das eigene</translation>
+        <translation>Werkzeug des jeweiligen Wegpunkts</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -9605,7 +9605,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Axis of rotation or mirroring</source>
-        <translation>Um oder entlang</translation>
+        <translation>Dreh- oder Spiegelachse</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9613,7 +9613,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>Der Arm kommt nicht dorthin: %1. Nichts würde verschoben.</translation>
+        <translation>Der Arm kann diese Posen nicht erreichen: %1. Es wird nichts verschoben.</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another one.</source>
@@ -9622,13 +9622,13 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     <message numerus="yes">
         <source>%n of them would be out of reach. They are kept and marked.</source>
         <translation>
-            <numerusform>%n von ihnen wäre außer Reichweite; er wird behalten und markiert.</numerusform>
-            <numerusform>%n von ihnen wären außer Reichweite; sie werden behalten und markiert.</numerusform>
+            <numerusform>%n davon wäre außer Reichweite. Er wird behalten und markiert.</numerusform>
+            <numerusform>%n davon wären außer Reichweite. Sie werden behalten und markiert.</numerusform>
         </translation>
     </message>
     <message>
         <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
-        <translation>Gespiegelt an der Ebene durch den Ursprung, auf der die Achse senkrecht steht. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
+        <translation>Gespiegelt an der Ebene durch den Ursprung senkrecht zur Achse. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
     </message>
     <message>
         <source>All remain within reach.</source>
@@ -9672,11 +9672,11 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <source>No waypoints yet.
 Jog the arm to a position and press Teach here (T).</source>
         <translation>Noch keine Wegpunkte.
-Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</translation>
+Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</translation>
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Die Daten des Roboters sind alt. Warten Sie, bis sie wieder kommen.</translation>
+        <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -9688,15 +9688,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Der Arm wird nicht gesteuert. Übernehmen Sie zuerst die Steuerung.</translation>
+        <translation>Tiller hat nicht die Steuerung. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
         <source>Add the current position after the selection (T)</source>
-        <translation>Den Ort, an dem der Arm steht, nach der Auswahl hinzufügen (T)</translation>
+        <translation>Aktuelle Position nach der Auswahl hinzufügen (T)</translation>
     </message>
     <message>
         <source>Replace the selected waypoint with the current position (U)</source>
-        <translation>Den gewählten Ort durch den ersetzen, an dem der Arm steht (U)</translation>
+        <translation>Gewählten Wegpunkt durch die aktuelle Position ersetzen (U)</translation>
     </message>
     <message>
         <source>Select a waypoint to touch up.</source>
@@ -9752,7 +9752,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
-        <translation>Der jetzige Ort ist %1 entfernt (%2, Basis-System). Größte Gelenkänderung: %3 %4.</translation>
+        <translation>Die aktuelle Position ist %1 entfernt (%2, Basis-Koordinatensystem). Größte Gelenkänderung: %3 %4.</translation>
     </message>
     <message>
         <source>Touch up “%1”?</source>
@@ -9796,7 +9796,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Convert pattern to waypoints</source>
-        <translation>Die Plätze des Musters zu gewöhnlichen Wegpunkten machen</translation>
+        <translation>Muster in Wegpunkte umwandeln</translation>
     </message>
     <message>
         <source>Delete the pattern and its waypoints</source>
@@ -9804,7 +9804,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Actions…</source>
-        <translation>Aktionen dort…</translation>
+        <translation>Aktionen…</translation>
     </message>
     <message>
         <source>Import and export</source>
@@ -9831,11 +9831,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Search commands</source>
-        <translation>Einen Befehl suchen</translation>
+        <translation>Befehle suchen</translation>
     </message>
     <message>
         <source>Type a command or keyword</source>
-        <translation>Schreiben Sie, was Sie tun wollen</translation>
+        <translation>Befehl oder Stichwort eingeben</translation>
     </message>
     <message>
         <source>Commands found</source>
@@ -9843,7 +9843,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>not available now</source>
-        <translation>jetzt nicht möglich</translation>
+        <translation>derzeit nicht verfügbar</translation>
     </message>
 </context>
 <context>
@@ -9854,11 +9854,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
-        <translation>Eine Adresse hat vier Zahlen von 0 bis 255, wie 192.168.0.10.</translation>
+        <translation>Eine Adresse besteht aus vier Zahlen von 0 bis 255, z. B. 192.168.0.10.</translation>
     </message>
     <message>
         <source>A host name contains only letters, digits, dots and hyphens.</source>
-        <translation>Ein Hostname hat nur Buchstaben, Ziffern, Punkte und Bindestriche.</translation>
+        <translation>Ein Hostname enthält nur Buchstaben, Ziffern, Punkte und Bindestriche.</translation>
     </message>
     <message>
         <source>Forget</source>
@@ -9878,7 +9878,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
-        <translation>Bevor Sie einen echten Arm bewegen: Halten Sie alle aus seiner Reichweite, halten Sie den Not-Halt griffbereit, prüfen Sie Nutzlast und TCP, beginnen Sie langsam. Der STOP dieses Fensters ist kein Not-Halt.</translation>
+        <translation>Bevor Sie einen echten Arm bewegen: Halten Sie alle Personen aus seinem Arbeitsbereich fern, halten Sie den Not-Halt griffbereit, prüfen Sie Nutzlast und TCP und beginnen Sie langsam. STOP in diesem Fenster ist kein Not-Halt.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -9890,7 +9890,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>Wegpunkte aus einer Datei, ohne Roboter: Alles außer Bewegen geht.</translation>
+        <translation>Wegpunkte aus einer Datei, ohne Roboter: Alles außer Bewegung ist möglich.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -9898,11 +9898,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>Ein simulierter UR5e in diesem Programm. Alles geht, nichts kann verletzt werden.</translation>
+        <translation>Ein simulierter UR5e in diesem Programm. Alle Funktionen sind gefahrlos verfügbar.</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
-        <translation>Startet den simulierten Roboter und öffnet ein Projekt, das schon geteacht ist.</translation>
+        <translation>Startet den simulierten Roboter und öffnet ein Projekt mit geteachten Wegpunkten.</translation>
     </message>
     <message>
         <source>Connect a robot</source>
@@ -9934,14 +9934,14 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
-        <translation>Nimmt den gewählten Roboter aus dieser Liste (Entf). Am Roboter ändert sich nichts.</translation>
+        <translation>Entfernt den gewählten Roboter aus dieser Liste (Entf). Am Roboter ändert sich nichts.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
         <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>den Ordner %1 anlegen: Wählen Sie einen, in den geschrieben werden darf</translation>
+        <translation>den Ordner %1 anlegen: Wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
     </message>
     <message>
         <source>connect</source>
@@ -10013,11 +10013,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>the robot reported no reason</source>
-        <translation>der Roboter nennt keinen Grund</translation>
+        <translation>der Roboter hat keinen Grund gemeldet</translation>
     </message>
     <message>
         <source>pressed again        %1 times: the motion had stopped before the key was released</source>
-        <translation>neu gedrückt          %1-mal: Die Bewegung hatte vor dem Loslassen gestoppt</translation>
+        <translation>erneut gedrückt      %1-mal: Die Bewegung hatte vor dem Loslassen gestoppt</translation>
     </message>
     <message>
         <source>jogged               </source>
@@ -10098,7 +10098,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Deflection below which the device does not move the arm.</source>
-        <translation>So weit darf ein Stick ausgelenkt sein, ohne etwas zu bewegen.</translation>
+        <translation>Auslenkung, unterhalb derer das Gerät den Arm nicht bewegt.</translation>
     </message>
     <message>
         <source>Curve of the %1</source>
@@ -10110,15 +10110,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
-        <translation>1: gleichmäßig. Höher: sanft nahe der Mitte, schnell am Ende des Wegs.</translation>
+        <translation>1: linear. Höher: feiner nahe der Mitte, schneller bei voller Auslenkung.</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>Nur die am weitesten ausgelenkte Achse</translation>
+        <translation>Nur dominante Achse</translation>
     </message>
     <message>
         <source>%1: dominant axis only</source>
-        <translation>%1: nur die am weitesten ausgelenkte Achse</translation>
+        <translation>%1: nur dominante Achse</translation>
     </message>
     <message>
         <source>Dead zone</source>
@@ -10134,18 +10134,18 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>Kein Gamepad und keine SpaceMouse ist da. Stecken Sie eines ein: Es erscheint von selbst.</translation>
+        <translation>Kein Gamepad und keine SpaceMouse gefunden. Schließen Sie ein Gerät an; es wird automatisch erkannt.</translation>
     </message>
     <message>
         <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
-        <translation>Nur solange die Zustimmtaste gehalten wird. Wird nicht gemerkt: Nach einem Start bewegt kein Gerät den Arm.</translation>
+        <translation>Bewegt den Arm nur, solange die Zustimmtaste gehalten wird. Wird nicht gespeichert: Nach einem Neustart bewegt kein Gerät den Arm.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
         <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
-        <translation>Kein Bereich ist hier. Wählen Sie unten rechts eine Ansicht oder zeigen Sie einen Bereich mit dem Menü Ansicht.</translation>
+        <translation>Es werden keine Bereiche angezeigt. Wählen Sie unten rechts eine Arbeitsansicht oder zeigen Sie einen Bereich über das Menü Ansicht an.</translation>
     </message>
 </context>
 <context>
@@ -10191,11 +10191,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Speed cap and maximum hold time</source>
-        <translation>Geschwindigkeitsgrenze und längstes Halten</translation>
+        <translation>Geschwindigkeitsgrenze und maximale Haltezeit</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>Tasten der Befehle</translation>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -10239,15 +10239,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>The selected settings are replaced by those in %1:</source>
-        <translation>Was angehakt ist, wird durch den Inhalt von %1 ersetzt:</translation>
+        <translation>Die gewählten Einstellungen werden durch die in %1 ersetzt:</translation>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
-        <translation>Was angehakt ist, wird durch den Inhalt von %1 ersetzt, geschrieben von Tiller %2:</translation>
+        <translation>Die gewählten Einstellungen werden durch die in %1 ersetzt (geschrieben von Tiller %2):</translation>
     </message>
     <message>
         <source>%1: identical</source>
-        <translation>%1: schon gleich</translation>
+        <translation>%1: identisch</translation>
     </message>
     <message>
         <source>%1: not in the file</source>
@@ -10259,11 +10259,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
-        <translation>Was ersetzt wird, kommt in eine eigene Datei, die wieder importiert werden kann.</translation>
+        <translation>Die ersetzten Einstellungen werden in einer eigenen Datei gespeichert, die wieder importiert werden kann.</translation>
     </message>
     <message>
         <source>All settings in the file match the current settings.</source>
-        <translation>Die Datei enthält nichts, was nicht schon hier ist.</translation>
+        <translation>Alle Einstellungen der Datei stimmen mit den aktuellen überein.</translation>
     </message>
 </context>
 <context>
@@ -10274,7 +10274,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Eine Liste in der Ansicht: vom Einschalten bis zur Aufzeichnung.</translation>
+        <translation>Zeigt in der Ansicht eine Checkliste vom Einschalten bis zur Aufzeichnung.</translation>
     </message>
     <message>
         <source>Practice tasks</source>
@@ -10286,7 +10286,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Übungen gibt es nur für den simulierten Roboter dieses Programms. Dies ist „%1“.</translation>
+        <translation>Übungen gibt es nur mit dem eingebauten simulierten Roboter. Der aktuelle Roboter ist „%1“.</translation>
     </message>
     <message>
         <source>Practice: place “%1”</source>
@@ -10301,7 +10301,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>Tastatur scharf: Pfeile bewegen X und Y, BildAuf und BildAb bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − drehen ein Gelenk. Leertaste und Esc stoppen.</translation>
+        <translation>Tastatur-Verfahren scharf: Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -10341,7 +10341,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
-        <translation>%1 ist verstummt, während es den Arm bewegte; er wurde gestoppt. Lassen Sie es los; bleibt es stumm, stecken Sie es neu ein.</translation>
+        <translation>%1 hat während der Bewegung des Arms keine Daten mehr gesendet. Der Arm wurde gestoppt. Lassen Sie das Gerät los; wenn das Problem bleibt, schließen Sie es neu an.</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -10365,7 +10365,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>Eine Kopie eines von drei Projekten, zum Ausprobieren am simulierten Roboter.</translation>
+        <translation>Öffnet eine Kopie eines von drei Projekten zum Ausprobieren am simulierten Roboter.</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -10373,7 +10373,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Saves to this file now and saves all further changes automatically.</source>
-        <translation>Speichert jetzt in diese Datei, und jede Änderung von nun an.</translation>
+        <translation>Speichert jetzt in diese Datei und danach alle weiteren Änderungen automatisch.</translation>
     </message>
     <message>
         <source>Show waypoints</source>
@@ -10393,7 +10393,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Shows this tab.</source>
-        <translation>Bringt dieses Register nach vorn.</translation>
+        <translation>Zeigt dieses Register.</translation>
     </message>
     <message>
         <source>Show gripper</source>
@@ -10401,7 +10401,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Shows the Gripper page of the I/O tab.</source>
-        <translation>Bringt die Seite des Greifers in E/A nach vorn.</translation>
+        <translation>Zeigt die Seite Greifer im Register E/A.</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -10409,7 +10409,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Restores the panel layout of the current perspective.</source>
-        <translation>Alle Bereiche dorthin zurück, wo die gewählte Ansicht sie hat.</translation>
+        <translation>Stellt die Anordnung der Bereiche der aktuellen Arbeitsansicht wieder her.</translation>
     </message>
     <message>
         <source>Light colours</source>
@@ -10421,7 +10421,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Changes the colour theme now and for the next start.</source>
-        <translation>Wechselt die Farben sofort und merkt sie sich.</translation>
+        <translation>Wechselt das Farbschema sofort und für den nächsten Start.</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -10429,7 +10429,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
-        <translation>Zählt die TCP-Kraft ab dem jetzigen Wert; noch einmal: wie der Roboter sie misst.</translation>
+        <translation>Zieht in den Diagrammen die aktuelle TCP-Kraft ab. Erneut drücken, um die gemessene Kraft anzuzeigen.</translation>
     </message>
     <message>
         <source>Commands…</source>
@@ -10445,7 +10445,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
-        <translation>Farben, Größen, Einheiten, Geschwindigkeitsgrenze, Geräte und die Taste jedes Befehls.</translation>
+        <translation>Farbschema, Größen, Einheiten, Geschwindigkeitsgrenze, Geräte und Tastenkürzel.</translation>
     </message>
     <message>
         <source>Export settings…</source>
@@ -10453,7 +10453,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Saves all settings to one file, for another computer or as a backup.</source>
-        <translation>Eine Datei mit allem, was gemerkt wird, für einen anderen Computer oder als Kopie.</translation>
+        <translation>Speichert alle Einstellungen in eine Datei, für einen anderen Computer oder als Sicherung.</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -10461,7 +10461,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>Übernimmt, was eine solche Datei enthält; sagt vorher, was sie ersetzt.</translation>
+        <translation>Importiert Einstellungen aus einer Datei und zeigt vorher, was ersetzt wird.</translation>
     </message>
     <message>
         <source>Help</source>
@@ -10485,11 +10485,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
-        <translation>Macht daraus ein eigenes Fenster, für einen zweiten Bildschirm, oder setzt es zurück.</translation>
+        <translation>Verschiebt den Bereich in ein eigenes Fenster, z. B. für einen zweiten Bildschirm, oder zurück.</translation>
     </message>
     <message>
         <source>Moves this panel to that side of the main window.</source>
-        <translation>Verschiebt diesen Bereich auf jene Seite der anderen.</translation>
+        <translation>Verschiebt diesen Bereich auf diese Seite des Hauptfensters.</translation>
     </message>
     <message>
         <source>%1 to the left</source>
@@ -10513,11 +10513,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Name of the program on the robot, as shown on the teach pendant</source>
-        <translation>Name des Programms auf dem Roboter, wie das Tablet ihn zeigt</translation>
+        <translation>Name des Programms auf dem Roboter, wie am Teach-Pendant angezeigt</translation>
     </message>
     <message>
         <source>Name of the program on the robot, e.g. pick.urp</source>
-        <translation>Name des Programms auf dem Roboter, etwa pick.urp</translation>
+        <translation>Name des Programms auf dem Roboter, z. B. pick.urp</translation>
     </message>
     <message>
         <source>Speed cap %1</source>
@@ -10525,7 +10525,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
-        <translation>Eine Aufzeichnung läuft. Beenden Sie sie zuerst: Nichts von ihr soll fehlen.</translation>
+        <translation>Eine Aufzeichnung läuft. Beenden Sie sie zuerst.</translation>
     </message>
     <message>
         <source>Waypoints, Frames, Tools, I/O, Log</source>
@@ -10538,8 +10538,8 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     <message numerus="yes">
         <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
-            <numerusform>%n Quader oder Ebene der Zelle kennt der simulierte Roboter nicht: Er hat keinen Platz für mehr.</numerusform>
-            <numerusform>%n Quader oder Ebenen der Zelle kennt der simulierte Roboter nicht: Er hat keinen Platz für mehr.</numerusform>
+            <numerusform>%n Quader oder Ebene der Zelle übersteigt die Kapazität des simulierten Roboters und wird von ihm ignoriert.</numerusform>
+            <numerusform>%n Quader oder Ebenen der Zelle übersteigen die Kapazität des simulierten Roboters und werden von ihm ignoriert.</numerusform>
         </translation>
     </message>
     <message>
@@ -10548,7 +10548,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>Eine Datei mit Versionen, Log und Einstellungen für den, der hilft; zeigt zuerst, was darin ist.</translation>
+        <translation>Speichert Versionen, Protokoll und Einstellungen in eine Datei für den Support und zeigt vorher ihren Inhalt.</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -10556,15 +10556,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Tiller closed unexpectedly</source>
-        <translation>Tiller endete das letzte Mal unerwartet</translation>
+        <translation>Tiller wurde unerwartet beendet</translation>
     </message>
     <message>
         <source>Tiller saved a crash log. You can attach it to a problem report.</source>
-        <translation>Was dabei geschah, wurde aufgehoben. Speichern Sie es als Bericht für den, der Ihnen hilft.</translation>
+        <translation>Tiller hat ein Absturzprotokoll gespeichert. Sie können es einem Problembericht beifügen.</translation>
     </message>
     <message>
         <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
-        <translation>Das Handbuch an der Seite zu dem, was den Fokus hat, alle Befehle mit ihren Tasten und die Regeln des Verfahrens.</translation>
+        <translation>Öffnet die Handbuchseite zum Element mit Fokus, die Liste der Befehle und Tastenkürzel und die Regeln des Verfahrens.</translation>
     </message>
     <message>
         <source>The settings could not be saved. %1</source>
@@ -10623,11 +10623,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     <name>tiller::app::PanelDock</name>
     <message>
         <source>Dock</source>
-        <translation>Zurücksetzen</translation>
+        <translation>Andocken</translation>
     </message>
     <message>
         <source>Move the panel back to the main window</source>
-        <translation>Zurück in das Hauptfenster</translation>
+        <translation>Bereich in das Hauptfenster zurücksetzen</translation>
     </message>
     <message>
         <source>Close</source>
@@ -10635,7 +10635,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Closes this panel. Use the View menu to show it again.</source>
-        <translation>Schließt diesen Bereich. Das Menü Ansicht holt ihn zurück.</translation>
+        <translation>Schließt diesen Bereich. Über das Menü Ansicht zeigen Sie ihn wieder an.</translation>
     </message>
     <message>
         <source>Move, float or close %1</source>
@@ -10643,7 +10643,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Click to move, float or close this panel. Drag to move it.</source>
-        <translation>Klick: diesen Bereich verschieben, lösen oder schließen. Ziehen: anderswohin bringen.</translation>
+        <translation>Klicken, um diesen Bereich zu verschieben, zu lösen oder zu schließen. Ziehen, um ihn zu verschieben.</translation>
     </message>
 </context>
 <context>
@@ -10654,11 +10654,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
-        <translation>Die Bereiche, wie sie jetzt stehen, in die gewählte Arbeitsansicht.</translation>
+        <translation>Speichert die aktuelle Anordnung der Bereiche in der aktuellen Arbeitsansicht.</translation>
     </message>
     <message>
         <source>This perspective is built in. Save it under another name.</source>
-        <translation>Diese Arbeitsansicht ist eingebaut. Speichern Sie sie unter eigenem Namen.</translation>
+        <translation>Diese Arbeitsansicht ist vordefiniert. Speichern Sie sie unter einem anderen Namen.</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -10666,7 +10666,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Saves the current panel layout under a new name.</source>
-        <translation>Die Bereiche, wie sie jetzt stehen, unter eigenem Namen.</translation>
+        <translation>Speichert die aktuelle Anordnung der Bereiche unter einem neuen Namen.</translation>
     </message>
     <message>
         <source>Save perspective as</source>
@@ -10678,7 +10678,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Renames the current perspective.</source>
-        <translation>Gibt der gewählten Arbeitsansicht einen anderen Namen.</translation>
+        <translation>Benennt die aktuelle Arbeitsansicht um.</translation>
     </message>
     <message>
         <source>Rename perspective</source>
@@ -10686,7 +10686,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>This perspective is built in and cannot be renamed.</source>
-        <translation>Diese Arbeitsansicht ist eingebaut und behält ihren Namen.</translation>
+        <translation>Diese Arbeitsansicht ist vordefiniert und kann nicht umbenannt werden.</translation>
     </message>
     <message>
         <source>Delete perspective…</source>
@@ -10694,11 +10694,11 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Deletes the current perspective. The panel layout does not change.</source>
-        <translation>Vergisst die gewählte Arbeitsansicht. Die Bereiche bleiben, wie sie sind.</translation>
+        <translation>Löscht die aktuelle Arbeitsansicht. Die Anordnung der Bereiche ändert sich nicht.</translation>
     </message>
     <message>
         <source>This perspective is built in and cannot be deleted.</source>
-        <translation>Diese Arbeitsansicht ist eingebaut und bleibt.</translation>
+        <translation>Diese Arbeitsansicht ist vordefiniert und kann nicht gelöscht werden.</translation>
     </message>
     <message>
         <source>Perspective %1</source>
@@ -10706,7 +10706,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Perspective %1. Select a panel layout, or save the current one.</source>
-        <translation>Arbeitsansicht %1. Wählen Sie, wie die Bereiche stehen, oder speichern Sie, wie sie jetzt stehen.</translation>
+        <translation>Arbeitsansicht %1. Wählen Sie eine Anordnung der Bereiche oder speichern Sie die aktuelle.</translation>
     </message>
     <message>
         <source>Name of the perspective</source>
@@ -10765,7 +10765,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Shows only the plots, as large as possible.</source>
-        <translation>Zeigt nur die Diagramme, so groß wie das Fenster erlaubt.</translation>
+        <translation>Zeigt nur die Diagramme, so groß wie möglich.</translation>
     </message>
     <message>
         <source>Shows the panels as you saved them.</source>
@@ -10773,7 +10773,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
-        <translation>Die Arbeitsansicht „%1“ kann nicht gezeigt werden: Ihre Anordnung in den Einstellungen ist beschädigt. Ordnen Sie die Bereiche an und speichern Sie sie neu.</translation>
+        <translation>Die Arbeitsansicht „%1“ kann nicht angezeigt werden: Ihre gespeicherte Anordnung ist beschädigt. Ordnen Sie die Bereiche an und speichern Sie sie erneut.</translation>
     </message>
     <message>
         <source>Type a name.</source>
@@ -10785,19 +10785,19 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
-        <translation>Es gibt so viele Arbeitsansichten, wie behalten werden können. Löschen Sie zuerst eine.</translation>
+        <translation>Die maximale Zahl an Arbeitsansichten ist erreicht. Löschen Sie zuerst eine.</translation>
     </message>
     <message>
         <source>A perspective with this name exists. Choose another name.</source>
-        <translation>Eine Arbeitsansicht dieses Namens gibt es schon. Wählen Sie einen anderen Namen.</translation>
+        <translation>Eine Arbeitsansicht mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>Die Bereiche stehen wie in der Arbeitsansicht „%1“: Die Anordnung der früheren Version passt nicht zu dieser. Ordnen Sie sie neu an; es wird gemerkt.</translation>
+        <translation>Die Anordnung der Bereiche wurde auf die Arbeitsansicht „%1“ zurückgesetzt: Die Anordnung der früheren Version ist nicht kompatibel. Ordnen Sie die Bereiche neu an; die Anordnung wird gespeichert.</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>Die Bereiche stehen wie in der Arbeitsansicht „%1“: Die Anordnung in den Einstellungen ist beschädigt oder von einer anderen Version. Ordnen Sie sie neu an; es wird gemerkt.</translation>
+        <translation>Die Anordnung der Bereiche wurde auf die Arbeitsansicht „%1“ zurückgesetzt: Die gespeicherte Anordnung ist beschädigt oder stammt von einer anderen Version. Ordnen Sie die Bereiche neu an; die Anordnung wird gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -10816,15 +10816,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>File name pattern</source>
-        <translation>Muster des Dateinamens</translation>
+        <translation>Dateinamenmuster</translation>
     </message>
     <message>
         <source>{date}, {time}, {robot} and {number} are replaced when a recording starts.</source>
-        <translation>{date}, {time}, {robot} und {number} werden eingesetzt, wenn eine Aufzeichnung beginnt.</translation>
+        <translation>{date}, {time}, {robot} und {number} werden beim Start einer Aufzeichnung ersetzt.</translation>
     </message>
     <message>
         <source>Packets per row</source>
-        <translation>Eine Zeile je so viele Pakete</translation>
+        <translation>Pakete je Zeile</translation>
     </message>
     <message>
         <source>Search signals</source>
@@ -10864,7 +10864,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
-        <translation>Zum Beispiel %1. {date}, {time}, {robot} und {number} werden eingesetzt; eine vorhandene Datei wird nie ersetzt.</translation>
+        <translation>Zum Beispiel %1. {date}, {time}, {robot} und {number} werden ersetzt. Vorhandene Dateien werden nie überschrieben.</translation>
     </message>
     <message numerus="yes">
         <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
@@ -10875,7 +10875,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Recording format</source>
-        <translation>Format einer Aufzeichnung</translation>
+        <translation>Aufzeichnungsformat</translation>
     </message>
     <message>
         <source>CSV: text, for pandas and spreadsheets</source>
@@ -10887,7 +10887,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Free disk space to keep, in megabytes</source>
-        <translation>Megabyte der Festplatte, die frei bleiben</translation>
+        <translation>Freizuhaltender Speicherplatz in Megabyte</translation>
     </message>
     <message>
         <source> MB</source>
@@ -10895,7 +10895,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>A recording stops and is completed before the free disk space falls below this value.</source>
-        <translation>Eine Aufzeichnung endet ordentlich und ist vollständig, bevor weniger auf der Festplatte frei ist.</translation>
+        <translation>Eine Aufzeichnung wird beendet und abgeschlossen, bevor der freie Speicherplatz unter diesen Wert fällt.</translation>
     </message>
     <message>
         <source>Format</source>
@@ -10930,7 +10930,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Content of this file</source>
-        <translation>Was diese Datei sagt</translation>
+        <translation>Inhalt dieser Datei</translation>
     </message>
     <message>
         <source>Save report…</source>
@@ -10942,7 +10942,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
-        <translation>Eine Datei mit dem, was jemand wissen muss, der Ihnen hilft. Unten steht alles, was darin sein wird. Sie wird gespeichert, wo Sie wollen; Tiller sendet sie nirgendwohin.</translation>
+        <translation>Eine Datei mit den Informationen, die der Support benötigt. Ihr vollständiger Inhalt steht unten. Die Datei wird dort gespeichert, wo Sie wollen; Tiller sendet sie nicht.</translation>
     </message>
     <message>
         <source>Tiller report %1.zip</source>
@@ -10965,7 +10965,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>Jedes ist für einen UR5e geteacht und kann mit dem simulierten Roboter durchgegangen werden. Sie arbeiten an einer Kopie: Speichern fragt nach einer eigenen Datei.</translation>
+        <translation>Jedes Projekt ist für einen UR5e geteacht und läuft auf dem simulierten Roboter. Sie arbeiten an einer Kopie: Speichern fragt nach einer neuen Datei.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -10996,7 +10996,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation>Tasten</translation>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source>Close</source>
@@ -11008,7 +11008,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Save all settings to one file, for another computer or as a backup</source>
-        <translation>Eine Datei mit allem, was gemerkt wird, für einen anderen Computer oder als Kopie</translation>
+        <translation>Alle Einstellungen in eine Datei speichern, für einen anderen Computer oder als Sicherung</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -11016,7 +11016,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Import settings from a file after showing what will be replaced</source>
-        <translation>Übernimmt, was eine solche Datei enthält; sagt vorher, was sie ersetzt</translation>
+        <translation>Einstellungen aus einer Datei importieren; vorher wird angezeigt, was ersetzt wird</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -11032,7 +11032,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Size of controls</source>
-        <translation>Größe von Tasten und Zeilen</translation>
+        <translation>Größe der Bedienelemente</translation>
     </message>
     <message>
         <source>Compact</source>
@@ -11052,7 +11052,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Interface size</source>
-        <translation>Größe von allem</translation>
+        <translation>Oberflächengröße</translation>
     </message>
     <message>
         <source>Lengths</source>
@@ -11084,7 +11084,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Maximum hold time</source>
-        <translation>Längstes Halten</translation>
+        <translation>Maximale Haltezeit</translation>
     </message>
     <message>
         <source> s</source>
@@ -11092,15 +11092,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
-        <translation>Nach dieser Zeit endet das Verfahren, und die Taste muss neu gedrückt werden. Freedrive hat fünf Minuten, eine Bewegung zu einem Ort ihre Dauer und 5 s.</translation>
+        <translation>Nach dieser Zeit stoppt das Verfahren, und die Taste muss erneut gedrückt werden. Freedrive: fünf Minuten. Bewegung zu einer Position: ihre Dauer plus 5 s.</translation>
     </message>
     <message>
         <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
-        <translation>Touch: so hoch, wie ein Finger es braucht. In einem Fenster niedriger als %1 px bleiben die Tasten der Gelenke, Register und Titelleisten kleiner.</translation>
+        <translation>Touch: groß genug für Finger. In Fenstern niedriger als %1 px bleiben Gelenktasten, Register und Titelleisten kleiner.</translation>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>Wie Längen, Geschwindigkeiten des TCP und Ausrichtungen gezeigt und eingegeben werden. Diagramme und Dateien behalten Meter, Millimeter und Grad.</translation>
+        <translation>Einheiten für Anzeige und Eingabe von Längen, TCP-Geschwindigkeiten und Orientierungen. Diagramme und Dateien verwenden immer Meter, Millimeter und Grad.</translation>
     </message>
     <message>
         <source>Speed cap</source>
@@ -11108,27 +11108,27 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Scales text, controls, plots and the view.</source>
-        <translation>Text, Tasten, Zeilen, Diagramme und die Ansicht, alle gleich.</translation>
+        <translation>Skaliert Text, Bedienelemente, Diagramme und die Ansicht.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>Gilt ab dem nächsten Start von Tiller. Der Bildschirm hat nur Platz für %1 %, die es dann haben wird.</translation>
+        <translation>Wird beim nächsten Start von Tiller wirksam. Dieser Bildschirm unterstützt höchstens %1 %, die dann verwendet werden.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
-        <translation>Gilt ab dem nächsten Start von Tiller.</translation>
+        <translation>Wird beim nächsten Start von Tiller wirksam.</translation>
     </message>
     <message>
         <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Über %1. Nichts anderes begrenzt das Verfahren vom PC: weder der manuelle Modus noch das Zustimmgerät des Pendants. Die Kopfzeile sagt es, und es endet mit dem Programm.</translation>
+        <translation>▲ Über %1. Keine andere Grenze gilt beim Verfahren vom PC: weder der manuelle Modus noch die Zustimmeinrichtung des Teach-Pendants. Die Kopfzeile zeigt eine Warnung. Die Grenze wird beim Schließen von Tiller zurückgesetzt.</translation>
     </message>
     <message>
         <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>Keine Bewegung dieses Programms geht darüber, am TCP und am Ellbogen. Gilt sofort und stoppt, was sich bewegt.</translation>
+        <translation>Höchstgeschwindigkeit von TCP und Ellbogen für alle Bewegungen von Tiller. Wird sofort wirksam und stoppt laufende Bewegungen.</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>Tasten der Befehle</translation>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source>Command</source>
@@ -11136,7 +11136,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Shortcut</source>
-        <translation>Taste</translation>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source>Restore default shortcuts</source>
@@ -11144,15 +11144,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Shortcut for %1</source>
-        <translation>Taste für %1</translation>
+        <translation>Tastenkürzel für %1</translation>
     </message>
     <message>
         <source>%1 is reserved for stopping the arm.</source>
-        <translation>%1 stoppt den Arm und nichts sonst.</translation>
+        <translation>%1 ist für das Stoppen des Arms reserviert.</translation>
     </message>
     <message>
         <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 gehört zu &quot;%2&quot;. Nehmen Sie sie zuerst dort weg.</translation>
+        <translation>%1 ist &quot;%2&quot; zugewiesen. Entfernen Sie es dort zuerst.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11160,7 +11160,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>System language: %1</source>
-        <translation>Wie das System: %1</translation>
+        <translation>Systemsprache: %1</translation>
     </message>
     <message>
         <source>Reopen window</source>
@@ -11168,15 +11168,15 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
-        <translation>Stoppt den Arm, gibt die Steuerung ab und verbindet sich neu; was die Diagramme zeigen, beginnt neu. Das Projekt wird gespeichert.</translation>
+        <translation>Stoppt den Arm, gibt die Steuerung ab und verbindet sich neu. Die Diagramme beginnen neu. Das Projekt wird gespeichert.</translation>
     </message>
     <message>
         <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>Von Fenster und Prüfungen. Dateien und Skripte sind in allen gleich.</translation>
+        <translation>Sprache des Fensters und der Verbindungsprüfung. Dateien und Skripte hängen nicht davon ab.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
-        <translation>Gilt ab dem nächsten Start von Tiller oder sobald das Fenster neu geöffnet ist.</translation>
+        <translation>Wird beim nächsten Start von Tiller wirksam oder wenn das Fenster neu geöffnet wird.</translation>
     </message>
     <message>
         <source>Monitor only</source>
@@ -11223,7 +11223,7 @@ Fahren Sie den Arm an einen Ort und drücken Sie „Hier teachen“ (T).</transl
     </message>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
-        <translation>Einstellungen importiert aus %1. Was vorher hier war, ist in %2</translation>
+        <translation>Einstellungen aus %1 importiert. Die vorherigen Einstellungen wurden in %2 gespeichert</translation>
     </message>
 </context>
 </TS>
