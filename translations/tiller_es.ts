@@ -5,7 +5,7 @@
     <name>ActionStep</name>
     <message>
         <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>Este robot no tiene aquí ninguna pinza. Elíjala en E/S, Pinza.</translation>
+        <translation>Este robot no tiene ninguna pinza configurada. Selecciónela en E/S, Pinza.</translation>
     </message>
     <message>
         <source>Go through</source>
@@ -13,11 +13,11 @@
     </message>
     <message>
         <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 no se activó en %2 s. Compruebe a qué se espera y pulse otra vez.</translation>
+        <translation>%1 no se activó en %2 s. Compruebe la causa y pulse de nuevo.</translation>
     </message>
     <message>
         <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 no se desactivó en %2 s. Compruebe a qué se espera y pulse otra vez.</translation>
+        <translation>%1 no se desactivó en %2 s. Compruebe la causa y pulse de nuevo.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -111,19 +111,19 @@
     </message>
     <message>
         <source>Wait until %1 is on, %2 s at most</source>
-        <translation>Esperar a que %1 se active, como máximo %2 s</translation>
+        <translation>Esperar hasta que %1 esté activada, máximo %2 s</translation>
     </message>
     <message>
         <source>Wait until %1 is off, %2 s at most</source>
-        <translation>Esperar a que %1 se desactive, como máximo %2 s</translation>
+        <translation>Esperar hasta que %1 esté desactivada, máximo %2 s</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
-        <translation>Esperar a que %1 se active</translation>
+        <translation>Esperar hasta que %1 esté activada</translation>
     </message>
     <message>
         <source>Wait until %1 is off</source>
-        <translation>Esperar a que %1 se desactive</translation>
+        <translation>Esperar hasta que %1 esté desactivada</translation>
     </message>
     <message>
         <source>Wait %1 s</source>
@@ -151,14 +151,14 @@
     </message>
     <message>
         <source>Wait</source>
-        <translation>Esperar un tiempo</translation>
+        <translation>Esperar</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
         <source>go back: no recorded motion left</source>
-        <translation>retroceder: no queda nada que deshacer</translation>
+        <translation>volver atrás: no queda movimiento registrado</translation>
     </message>
 </context>
 <context>
@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
-        <translation>Ejecutar la demostración en el robot simulado, dejar sus archivos en esta carpeta y salir.</translation>
+        <translation>Ejecutar la demostración en el robot simulado, escribir sus archivos en esta carpeta y salir.</translation>
     </message>
     <message>
         <source>Open this project file (.tiller).</source>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>unexpected argument &quot;%1&quot;</source>
-        <translation>no se esperaba &quot;%1&quot;</translation>
+        <translation>argumento inesperado &quot;%1&quot;</translation>
     </message>
     <message>
         <source>--theme takes light or dark, not &quot;%1&quot;</source>
@@ -201,11 +201,11 @@
     </message>
     <message>
         <source>--robot and --simulator cannot be combined</source>
-        <translation>--robot y --simulator se excluyen</translation>
+        <translation>--robot y --simulator no se pueden combinar</translation>
     </message>
     <message>
         <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
-        <translation>--demo funciona solo con el robot simulado, no con --robot</translation>
+        <translation>--demo solo funciona con el robot simulado y no se puede combinar con --robot</translation>
     </message>
     <message>
         <source>--demo needs a folder</source>
@@ -213,11 +213,11 @@
     </message>
     <message>
         <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
-        <translation>--robot necesita una dirección, como --robot 192.168.0.10</translation>
+        <translation>--robot necesita una dirección, p. ej. --robot 192.168.0.10</translation>
     </message>
     <message>
         <source>only one project can be opened; remove &quot;%1&quot;</source>
-        <translation>solo se puede abrir un proyecto, no también &quot;%1&quot;</translation>
+        <translation>solo se puede abrir un proyecto; quite &quot;%1&quot;</translation>
     </message>
     <message>
         <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
@@ -252,7 +252,7 @@
     </message>
     <message>
         <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
-        <translation>%1: no se comparan, la grabación no tiene %2; grabe todas las señales, en MCAP</translation>
+        <translation>%1: no comparado porque la grabación no contiene %2; grabe todas las señales en MCAP</translation>
     </message>
     <message>
         <source>%1: no values</source>
@@ -260,11 +260,11 @@
     </message>
     <message>
         <source>%1: within %2 at all times, maximum %3 at %4 s</source>
-        <translation>%1: nunca más de %2, como máximo %3 a los %4 s</translation>
+        <translation>%1: siempre dentro de %2, máximo %3 a los %4 s</translation>
     </message>
     <message>
         <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
-        <translation>%1: más de %2 desde los %3 s (%4), como máximo %5 a los %6 s</translation>
+        <translation>%1: supera %2 desde %3 s (%4), máximo %5 a los %6 s</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -277,43 +277,43 @@
     </message>
     <message>
         <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
-        <translation>El brazo y el modelo se separan a los %1 s: %2 se desvía %3</translation>
+        <translation>El brazo y el modelo difieren a los %1 s: %2 se desvía %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
-        <translation>El brazo y el modelo se separan a los %1 s: el TCP se desvía %2</translation>
+        <translation>El brazo y el modelo difieren a los %1 s: el TCP se desvía %2</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
-        <translation>El brazo y el modelo se separan a los %1 s: %2 necesita %3 más o menos de lo debido</translation>
+        <translation>El brazo y el modelo difieren a los %1 s: la corriente de %2 se desvía %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
-        <translation>El brazo y el modelo se separan a los %1 s: una fuerza de %2 empuja el TCP</translation>
+        <translation>El brazo y el modelo difieren a los %1 s: una fuerza de %2 actúa en el TCP</translation>
     </message>
     <message>
         <source>The arm moved as the model of a %1 does</source>
-        <translation>El brazo hizo lo que hace el modelo de un %1</translation>
+        <translation>El brazo se movió como el modelo de un %1</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
-        <translation>No se pudo comparar nada: el brazo estuvo siempre sin energía o se guiaba con la mano.</translation>
+        <translation>Nada que comparar: el brazo estuvo apagado o guiado a mano durante toda la grabación.</translation>
     </message>
     <message>
         <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>Nunca estuvieron juntos: compruebe la carga útil indicada al robot, el modelo y lo que toca el brazo.</translation>
+        <translation>Difieren desde la primera muestra: compruebe la carga útil configurada, el modelo de robot y si algo toca el brazo.</translation>
     </message>
     <message>
         <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>A partir de ahí algo empujó o sujetó el brazo, su carga era otra o una articulación no siguió.</translation>
+        <translation>A partir de ahí, el brazo fue empujado o sujetado, su carga útil era otra o una articulación no siguió su consigna.</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
-        <translation>Esta grabación no se puede comparar con un modelo: falta lo que se ordenó a las articulaciones o dónde estaban. Grabe todas las señales, en MCAP.</translation>
+        <translation>Esta grabación no se puede comparar con un modelo: faltan las posiciones articulares de consigna o reales. Grabe todas las señales en MCAP.</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
-        <translation>Esta grabación no se puede comparar con un modelo: sus filas están demasiado separadas. Grabe cada paquete.</translation>
+        <translation>Esta grabación no se puede comparar con un modelo: su intervalo de muestreo es demasiado largo. Grabe todos los paquetes.</translation>
     </message>
     <message>
         <source>Not compared with the model of the arm.</source>
@@ -364,11 +364,11 @@
     </message>
     <message>
         <source>The arm is not at the commanded position.</source>
-        <translation>El brazo no está donde el controlador lo envió.</translation>
+        <translation>El brazo no está en la posición ordenada.</translation>
     </message>
     <message>
         <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
-        <translation>Busque un obstáculo; compruebe carga útil, centro de gravedad y montaje; reduzca la aceleración.</translation>
+        <translation>Compruebe si hay obstáculos; compruebe la carga útil, el centro de gravedad y el montaje; reduzca la aceleración.</translation>
     </message>
     <message>
         <source>Singularity</source>
@@ -376,7 +376,7 @@
     </message>
     <message>
         <source>The linear move passes through a singularity of the arm.</source>
-        <translation>El movimiento recto pasa por una posición singular del brazo.</translation>
+        <translation>El movimiento lineal atraviesa una singularidad del brazo.</translation>
     </message>
     <message>
         <source>Jog individual joints out of it; use MoveJ through this region.</source>
@@ -388,7 +388,7 @@
     </message>
     <message>
         <source>The arm sagged or was pushed at standstill.</source>
-        <translation>El brazo cedió o fue empujado mientras estaba parado.</translation>
+        <translation>El brazo cedió o fue empujado estando en reposo.</translation>
     </message>
     <message>
         <source>Check payload, centre of gravity and mounting.</source>
@@ -400,7 +400,7 @@
     </message>
     <message>
         <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
-        <translation>Las fuerzas no corresponden a la carga útil, o algo empujó el brazo al empezar el movimiento libre.</translation>
+        <translation>Las fuerzas medidas no corresponden a la carga útil, o el brazo fue empujado al iniciar el movimiento libre.</translation>
     </message>
     <message>
         <source>Correct payload and mounting, release the arm, and try again.</source>
@@ -408,11 +408,11 @@
     </message>
     <message>
         <source>Collision detected by a joint</source>
-        <translation>Una articulación notó una colisión</translation>
+        <translation>Colisión detectada por una articulación</translation>
     </message>
     <message>
         <source>A joint needed more torque than the motion requires.</source>
-        <translation>Una articulación necesitó más par del que explica el movimiento.</translation>
+        <translation>Una articulación necesitó más par del que requiere el movimiento.</translation>
     </message>
     <message>
         <source>Remove the obstacle; if there was none, check the payload.</source>
@@ -420,11 +420,11 @@
     </message>
     <message>
         <source>Collision detected by the tool force</source>
-        <translation>Colisión notada por la fuerza en la herramienta</translation>
+        <translation>Colisión detectada por la fuerza en la herramienta</translation>
     </message>
     <message>
         <source>The force at the tool exceeded its limit.</source>
-        <translation>La fuerza en la herramienta superó lo permitido.</translation>
+        <translation>La fuerza en la herramienta superó su límite.</translation>
     </message>
     <message>
         <source>Position deviation</source>
@@ -436,7 +436,7 @@
     </message>
     <message>
         <source>Check for obstacles, and check payload and mounting.</source>
-        <translation>Busque un obstáculo y compruebe carga útil y montaje.</translation>
+        <translation>Compruebe si hay obstáculos, y compruebe la carga útil y el montaje.</translation>
     </message>
     <message>
         <source>Too many protective stops</source>
@@ -448,7 +448,7 @@
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
-        <translation>Encuentre la causa de las paradas antes de seguir; después reinicie el controlador.</translation>
+        <translation>Averigüe la causa de las paradas antes de continuar; después reinicie el controlador.</translation>
     </message>
     <message>
         <source>Sudden change of target position</source>
@@ -456,11 +456,11 @@
     </message>
     <message>
         <source>A program commanded a step in position.</source>
-        <translation>Un programa pidió un salto de posición.</translation>
+        <translation>Un programa ordenó un salto de posición.</translation>
     </message>
     <message>
         <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
-        <translation>Haga que el programa empiece donde está el brazo y mantenga pequeños sus pasos servo.</translation>
+        <translation>Inicie el programa en la posición actual del brazo y use pasos de servo pequeños.</translation>
     </message>
     <message>
         <source>Sudden change of target speed</source>
@@ -468,7 +468,7 @@
     </message>
     <message>
         <source>A program commanded a step in speed.</source>
-        <translation>Un programa pidió un salto de velocidad.</translation>
+        <translation>Un programa ordenó un salto de velocidad.</translation>
     </message>
     <message>
         <source>Reduce the acceleration, or smooth the path.</source>
@@ -476,15 +476,15 @@
     </message>
     <message>
         <source>Protective stop requested by a program</source>
-        <translation>Parada de protección por un programa</translation>
+        <translation>Parada de protección solicitada por un programa</translation>
     </message>
     <message>
         <source>The running program requested the stop.</source>
-        <translation>El propio programa en marcha pidió la parada.</translation>
+        <translation>El programa en ejecución solicitó la parada.</translation>
     </message>
     <message>
         <source>See the messages of the program before this one.</source>
-        <translation>Vea los mensajes anteriores del programa.</translation>
+        <translation>Consulte los mensajes anteriores del programa.</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -492,7 +492,7 @@
     </message>
     <message>
         <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
-        <translation>Se envió un script, pero el robot solo escucha a su consola.</translation>
+        <translation>Se envió un script, pero el robot solo acepta órdenes de su consola portátil.</translation>
     </message>
     <message>
         <source>Switch to Remote control on the teach pendant.</source>
@@ -519,19 +519,19 @@
     </message>
     <message>
         <source>There is no signal “%1”. See the signal list for the names.</source>
-        <translation>No hay señal «%1». La lista de señales muestra los nombres.</translation>
+        <translation>No existe la señal «%1». Consulte los nombres en la lista de señales.</translation>
     </message>
     <message>
         <source>The expression contains no signal.</source>
-        <translation>No contiene ninguna señal.</translation>
+        <translation>La expresión no contiene ninguna señal.</translation>
     </message>
     <message>
         <source>The expression contains too many signals.</source>
-        <translation>Contiene demasiadas señales.</translation>
+        <translation>La expresión contiene demasiadas señales.</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
-        <translation>Debe dar un número.</translation>
+        <translation>El resultado de la expresión debe ser un número.</translation>
     </message>
     <message>
         <source>The text is too long.</source>
@@ -539,15 +539,15 @@
     </message>
     <message>
         <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
-        <translation>Escriba un nombre, un signo igual y una expresión: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+        <translation>Introduzca un nombre, un signo igual y una expresión: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
         <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>Hay un signo igual de más; una comparación tiene dos: ==</translation>
+        <translation>Sobra un signo igual. Para comparar, use ==</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
-        <translation>El intervalo de tiempo está entre 0.001 y 60 segundos.</translation>
+        <translation>La ventana de tiempo debe estar entre 0,001 y 60 segundos.</translation>
     </message>
 </context>
 <context>
@@ -577,11 +577,11 @@
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
-        <translation>Mire el brazo, quite la causa y recupérelo: Recuperar… en la cabecera, o en la consola portátil.</translation>
+        <translation>Inspeccione el brazo, elimine la causa y recupérelo: pulse «Recuperar…» en la cabecera o use la consola portátil.</translation>
     </message>
     <message>
         <source>Power on and release the brakes with the button in the header.</source>
-        <translation>Encienda y libere los frenos: el botón de la cabecera le guía.</translation>
+        <translation>Encienda el brazo y libere los frenos con el botón de la cabecera.</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not answer</source>
@@ -589,15 +589,15 @@
     </message>
     <message>
         <source>the service on port %1 does not use RTDE</source>
-        <translation>lo que responde en el puerto %1 no habla RTDE</translation>
+        <translation>el servicio del puerto %1 no usa RTDE</translation>
     </message>
     <message>
         <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
-        <translation>Demasiados clientes RTDE, o un controlador colgado: cierre otros programas y reinicie el controlador.</translation>
+        <translation>Demasiados clientes RTDE, o el controlador no responde: cierre otros programas y reinicie el controlador.</translation>
     </message>
     <message>
         <source>Check the address: this is another device, or another program uses the port.</source>
-        <translation>Compruebe la dirección: es otro dispositivo, u otro programa ocupa el puerto.</translation>
+        <translation>Compruebe la dirección: es otro dispositivo, u otro programa usa el puerto.</translation>
     </message>
     <message>
         <source>protocol version %1</source>
@@ -605,7 +605,7 @@
     </message>
     <message>
         <source>another program uses %1</source>
-        <translation>otro programa ocupa %1</translation>
+        <translation>otro programa usa %1</translation>
     </message>
     <message>
         <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
@@ -621,19 +621,19 @@
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
-        <translation>24 a 47 están libres</translation>
+        <translation>los registros 24 a 47 están libres</translation>
     </message>
     <message>
         <source>a fieldbus adapter or another program uses %1</source>
-        <translation>un adaptador de bus de campo u otro programa ocupa %1</translation>
+        <translation>un adaptador de bus de campo u otro programa usa %1</translation>
     </message>
     <message>
         <source>No action needed for jogging. To use these registers, disable EtherNet/IP, PROFINET or MODBUS in the robot&apos;s installation.</source>
-        <translation>Para mover a mano no hay nada que hacer. Para usar estos registros, desactive EtherNet/IP, PROFINET o MODBUS en la instalación del robot.</translation>
+        <translation>No hay que hacer nada para mover el brazo. Para usar estos registros, desactive EtherNet/IP, PROFINET o MODBUS en la instalación del robot.</translation>
     </message>
     <message>
         <source>registers 0 to 23 are free</source>
-        <translation>0 a 23 están libres</translation>
+        <translation>los registros 0 a 23 están libres</translation>
     </message>
     <message>
         <source>the robot accepts the subscription but sends no data</source>
@@ -661,11 +661,11 @@
     </message>
     <message>
         <source>permitted, and requested by real-time loops</source>
-        <translation>permitido, y pedido por los bucles con prioridad</translation>
+        <translation>permitida, y solicitada por los bucles de tiempo real</translation>
     </message>
     <message>
         <source>CPUs may enter deep sleep states, which delays loops</source>
-        <translation>los procesadores pueden dormir profundamente, los bucles empiezan más tarde</translation>
+        <translation>las CPU pueden entrar en reposo profundo, lo que retrasa los bucles</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -677,11 +677,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
-        <translation>&quot;%1&quot; no es una dirección y no se conoce ningún host de ese nombre</translation>
+        <translation>&quot;%1&quot; no es una dirección y no se encontró ningún host con ese nombre</translation>
     </message>
     <message>
         <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
-        <translation>Introduzca los cuatro números que muestra la consola portátil en Acerca de, o pregunte el nombre a quien administra la red.</translation>
+        <translation>Introduzca los cuatro números que muestra la consola portátil en «Acerca de», o pida el nombre al administrador de la red.</translation>
     </message>
     <message>
         <source>%1 does not answer</source>
@@ -689,11 +689,11 @@
     </message>
     <message>
         <source>There is no route to %1</source>
-        <translation>No hay camino hasta %1</translation>
+        <translation>No hay ruta hasta %1</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
-        <translation>Compruebe que el robot está encendido, el cable conectado y que no hay un cortafuegos en medio.</translation>
+        <translation>Compruebe que el robot está encendido, que el cable está conectado y que ningún cortafuegos bloquea la conexión.</translation>
     </message>
     <message>
         <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
@@ -701,11 +701,11 @@
     </message>
     <message>
         <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 responde, pero no hay ningún servicio de robot</translation>
+        <translation>%1 responde, pero no ofrece ningún servicio de un robot</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>Compruebe que es la dirección del robot. Un robot recién encendido necesita otro minuto.</translation>
+        <translation>Compruebe que es la dirección del robot. Un robot recién encendido necesita un minuto más.</translation>
     </message>
     <message>
         <source>%1 answers</source>
@@ -733,11 +733,11 @@
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
-        <translation>Un cortafuegos se traga este puerto: permita el puerto TCP %1 hacia el robot.</translation>
+        <translation>Un cortafuegos bloquea este puerto: permita el puerto TCP %1 hacia el robot.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
-        <translation>Cambie el robot a control remoto en la consola portátil, arriba a la derecha. Sin eso, Tiller solo observa.</translation>
+        <translation>Cambie el robot a Control remoto arriba a la derecha en la consola portátil. Hasta entonces, Tiller solo puede observar.</translation>
     </message>
     <message>
         <source>the dashboard accepts connections but does not answer</source>
@@ -745,15 +745,15 @@
     </message>
     <message>
         <source>the service on port %1 is not a dashboard server</source>
-        <translation>lo que responde en el puerto %1 no es un dashboard</translation>
+        <translation>el servicio del puerto %1 no es un servidor Dashboard</translation>
     </message>
     <message>
         <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
-        <translation>Reinicie el controlador del robot; si sigue así, mire su registro.</translation>
+        <translation>Reinicie el controlador del robot; si el problema continúa, consulte su registro.</translation>
     </message>
     <message>
         <source>Check the address, and check that no other program uses this port.</source>
-        <translation>Compruebe la dirección y que ningún otro programa use este puerto.</translation>
+        <translation>Compruebe la dirección y que ningún otro programa usa este puerto.</translation>
     </message>
     <message>
         <source>this series has no Local/Remote switch</source>
@@ -769,15 +769,15 @@
     </message>
     <message>
         <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
-        <translation>no están ni el dashboard (puerto %1) ni la Robot API (puerto %2)</translation>
+        <translation>ni el Dashboard (puerto %1) ni la Robot API (puerto %2) están disponibles</translation>
     </message>
     <message>
         <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
-        <translation>Active el Dashboard Server en el robot: Ajustes, Seguridad, Servicios. PolyScope X necesita 10.11 o posterior para la Robot API.</translation>
+        <translation>Active el servidor Dashboard en el robot: Ajustes, Seguridad, Servicios. PolyScope X necesita la versión 10.11 o posterior para la Robot API.</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1, puerto %2; los avisos se cierran en la tableta</translation>
+        <translation>Robot API %1, puerto %2; las ventanas emergentes se cierran en la consola portátil</translation>
     </message>
     <message>
         <source>the primary interface does not describe the arm</source>
@@ -789,11 +789,11 @@
     </message>
     <message>
         <source>robot type %1 is not known to this version of Tiller</source>
-        <translation>el tipo de robot %1 es más nuevo que este programa</translation>
+        <translation>esta versión de Tiller no conoce el tipo de robot %1</translation>
     </message>
     <message>
         <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
-        <translation>Observar funciona. Los límites y las vistas previas usan las medidas que comunica el robot; muévalo despacio al principio.</translation>
+        <translation>La observación funciona. Los límites y las vistas previas usan las dimensiones que comunica el robot; al principio mueva despacio.</translation>
     </message>
     <message>
         <source>Address resolves</source>
@@ -825,7 +825,7 @@
     </message>
     <message>
         <source>RTDE protocol</source>
-        <translation>RTDE se entiende</translation>
+        <translation>Protocolo RTDE</translation>
     </message>
     <message>
         <source>Controller software</source>
@@ -853,7 +853,7 @@
     </message>
     <message>
         <source>No fieldbus uses registers</source>
-        <translation>Ningún bus de campo ocupa registros</translation>
+        <translation>Ningún bus de campo usa registros</translation>
     </message>
     <message>
         <source>Data rate</source>
@@ -861,11 +861,11 @@
     </message>
     <message>
         <source>Real-time priority on this PC</source>
-        <translation>Privilegio de tiempo real de este PC</translation>
+        <translation>Prioridad de tiempo real en este PC</translation>
     </message>
     <message>
         <source>Timer wake-ups of this PC</source>
-        <translation>Despertar rápido de este PC</translation>
+        <translation>Activaciones del temporizador de este PC</translation>
     </message>
     <message>
         <source>TCP and payload</source>
@@ -896,11 +896,11 @@
     </message>
     <message>
         <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>Deje que el brazo se detenga antes del movimiento libre.</translation>
+        <translation>Espere a que el brazo esté en reposo antes del movimiento libre.</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>El brazo siente %1 con una carga útil de %2 kg: se movería solo. Suelte la herramienta o corrija carga útil y TCP.</translation>
+        <translation>El brazo mide %1 con una carga útil de %2 kg y se desplazaría. Suelte la herramienta o corrija la carga útil y el TCP.</translation>
     </message>
 </context>
 <context>
@@ -911,29 +911,29 @@
     </message>
     <message>
         <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
-        <translation>Palanca izquierda X e Y, palanca derecha Z y giro. Hombro derecho: las palancas giran.</translation>
+        <translation>Palanca izquierda: X e Y. Palanca derecha: Z y giro. Mantenga el botón superior derecho para girar con ambas palancas.</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
         <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>No hay segundo testigo en esta pantalla (%1): si una tecla sigue pulsada solo se sabe por los eventos de la ventana.</translation>
+        <translation>Comprobación de teclas no disponible en esta plataforma (%1): las teclas pulsadas solo se conocen por los eventos de la ventana.</translation>
     </message>
     <message>
         <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Se pregunta al servidor gráfico cada 10 ms si el botón o la tecla sigue pulsado.</translation>
+        <translation>Comprobación de teclas activa: Tiller pregunta al servidor gráfico cada 10 ms si el botón o la tecla sigue pulsado.</translation>
     </message>
     <message>
         <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>No se puede preguntar una segunda vez al servidor gráfico: si una tecla sigue pulsada solo se sabe por los eventos de la ventana.</translation>
+        <translation>Comprobación de teclas no disponible: no hay segunda conexión con el servidor gráfico. Las teclas pulsadas solo se conocen por los eventos de la ventana.</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
-        <translation>Esta pantalla tiene píxeles pequeños. «Tamaño de todo» en Ajustes agranda texto, teclas y gráficos.</translation>
+        <translation>Esta pantalla tiene alta resolución. Aumente «Tamaño de la interfaz» en Ajustes para agrandar texto, teclas y gráficos.</translation>
     </message>
 </context>
 <context>
@@ -952,7 +952,7 @@
     </message>
     <message>
         <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
-        <translation>Armado, las flechas mueven el brazo; un marco rodea la ventana. Termina solo tras medio minuto.</translation>
+        <translation>Con el teclado armado, las flechas mueven el brazo y un marco rodea la ventana. Se desarma tras 30 s sin uso.</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -960,7 +960,7 @@
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>Qué dice ahora cada dispositivo y hacia dónde irá.</translation>
+        <translation>Muestra los valores actuales de cada dispositivo y la dirección en que se movería el brazo.</translation>
     </message>
     <message>
         <source>Zero here</source>
@@ -968,27 +968,27 @@
     </message>
     <message>
         <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
-        <translation>Cuenta el recorrido del TCP desde aquí; otra vez: de nuevo desde la pulsación.</translation>
+        <translation>Mide el desplazamiento del TCP desde aquí. Pulse de nuevo para medir desde la última pulsación.</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
-        <translation>Detiene el brazo; la próxima pulsación tiene esta velocidad.</translation>
+        <translation>Detiene el brazo. La siguiente pulsación usa esta velocidad.</translation>
     </message>
     <message>
         <source>Moves by this distance, only while the key is held.</source>
-        <translation>Mueve esta cantidad, solo mientras se mantiene la tecla.</translation>
+        <translation>Mueve esta distancia, solo mientras se mantiene la tecla.</translation>
     </message>
     <message>
         <source>Moves by this distance at each press.</source>
-        <translation>Mueve esta cantidad en cada pulsación.</translation>
+        <translation>Mueve esta distancia en cada pulsación.</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
-        <translation>Mover hasta contacto, %1 N</translation>
+        <translation>Mover hasta contacto (%1 N)</translation>
     </message>
     <message>
         <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>Una tecla mantenida mueve despacio y termina cuando la herramienta encuentra esta fuerza.</translation>
+        <translation>Mueve despacio mientras se mantiene la tecla y se detiene cuando la herramienta alcanza esta fuerza.</translation>
     </message>
     <message>
         <source>Jog speed, other…</source>
@@ -996,7 +996,7 @@
     </message>
     <message>
         <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>Pregunta la velocidad del TCP; giros y articulaciones en proporción.</translation>
+        <translation>Pide la velocidad del TCP. Las velocidades de giro y de las articulaciones cambian en proporción.</translation>
     </message>
     <message>
         <source>Jog step, other…</source>
@@ -1004,7 +1004,7 @@
     </message>
     <message>
         <source>Asks for the step length. The step angle does not change.</source>
-        <translation>Pregunta la longitud de un paso; el ángulo de los giros se mantiene.</translation>
+        <translation>Pide la longitud del paso. El ángulo del paso no cambia.</translation>
     </message>
     <message>
         <source>Jog turn, other…</source>
@@ -1012,7 +1012,7 @@
     </message>
     <message>
         <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>Pregunta el ángulo de un paso que gira la herramienta o una articulación; la longitud se mantiene.</translation>
+        <translation>Pide el ángulo del paso para giros de la herramienta y de las articulaciones. La longitud no cambia.</translation>
     </message>
     <message>
         <source>Jog until contact, other force…</source>
@@ -1020,7 +1020,7 @@
     </message>
     <message>
         <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>Pregunta la fuerza en N a la que termina el movimiento.</translation>
+        <translation>Pide la fuerza de contacto en N que termina el movimiento.</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1028,7 +1028,7 @@
     </message>
     <message>
         <source>Selects the axes that can be moved by hand during Freedrive.</source>
-        <translation>Qué puede mover la mano mientras se mantiene el movimiento libre.</translation>
+        <translation>Selecciona los ejes que se pueden mover a mano en el movimiento libre.</translation>
     </message>
 </context>
 <context>
@@ -1137,15 +1137,15 @@
     </message>
     <message>
         <source>TCP at the speed cap of %1</source>
-        <translation>TCP en su límite de velocidad: %1</translation>
+        <translation>TCP en el límite de velocidad de %1</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
-        <translation>el límite está en los ajustes</translation>
+        <translation>cambie el límite en Ajustes</translation>
     </message>
     <message>
         <source>Elbow at the speed cap of %1</source>
-        <translation>Codo en su límite de velocidad: %1</translation>
+        <translation>Codo en el límite de velocidad de %1</translation>
     </message>
     <message>
         <source>move less sideways</source>
@@ -1153,15 +1153,15 @@
     </message>
     <message>
         <source>Rotation at its cap of %1</source>
-        <translation>Giro en su límite: %1</translation>
+        <translation>Giro en el límite de %1</translation>
     </message>
     <message>
         <source>%1 at its maximum speed of %2</source>
-        <translation>%1 a su velocidad máxima: %2</translation>
+        <translation>%1 a su velocidad máxima de %2</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
-        <translation>elija una clase más lenta</translation>
+        <translation>elija una velocidad menor</translation>
     </message>
     <message>
         <source>move away from it</source>
@@ -1195,7 +1195,7 @@
     </message>
     <message>
         <source>The arm can be moved by hand.</source>
-        <translation>El brazo sigue la mano que lo mueve.</translation>
+        <translation>El brazo se puede mover a mano.</translation>
     </message>
     <message>
         <source>MOVING</source>
@@ -1263,15 +1263,15 @@
     </message>
     <message>
         <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
-        <translation>Los paquetes llegan tarde o no llegan: el movimiento puede detenerse solo y los gráficos tienen huecos. Use un cable, no un enlace por radio, y cierre otros programas.</translation>
+        <translation>Los paquetes llegan tarde o se pierden: el movimiento puede detenerse y los gráficos tienen huecos. Use un cable en vez de un enlace inalámbrico y cierre otros programas.</translation>
     </message>
     <message>
         <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>Las órdenes tardan más de 20 ms: el brazo sigue la tecla con retraso. Mueva despacio.</translation>
+        <translation>Las órdenes tardan más de 20 ms: el brazo responde a las teclas con retraso. Mueva despacio.</translation>
     </message>
     <message>
         <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>Bien: el brazo sigue la tecla enseguida, y un enlace cortado lo detiene en un cuarto de segundo.</translation>
+        <translation>Bien: el brazo responde a las teclas al instante y se detiene en 250 ms si falla el enlace.</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1283,7 +1283,7 @@
     </message>
     <message>
         <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
-        <translation>Tarde es un paquete que llega más de medio período después de su hora.</translation>
+        <translation>Un paquete se considera tardío si llega más de medio período después de lo esperado.</translation>
     </message>
     <message>
         <source>No robot connected</source>
@@ -1351,7 +1351,7 @@
     </message>
     <message>
         <source>Select the simulator or enter the address of a robot</source>
-        <translation>Elija el simulador o la dirección de un robot</translation>
+        <translation>Seleccione el simulador o introduzca la dirección de un robot</translation>
     </message>
     <message>
         <source>Powers the arm. Brakes stay engaged.</source>
@@ -1363,7 +1363,7 @@
     </message>
     <message>
         <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>Muestra qué detuvo el brazo, los últimos cinco segundos y el camino de vuelta. Nada se mueve.</translation>
+        <translation>Muestra qué detuvo el brazo, los últimos cinco segundos y los pasos de recuperación. Nada se mueve.</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1422,7 +1422,7 @@
     </message>
     <message>
         <source>The arm is powered and initializing. Wait a moment.</source>
-        <translation>El brazo tiene corriente y se prepara. Espere un momento.</translation>
+        <translation>El brazo está encendido y se está inicializando. Espere un momento.</translation>
     </message>
     <message>
         <source>Idle</source>
@@ -1438,7 +1438,7 @@
     </message>
     <message>
         <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
-        <translation>El brazo se mueve a mano venciendo sus frenos. Suelte el botón de movimiento libre.</translation>
+        <translation>El brazo se mueve a mano con los frenos liberados. Suelte el botón de movimiento libre.</translation>
     </message>
     <message>
         <source>Running</source>
@@ -1446,7 +1446,7 @@
     </message>
     <message>
         <source>Brakes are released. The arm is at standstill.</source>
-        <translation>Los frenos están liberados. El brazo está quieto.</translation>
+        <translation>Los frenos están liberados. El brazo está en reposo.</translation>
     </message>
     <message>
         <source>Updating firmware</source>
@@ -1470,7 +1470,7 @@
     </message>
     <message>
         <source>The reduced safety limits are active.</source>
-        <translation>El robot respeta sus límites reducidos.</translation>
+        <translation>Los límites de seguridad reducidos están activos.</translation>
     </message>
     <message>
         <source>Protective stop</source>
@@ -1494,7 +1494,7 @@
     </message>
     <message>
         <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
-        <translation>Una salvaguarda está abierta. Ciérrela; donde haya un rearme configurado, púlselo.</translation>
+        <translation>Una protección está abierta. Ciérrela y, si hay un rearme configurado, pulse el botón de rearme.</translation>
     </message>
     <message>
         <source>System emergency stop</source>
@@ -1534,7 +1534,7 @@
     </message>
     <message>
         <source>A joint was replaced. Validate the joints on the teach pendant.</source>
-        <translation>Se cambió una articulación. Valide las articulaciones en la consola portátil.</translation>
+        <translation>Se ha sustituido una articulación. Valide las articulaciones en la consola portátil.</translation>
     </message>
     <message>
         <source>Undefined</source>
@@ -1542,7 +1542,7 @@
     </message>
     <message>
         <source>The controller does not report its safety mode. Check the teach pendant.</source>
-        <translation>El controlador no dice su modo de seguridad. Mire la consola portátil.</translation>
+        <translation>El controlador no comunica su modo de seguridad. Compruebe la consola portátil.</translation>
     </message>
     <message>
         <source>Automatic safeguard stop</source>
@@ -1614,7 +1614,7 @@
     </message>
     <message>
         <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
-        <translation>El controlador PROFIsafe pide una parada de emergencia. Suéltela allí, después encienda y libere los frenos.</translation>
+        <translation>El controlador PROFIsafe solicita una parada de emergencia. Anúlela allí, después encienda y libere los frenos.</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1650,7 +1650,7 @@
     </message>
     <message>
         <source>Program running</source>
-        <translation>Programa en marcha</translation>
+        <translation>Programa en ejecución</translation>
     </message>
     <message>
         <source>A program runs on the robot and may move the arm.</source>
@@ -1662,7 +1662,7 @@
     </message>
     <message>
         <source>The program is pausing.</source>
-        <translation>El programa se está deteniendo.</translation>
+        <translation>El programa se está pausando.</translation>
     </message>
     <message>
         <source>Program paused</source>
@@ -1670,7 +1670,7 @@
     </message>
     <message>
         <source>Play continues the interrupted motion. Stop the program to discard it.</source>
-        <translation>Reproducir sigue con el movimiento interrumpido; detenga el programa para abandonarlo.</translation>
+        <translation>Reproducir continúa el movimiento interrumpido. Detenga el programa para descartarlo.</translation>
     </message>
     <message>
         <source>Program resuming</source>
@@ -1678,7 +1678,7 @@
     </message>
     <message>
         <source>The program is resuming: the arm may move.</source>
-        <translation>El programa continúa: el brazo puede moverse.</translation>
+        <translation>El programa se reanuda: el brazo puede moverse.</translation>
     </message>
     <message>
         <source>Unknown robot mode %1. See the teach pendant.</source>
@@ -1697,7 +1697,7 @@
     <name>OutputGripper</name>
     <message>
         <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
-        <translation>El robot no confirmó las salidas. Quizá pertenezcan a otro programa o a la instalación.</translation>
+        <translation>El robot no confirmó las salidas. Puede que las controle otro programa o la instalación.</translation>
     </message>
     <message>
         <source>Gripper: close</source>
@@ -1717,11 +1717,11 @@
     </message>
     <message>
         <source>open requested</source>
-        <translation>orden de abrir</translation>
+        <translation>apertura solicitada</translation>
     </message>
     <message>
         <source>close requested</source>
-        <translation>orden de cerrar</translation>
+        <translation>cierre solicitado</translation>
     </message>
     <message>
         <source>both outputs off</source>
@@ -1744,11 +1744,11 @@
     </message>
     <message>
         <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>Escribe cada paquete del robot en un archivo CSV, hasta que se detenga.</translation>
+        <translation>Escribe cada paquete del robot en un archivo CSV hasta que detenga la grabación.</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
-        <translation>Ya hay una grabación en marcha.</translation>
+        <translation>Ya hay una grabación en curso.</translation>
     </message>
     <message>
         <source>Connect to a robot first.</source>
@@ -1760,11 +1760,11 @@
     </message>
     <message>
         <source>Stops the recording and completes its file.</source>
-        <translation>Termina la grabación; su archivo está completo.</translation>
+        <translation>Detiene la grabación y completa su archivo.</translation>
     </message>
     <message>
         <source>No recording is running.</source>
-        <translation>No se graba nada.</translation>
+        <translation>No hay ninguna grabación en curso.</translation>
     </message>
     <message>
         <source>Pause or resume the plots</source>
@@ -1772,7 +1772,7 @@
     </message>
     <message>
         <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
-        <translation>Congela los gráficos; los datos y la grabación siguen. Otra vez: vuelta a las muestras más nuevas.</translation>
+        <translation>Congela los gráficos; los datos y la grabación continúan. Pulse de nuevo para volver a las muestras más recientes.</translation>
     </message>
     <message>
         <source>Export the plots…</source>
@@ -1780,7 +1780,7 @@
     </message>
     <message>
         <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>Guarda el intervalo mostrado como imagen, dibujo, página o valores.</translation>
+        <translation>Guarda el intervalo visible como imagen, dibujo, página o valores.</translation>
     </message>
     <message>
         <source>Plots show %1</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
-        <translation>Cuánto tiempo muestran los gráficos.</translation>
+        <translation>Ajusta el intervalo de tiempo de los gráficos.</translation>
     </message>
     <message>
         <source>Search inputs and outputs</source>
@@ -1800,27 +1800,27 @@
     </message>
     <message>
         <source>Rename selected input or output</source>
-        <translation>Renombrar la entrada o salida elegida</translation>
+        <translation>Renombrar la entrada o salida seleccionada</translation>
     </message>
     <message>
         <source>Applies to the focused row of the I/O tab.</source>
-        <translation>La fila de la pestaña E/S que tiene el foco.</translation>
+        <translation>Se aplica a la fila con foco de la pestaña E/S.</translation>
     </message>
     <message>
         <source>Switch selected output</source>
-        <translation>Conmutar la salida elegida</translation>
+        <translation>Conmutar la salida seleccionada</translation>
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>La salida de la pestaña E/S que tiene el foco: activada, o desactivada de nuevo.</translation>
+        <translation>Activa o desactiva la salida con foco de la pestaña E/S.</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
-        <translation>Pulso en la salida elegida</translation>
+        <translation>Pulso en la salida seleccionada</translation>
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>La salida de la pestaña E/S que tiene el foco: activada medio segundo, después desactivada.</translation>
+        <translation>Activa durante 0,5 s la salida con foco de la pestaña E/S y después la desactiva.</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1828,7 +1828,7 @@
     </message>
     <message>
         <source>Shows only entries that contain these words.</source>
-        <translation>Muestra solo las líneas con estas palabras.</translation>
+        <translation>Muestra solo las entradas que contienen estas palabras.</translation>
     </message>
     <message>
         <source>Log: show all</source>
@@ -1844,7 +1844,7 @@
     </message>
     <message>
         <source>Selects which log entries are shown.</source>
-        <translation>Elige qué líneas del registro se muestran.</translation>
+        <translation>Selecciona qué entradas del registro se muestran.</translation>
     </message>
     <message>
         <source>Copy the log</source>
@@ -1852,7 +1852,7 @@
     </message>
     <message>
         <source>Copies the selected entries, or all visible entries.</source>
-        <translation>Copia las líneas seleccionadas, o todas las mostradas.</translation>
+        <translation>Copia las entradas seleccionadas, o todas las visibles.</translation>
     </message>
     <message>
         <source>Export the log…</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>Writes the visible entries to a file.</source>
-        <translation>Escribe en un archivo las líneas mostradas.</translation>
+        <translation>Escribe las entradas visibles en un archivo.</translation>
     </message>
     <message>
         <source>Search signals for the plots</source>
@@ -1868,7 +1868,7 @@
     </message>
     <message>
         <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
-        <translation>Abre la lista de todo lo que dice el robot: a un gráfico arrastrando, con doble clic o Intro.</translation>
+        <translation>Abre la lista de todas las señales. Añada una a un gráfico arrastrándola, con doble clic o con Intro.</translation>
     </message>
     <message>
         <source>New page of plots</source>
@@ -1876,15 +1876,15 @@
     </message>
     <message>
         <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>Una página vacía tras las demás; todas muestran el mismo tiempo.</translation>
+        <translation>Añade una página vacía después de las demás. Todas comparten el eje de tiempo.</translation>
     </message>
     <message>
         <source>Show the entire history</source>
-        <translation>Mostrar todo el historial de los gráficos</translation>
+        <translation>Mostrar todo el historial</translation>
     </message>
     <message>
         <source>Shows all data in memory and scales each plot automatically.</source>
-        <translation>Todo lo que hay en memoria, cada gráfico en su mejor escala.</translation>
+        <translation>Muestra todos los datos en memoria y ajusta automáticamente la escala de cada gráfico.</translation>
     </message>
 </context>
 <context>
@@ -1895,7 +1895,7 @@
     </message>
     <message>
         <source>Add note here…</source>
-        <translation>Anotar aquí…</translation>
+        <translation>Añadir nota aquí…</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -1907,7 +1907,7 @@
     </message>
     <message>
         <source>Read %1 at the cursors</source>
-        <translation>Que los cursores lean %1</translation>
+        <translation>Leer %1 en los cursores</translation>
     </message>
     <message>
         <source>Move %1 to a plot of its own</source>
@@ -1919,11 +1919,11 @@
     </message>
     <message>
         <source>Warn when %1</source>
-        <translation>Alarma cuando %1</translation>
+        <translation>Avisar cuando %1</translation>
     </message>
     <message>
         <source>Do not warn when %1</source>
-        <translation>Sin alarma cuando %1</translation>
+        <translation>No avisar cuando %1</translation>
     </message>
     <message>
         <source>Rate of change of %1</source>
@@ -1931,7 +1931,7 @@
     </message>
     <message>
         <source>Moving mean of %1 over 0.5 s</source>
-        <translation>Media móvil de %1 en medio segundo</translation>
+        <translation>Media móvil de %1 en 0,5 s</translation>
     </message>
     <message>
         <source>Mean %1</source>
@@ -1947,7 +1947,7 @@
     </message>
     <message>
         <source>New plot to the right</source>
-        <translation>Nuevo gráfico al lado</translation>
+        <translation>Nuevo gráfico a la derecha</translation>
     </message>
     <message>
         <source>Remove this plot</source>
@@ -1955,7 +1955,7 @@
     </message>
     <message>
         <source>Scale to the curves</source>
-        <translation>Que las curvas decidan la escala</translation>
+        <translation>Ajustar la escala a las curvas</translation>
     </message>
     <message>
         <source>Show all</source>
@@ -1970,7 +1970,7 @@
     </message>
     <message>
         <source>The arm is in a protective stop. Press Recover… in the header.</source>
-        <translation>El brazo está en una parada de protección. Pulse Recuperar en la cabecera.</translation>
+        <translation>El brazo está en parada de protección. Pulse «Recuperar…» en la cabecera.</translation>
     </message>
     <message>
         <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
@@ -1986,39 +1986,39 @@
     </message>
     <message>
         <source>No new frame yet. Use 3 points in the Frames tab.</source>
-        <translation>Aún no hay sistema de coordenadas nuevo. «3 puntos» está en la pestaña Sistemas.</translation>
+        <translation>Aún no hay un sistema de coordenadas nuevo. Use «3 puntos» en la pestaña Sistemas de coordenadas.</translation>
     </message>
     <message>
         <source>“%1” meets the requirements.</source>
-        <translation>«%1» está donde se pedía.</translation>
+        <translation>«%1» cumple los requisitos.</translation>
     </message>
     <message>
         <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
-        <translation>«%1»: su Z se desvía %2° de la de la base. El tercer punto está del lado de +Y.</translation>
+        <translation>«%1»: su eje Z difiere %2° del eje Z de la base. El tercer punto debe estar en el lado +Y.</translation>
     </message>
     <message>
         <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
-        <translation>«%1»: su X se desvía %2° de la Y de la base.</translation>
+        <translation>«%1»: su eje X difiere %2° del eje Y de la base.</translation>
     </message>
     <message>
         <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>«%1» no se tomó con el brazo: el TCP no ha estado en su origen.</translation>
+        <translation>«%1» no se enseñó con el brazo: el TCP no ha estado en su origen.</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>El punto de paso ya no está. Iniciar pone uno nuevo.</translation>
+        <translation>El punto de paso se eliminó. Iniciar añade uno nuevo.</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
-        <translation>«%1» está donde estaba. El brazo está a %2 a lo largo de X.</translation>
+        <translation>«%1» no ha cambiado. El brazo está a %2 de él a lo largo de X.</translation>
     </message>
     <message>
         <source>“%1” has moved by %2 and is %3 from the expected position.</source>
-        <translation>«%1» se movió %2 y está a %3 de donde debería.</translation>
+        <translation>«%1» se movió %2 y está a %3 de la posición esperada.</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the tool orientation changed.</source>
-        <translation>«%1» está en el sitio, pero la herramienta giró.</translation>
+        <translation>«%1» está en la posición esperada, pero la orientación de la herramienta cambió.</translation>
     </message>
     <message>
         <source>“%1” is at the part again.</source>
@@ -2026,7 +2026,7 @@
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
-        <translation>«%1» está en el sitio, pero el brazo no está allí. Retoque con el brazo en la pieza.</translation>
+        <translation>«%1» está en la posición esperada, pero el brazo no. Retoque el punto con el brazo en la pieza.</translation>
     </message>
     <message>
         <source>Slowed down to %1. Continue.</source>
@@ -2034,15 +2034,15 @@
     </message>
     <message>
         <source>No limit reached yet. The line below the pad will name it.</source>
-        <translation>Aún sin límite. La línea bajo el teclado lo nombrará.</translation>
+        <translation>Aún no se alcanzó ningún límite. La línea bajo el teclado lo indicará.</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
-        <translation>Ese es el límite. Ahora atrás: %1 de %2.</translation>
+        <translation>Límite alcanzado. Ahora vuelva: %1 de %2.</translation>
     </message>
     <message>
         <source>You reached the limit and moved out of it again.</source>
-        <translation>Encontrado, y de nuevo fuera.</translation>
+        <translation>Alcanzó el límite y volvió a salir de él.</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>No recording yet. Press Record above the plots.</source>
-        <translation>Aún sin grabación. Grabar está sobre los gráficos.</translation>
+        <translation>Aún no hay grabación. Pulse «Grabar» sobre los gráficos.</translation>
     </message>
     <message>
         <source>Recorded. Enter the force that the plot shows.</source>
@@ -2062,7 +2062,7 @@
     </message>
     <message>
         <source>%1 does not match the recording. Look at the Fz curve.</source>
-        <translation>%1 no es lo que se grabó. Mire la curva Fz.</translation>
+        <translation>%1 no coincide con la grabación. Observe la curva Fz.</translation>
     </message>
     <message>
         <source>Correct: it was %1.</source>
@@ -2090,23 +2090,23 @@
     </message>
     <message>
         <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>Iniciar hace chocar el brazo simulado, que entra en parada de protección. Mire qué lo detuvo, espere los cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
+        <translation>Iniciar hace que el brazo simulado choque y entre en parada de protección. Averigüe qué lo detuvo, espere cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
-        <translation>Enseñe un sistema de coordenadas con tres puntos en la pestaña Sistemas. Su X debe ir a lo largo de Y+ de la base, su Z hacia arriba: tome el origen, después un punto más allá por Y+, después otro más allá por X−.</translation>
+        <translation>Enseñe un sistema de coordenadas con tres puntos en la pestaña Sistemas de coordenadas. Su eje X debe apuntar en Y+ de la base y su eje Z hacia arriba: tome el origen, después un punto más allá en Y+ y otro más allá en X−.</translation>
     </message>
     <message>
         <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>Iniciar pone un punto de paso «pieza» donde está el brazo. Desde entonces la pieza se movió %1 por X+ de la base. Vaya allí, seleccione el punto y retóquelo (U).</translation>
+        <translation>Iniciar añade un punto de paso «pieza» en la posición actual del brazo. Después la pieza se desplaza %1 en X+ de la base. Mueva el brazo allí, seleccione el punto y retóquelo (U).</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
-        <translation>Aléjese de la base, hacia fuera, hasta que un límite frene el brazo a la mitad. La línea bajo el teclado lo nombra y dice la salida. Después vuelva %1.</translation>
+        <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo el teclado indica el límite y cómo salir de él. Después vuelva %1.</translation>
     </message>
     <message>
         <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>Iniciar hace que una mano presione la herramienta desde arriba. Grabe al menos tres segundos y detenga. Lea en los gráficos cuánta es la fuerza Fz e introdúzcala.</translation>
+        <translation>Iniciar hace que una mano presione la herramienta desde arriba. Grabe al menos tres segundos y detenga la grabación. Lea la fuerza Fz en los gráficos e introdúzcala.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2147,11 +2147,11 @@
     </message>
     <message>
         <source>No data from the robot. Reconnecting automatically.</source>
-        <translation>Sin datos del robot. Se reconecta solo.</translation>
+        <translation>Sin datos del robot. Se reconecta automáticamente.</translation>
     </message>
     <message>
         <source>Robot data are late. Waiting for new data.</source>
-        <translation>Los datos del robot llegan tarde. Esperando a que vuelvan.</translation>
+        <translation>Los datos del robot se retrasan. Esperando datos nuevos.</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -2166,7 +2166,7 @@
     <name>RecordingChoice</name>
     <message>
         <source>A file name must not be empty or begin with a period.</source>
-        <translation>Un archivo necesita un nombre que no empiece por un punto.</translation>
+        <translation>El nombre de un archivo no puede estar vacío ni empezar por un punto.</translation>
     </message>
     <message>
         <source>A file name cannot contain “%1”.</source>
@@ -2185,7 +2185,7 @@
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
-        <translation>El brazo se puede mover. Lo armado antes de la parada no lo mueve: cada movimiento necesita una nueva pulsación.</translation>
+        <translation>El brazo se puede mover. Los movimientos anteriores a la parada no se reanudan: cada movimiento necesita una nueva pulsación.</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -2205,15 +2205,15 @@
     </message>
     <message>
         <source>I inspected the arm: no one touches it and nothing is trapped.</source>
-        <translation>Miré el brazo: nadie lo toca, nada está atrapado.</translation>
+        <translation>He inspeccionado el brazo: nadie lo toca y nada está atrapado.</translation>
     </message>
     <message>
         <source>The cause of the stop is known and removed.</source>
-        <translation>Se sabe qué lo detuvo, y está quitado.</translation>
+        <translation>La causa de la parada se conoce y está eliminada.</translation>
     </message>
     <message>
         <source>Payload and TCP match the mounted tool.</source>
-        <translation>Carga útil y TCP son los de la herramienta montada.</translation>
+        <translation>La carga útil y el TCP corresponden a la herramienta montada.</translation>
     </message>
     <message>
         <source>Possible in %1 s</source>
@@ -2221,15 +2221,15 @@
     </message>
     <message>
         <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>Miré el brazo y el registro del robot: la causa se conoce.</translation>
+        <translation>He inspeccionado el brazo y el registro del robot: se conoce la causa.</translation>
     </message>
     <message>
         <source>The cause is removed, and no one is within reach of the arm.</source>
-        <translation>La causa está quitada y nadie está al alcance del brazo.</translation>
+        <translation>La causa está eliminada y no hay nadie al alcance del brazo.</translation>
     </message>
     <message>
         <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>Aquí no hay nada que pulsar: termina cuando desaparece su causa.</translation>
+        <translation>Aquí no hay que hacer nada: este estado termina cuando se elimina su causa.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -2291,7 +2291,7 @@
     </message>
     <message>
         <source>A program is already running.</source>
-        <translation>Ya hay un programa en marcha.</translation>
+        <translation>Ya hay un programa en ejecución.</translation>
     </message>
     <message>
         <source>Connect…</source>
@@ -2299,7 +2299,7 @@
     </message>
     <message>
         <source>Select the simulator, a robot or a project.</source>
-        <translation>Elegir el simulador, un robot o un proyecto.</translation>
+        <translation>Seleccione el simulador, un robot o un proyecto.</translation>
     </message>
     <message>
         <source>Simulated robot</source>
@@ -2315,7 +2315,7 @@
     </message>
     <message>
         <source>Checks everything between this PC and the robot and suggests fixes.</source>
-        <translation>Mira todo lo que hay entre este PC y el robot, cada cosa con su remedio.</translation>
+        <translation>Comprueba todo lo que hay entre este PC y el robot y propone soluciones.</translation>
     </message>
     <message>
         <source>Select a robot first.</source>
@@ -2327,7 +2327,7 @@
     </message>
     <message>
         <source>Stops our motion, then closes the connection.</source>
-        <translation>Termina la conexión; un movimiento nuestro se detiene antes.</translation>
+        <translation>Detiene nuestro movimiento y después cierra la conexión.</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
@@ -2339,7 +2339,7 @@
     </message>
     <message>
         <source>The arm is powered on or powering on.</source>
-        <translation>El brazo tiene corriente, o la está recibiendo.</translation>
+        <translation>El brazo está encendido o se está encendiendo.</translation>
     </message>
     <message>
         <source>The arm may sag by a few millimetres. Keep clear.</source>
@@ -2347,7 +2347,7 @@
     </message>
     <message>
         <source>Stops programs, engages the brakes and powers the arm off.</source>
-        <translation>Pone los frenos y quita la corriente al brazo; los programas se detienen.</translation>
+        <translation>Detiene los programas, aplica los frenos y apaga el brazo.</translation>
     </message>
     <message>
         <source>The arm is powered off.</source>
@@ -2359,11 +2359,11 @@
     </message>
     <message>
         <source>Shows what stopped the arm and the recovery steps.</source>
-        <translation>Muestra qué detuvo el brazo y el camino de vuelta.</translation>
+        <translation>Muestra qué detuvo el brazo y los pasos de recuperación.</translation>
     </message>
     <message>
         <source>The safety system reports no stop.</source>
-        <translation>Ninguna parada del sistema de seguridad.</translation>
+        <translation>El sistema de seguridad no comunica ninguna parada.</translation>
     </message>
     <message>
         <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
@@ -2383,7 +2383,7 @@
     </message>
     <message>
         <source>Already in control.</source>
-        <translation>Ya con control.</translation>
+        <translation>Ya tiene el control.</translation>
     </message>
     <message>
         <source>Give control back</source>
@@ -2403,7 +2403,7 @@
     </message>
     <message>
         <source>Software stop of all motion. Not an emergency stop.</source>
-        <translation>Parada por software de todo lo que se mueve. No es una parada de emergencia.</translation>
+        <translation>Parada por software de todo movimiento. No es una parada de emergencia.</translation>
     </message>
     <message>
         <source>Load program…</source>
@@ -2411,19 +2411,19 @@
     </message>
     <message>
         <source>Loads a program stored on the robot by name.</source>
-        <translation>Carga por su nombre un programa propio del robot.</translation>
+        <translation>Carga por nombre un programa guardado en el robot.</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
-        <translation>Inicia el programa cargado, o sigue con uno en pausa: el brazo puede moverse enseguida.</translation>
+        <translation>Inicia el programa cargado o reanuda uno en pausa: el brazo puede moverse de inmediato.</translation>
     </message>
     <message>
         <source>Pauses the running program.</source>
-        <translation>Pausa el programa en marcha.</translation>
+        <translation>Pausa el programa en ejecución.</translation>
     </message>
     <message>
         <source>Stops the program on the robot.</source>
-        <translation>Detiene el programa propio del robot.</translation>
+        <translation>Detiene el programa del robot.</translation>
     </message>
     <message>
         <source>Starts the control program on the robot. Asks before it stops another program.</source>
@@ -2545,7 +2545,7 @@
     </message>
     <message>
         <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
-        <translation>El programa del robot no se detuvo: deténgalo en la consola portátil. %1</translation>
+        <translation>No se pudo detener el programa del robot: deténgalo en la consola portátil. %1</translation>
     </message>
     <message>
         <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
@@ -2560,11 +2560,11 @@
     <name>RobotTooling</name>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+        <translation>Tiller no tiene el control. Tome primero el control.</translation>
     </message>
     <message>
         <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
-        <translation>TCP y carga útil se fijan con el brazo parado. Deje que se detenga.</translation>
+        <translation>El TCP y la carga útil solo se pueden fijar en reposo. Espere a que el brazo se detenga.</translation>
     </message>
     <message>
         <source>TCP set on the robot: %1</source>
@@ -2583,7 +2583,7 @@
     </message>
     <message>
         <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
-        <translation>Se toma una pieza de un alimentador y se pone en uno de seis sitios de una bandeja. Los sitios se dan en el sistema de la bandeja y se mueven con ella.</translation>
+        <translation>Toma una pieza de un alimentador y la coloca en una de seis celdas de una bandeja. Las celdas están definidas en el sistema de coordenadas de la bandeja y se mueven con él.</translation>
     </message>
     <message>
         <source>Gluing along a path</source>
@@ -2591,11 +2591,11 @@
     </message>
     <message>
         <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
-        <translation>Un cordón alrededor de una tapa con esquinas redondeadas, lento y en rectas. La fusión mantiene la boquilla en movimiento en las esquinas.</translation>
+        <translation>Aplica un cordón alrededor de una tapa con esquinas redondeadas, despacio y en líneas rectas. La fusión mantiene la boquilla en movimiento en las esquinas.</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation>Ronda de medición</translation>
+        <translation>Medición</translation>
     </message>
     <message>
         <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
@@ -2606,11 +2606,11 @@
     <name>SceneActions</name>
     <message>
         <source>Default view, perspective</source>
-        <translation>Mirar desde el primer lado, en perspectiva</translation>
+        <translation>Vista predeterminada, en perspectiva</translation>
     </message>
     <message>
         <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>Entre el frente y el lado, un poco desde arriba, con todo en la imagen.</translation>
+        <translation>Entre el frente y el lado, un poco desde arriba, con todo visible.</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -2642,14 +2642,14 @@
     </message>
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
-        <translation>Brazo, objetivo y puntos de paso en la imagen, desde el lado actual.</translation>
+        <translation>Ajusta el brazo, el objetivo y los puntos de paso a la vista sin cambiar la dirección de la mirada.</translation>
     </message>
 </context>
 <context>
     <name>SessionRecording</name>
     <message>
         <source>Cannot record: connect to a robot first.</source>
-        <translation>No se graba nada: conéctese primero a un robot.</translation>
+        <translation>No se puede grabar: conéctese primero a un robot.</translation>
     </message>
     <message>
         <source>Recording to %1</source>
@@ -2671,11 +2671,11 @@
     </message>
     <message>
         <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>El valor de &quot;%1&quot; no puede estar en los ajustes.</translation>
+        <translation>Valor no válido para el ajuste &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
-        <translation>El archivo es demasiado grande para ser de ajustes.</translation>
+        <translation>El archivo es demasiado grande para ser un archivo de ajustes.</translation>
     </message>
     <message>
         <source>The file is damaged at byte %1: %2.</source>
@@ -2691,15 +2691,15 @@
     </message>
     <message>
         <source>The file does not state its version.</source>
-        <translation>El archivo no dice qué versión tiene.</translation>
+        <translation>El archivo no indica su versión.</translation>
     </message>
     <message>
         <source>The list of values is missing or too long.</source>
-        <translation>El archivo no tiene lista de valores, o es demasiado larga.</translation>
+        <translation>La lista de valores falta o es demasiado larga.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; no es el nombre de un ajuste.</translation>
+        <translation>&quot;%1&quot; no es un nombre de ajuste válido.</translation>
     </message>
 </context>
 <context>
@@ -2734,7 +2734,7 @@
     </message>
     <message>
         <source>Other</source>
-        <translation>Más</translation>
+        <translation>Otros</translation>
     </message>
     <message>
         <source>Registers</source>
@@ -2862,11 +2862,11 @@
     </message>
     <message>
         <source>Position deviation, ratio to limit</source>
-        <translation>Desviación de posición sobre su límite</translation>
+        <translation>Desviación de posición, proporción del límite</translation>
     </message>
     <message>
         <source>Collision measure, ratio to limit</source>
-        <translation>Medida de colisión sobre su límite</translation>
+        <translation>Medida de colisión, proporción del límite</translation>
     </message>
     <message>
         <source>Joint modes</source>
@@ -3002,7 +3002,7 @@
     </message>
     <message>
         <source>Program running</source>
-        <translation>Programa en marcha</translation>
+        <translation>Programa en ejecución</translation>
     </message>
     <message>
         <source>Freedrive button</source>
@@ -3105,7 +3105,7 @@
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
-        <translation>La tapa se mueve y gira como debe hacerlo la herramienta.</translation>
+        <translation>La herramienta sigue el movimiento de la tapa.</translation>
     </message>
 </context>
 <context>
@@ -3120,7 +3120,7 @@
     </message>
     <message>
         <source>Values are missing in this range: select a range without gaps.</source>
-        <translation>Faltan valores en este intervalo: elija uno sin huecos.</translation>
+        <translation>Faltan valores en este intervalo: seleccione un intervalo sin huecos.</translation>
     </message>
     <message>
         <source>Not enough memory.</source>
@@ -3131,7 +3131,7 @@
     <name>StartProject</name>
     <message>
         <source>The last project no longer exists: %1</source>
-        <translation>El último proyecto en el que se trabajó ya no está: %1</translation>
+        <translation>El último proyecto ya no existe: %1</translation>
     </message>
 </context>
 <context>
@@ -3217,31 +3217,31 @@
     <name>Texts</name>
     <message>
         <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
-        <translation>Compruebe la dirección: cuatro números como 192.168.0.10, o un nombre que la red conozca.</translation>
+        <translation>Compruebe la dirección: cuatro números, p. ej. 192.168.0.10, o un nombre de host.</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
-        <translation>Compruebe que el robot está encendido, el cable conectado y que este PC está en la misma red.</translation>
+        <translation>Compruebe que el robot está encendido, que el cable está conectado y que este PC está en la misma red.</translation>
     </message>
     <message>
         <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>Active la interfaz en el robot: Ajustes, Seguridad, Servicios. Un robot recién arrancado puede necesitar otro minuto.</translation>
+        <translation>Active la interfaz en el robot: Ajustes, Seguridad, Servicios. Un robot recién arrancado puede necesitar un minuto más.</translation>
     </message>
     <message>
         <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
-        <translation>El robot terminó la conexión: quizá se está reiniciando o se cambió entre Local y Remoto.</translation>
+        <translation>El robot cerró la conexión: puede estar reiniciándose, o se cambió entre Local y Remoto.</translation>
     </message>
     <message>
         <source>The robot does not answer. Check the cable and the address.</source>
-        <translation>El robot no responde. Compruebe el cable y que la dirección es la del robot.</translation>
+        <translation>El robot no responde. Compruebe el cable y la dirección.</translation>
     </message>
     <message>
         <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
-        <translation>Dejaron de llegar datos. Compruebe el cable; la conexión vuelve sola, el movimiento no.</translation>
+        <translation>No se reciben más datos. Compruebe el cable. Tiller se reconecta automáticamente; el movimiento no se reanuda.</translation>
     </message>
     <message>
         <source>The answer violates the RTDE protocol. Check address and port.</source>
-        <translation>Lo que responde allí no habla RTDE como debe. Compruebe dirección y puerto.</translation>
+        <translation>La respuesta no cumple el protocolo RTDE. Compruebe la dirección y el puerto.</translation>
     </message>
     <message>
         <source>The robot&apos;s software is too old for this.</source>
@@ -3249,11 +3249,11 @@
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
-        <translation>El software del robot no tiene este valor.</translation>
+        <translation>El software del robot no ofrece este valor.</translation>
     </message>
     <message>
         <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
-        <translation>Otro programa o un bus de campo del robot ocupa estos registros: cierre el otro programa o desactive el bus de campo en la instalación.</translation>
+        <translation>Otro programa o un bus de campo del robot usa estos registros: cierre el otro programa o desactive el bus de campo en la instalación.</translation>
     </message>
     <message>
         <source>Connect to a robot first.</source>
@@ -3273,7 +3273,7 @@
     </message>
     <message>
         <source>Choose a target within the range of the arm and a speed within the cap.</source>
-        <translation>Elija un objetivo dentro del rango del brazo y una velocidad dentro del límite.</translation>
+        <translation>Elija un objetivo dentro del alcance del brazo y una velocidad dentro del límite.</translation>
     </message>
     <message>
         <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
@@ -3281,19 +3281,19 @@
     </message>
     <message>
         <source>The robot could not run the program. See the log for the message of the controller.</source>
-        <translation>El robot no pudo ejecutar el programa enviado. Vea sus propias palabras en el registro.</translation>
+        <translation>El robot no pudo ejecutar el programa. El mensaje del controlador está en el registro.</translation>
     </message>
     <message>
         <source>Check that the file exists and that you have permission to read it.</source>
-        <translation>Compruebe que el archivo existe y se puede leer.</translation>
+        <translation>Compruebe que el archivo existe y que tiene permiso para leerlo.</translation>
     </message>
     <message>
         <source>Choose a folder that you have permission to write to.</source>
-        <translation>Elija una carpeta en la que pueda escribir.</translation>
+        <translation>Elija una carpeta en la que tenga permiso para escribir.</translation>
     </message>
     <message>
         <source>The file was not changed. Open a backup, or repair the reported position.</source>
-        <translation>El archivo quedó como estaba. Abra una copia de seguridad o repare el lugar indicado.</translation>
+        <translation>El archivo no se modificó. Abra una copia de seguridad o repare la posición indicada.</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3317,7 +3317,7 @@
     </message>
     <message>
         <source>Timed out</source>
-        <translation>Sin respuesta a tiempo</translation>
+        <translation>Tiempo agotado</translation>
     </message>
     <message>
         <source>Cancelled</source>
@@ -3329,7 +3329,7 @@
     </message>
     <message>
         <source>Protocol error</source>
-        <translation>No se entiende</translation>
+        <translation>Error de protocolo</translation>
     </message>
     <message>
         <source>Not supported by this robot</source>
@@ -3421,7 +3421,7 @@
     </message>
     <message>
         <source>window lost activation</source>
-        <translation>la ventana ya no está activa</translation>
+        <translation>la ventana dejó de estar activa</translation>
     </message>
     <message>
         <source>window closed</source>
@@ -3465,7 +3465,7 @@
     </message>
     <message>
         <source>input not refreshed in time</source>
-        <translation>no renovado a tiempo</translation>
+        <translation>entrada no renovada a tiempo</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -3505,23 +3505,23 @@
     </message>
     <message>
         <source>no confirmation that the key is still held</source>
-        <translation>sin señal de que siguiera pulsada</translation>
+        <translation>sin confirmación de que la tecla sigue pulsada</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
-        <translation>pulsada el máximo tiempo; pulse de nuevo</translation>
+        <translation>tiempo máximo de pulsación alcanzado; pulse de nuevo</translation>
     </message>
     <message>
         <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
-        <translation>PolyScope X anterior a 10.11 no acepta tales órdenes por la red: use la tableta.</translation>
+        <translation>PolyScope X anterior a 10.11 no acepta estas órdenes por la red: use la consola portátil.</translation>
     </message>
     <message>
         <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
-        <translation>PolyScope X no tiene orden para cerrar avisos por la red: use la tableta.</translation>
+        <translation>PolyScope X no puede cerrar ventanas emergentes por la red: use la consola portátil.</translation>
     </message>
     <message>
         <source>Monitoring. Take control to move the arm.</source>
-        <translation>Solo observando. Tome el control para mover el brazo.</translation>
+        <translation>Observando. Tome el control para mover el brazo.</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -3541,11 +3541,11 @@
     </message>
     <message>
         <source>The connection was lost. Take control again.</source>
-        <translation>Se perdió el enlace. Tome de nuevo el control.</translation>
+        <translation>Se perdió la conexión. Tome de nuevo el control.</translation>
     </message>
     <message>
         <source>Your script is running. Control returns when it ends.</source>
-        <translation>Un script propio está en marcha. El control vuelve cuando termine.</translation>
+        <translation>Su script está en ejecución. El control vuelve cuando termine.</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -3580,11 +3580,11 @@
     </message>
     <message>
         <source>“%1” must be J or L</source>
-        <translation>«%1» no es J ni L</translation>
+        <translation>«%1» debe ser J o L</translation>
     </message>
     <message>
         <source>“%1” must be joints or pose</source>
-        <translation>«%1» no es joints ni pose</translation>
+        <translation>«%1» debe ser joints o pose</translation>
     </message>
     <message>
         <source>there is no frame “%1” in this project</source>
@@ -3592,7 +3592,7 @@
     </message>
     <message>
         <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
-        <translation>Esto no es una tabla de puntos de paso. Copie uno de la lista para ver sus columnas, o pegue los seis números de una pose.</translation>
+        <translation>Esto no es una tabla de puntos de paso. Copie un punto de la lista para ver las columnas, o pegue los seis valores de una pose.</translation>
     </message>
     <message>
         <source>“%1” is not a waypoint colour</source>
@@ -3603,7 +3603,7 @@
     <name>WaypointExchange</name>
     <message>
         <source>Line %1: missing closing quotation mark</source>
-        <translation>Línea %1: unas comillas no se cierran</translation>
+        <translation>Línea %1: falta la comilla de cierre</translation>
     </message>
 </context>
 <context>
@@ -3621,15 +3621,15 @@
     </message>
     <message>
         <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>Se hacen en este orden cuando «Recorrer» ha llevado el brazo allí, y solo mientras se mantiene pulsada la tecla.</translation>
+        <translation>Se ejecuta en este orden cuando «Recorrer» llega al punto de paso, y solo mientras se mantiene la tecla.</translation>
     </message>
     <message>
         <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>Estos puntos tienen acciones distintas. «Cambiar» da a todos las de abajo.</translation>
+        <translation>Estos puntos de paso tienen acciones diferentes. «Cambiar» las sustituye todas por las acciones de abajo.</translation>
     </message>
     <message>
         <source>Actions in order</source>
-        <translation>Acciones en su orden</translation>
+        <translation>Acciones en orden</translation>
     </message>
     <message>
         <source>Change</source>
@@ -3641,7 +3641,7 @@
     </message>
     <message>
         <source>Add an action after the selected one</source>
-        <translation>Añadir una acción tras la elegida</translation>
+        <translation>Añadir una acción después de la seleccionada</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3649,7 +3649,7 @@
     </message>
     <message>
         <source>Remove the selected action</source>
-        <translation>Quitar la acción elegida</translation>
+        <translation>Quitar la acción seleccionada</translation>
     </message>
     <message>
         <source>Up</source>
@@ -3657,7 +3657,7 @@
     </message>
     <message>
         <source>Move the selected action up</source>
-        <translation>Hacer antes la acción elegida</translation>
+        <translation>Subir la acción seleccionada</translation>
     </message>
     <message>
         <source>Down</source>
@@ -3665,15 +3665,15 @@
     </message>
     <message>
         <source>Move the selected action down</source>
-        <translation>Hacer después la acción elegida</translation>
+        <translation>Bajar la acción seleccionada</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation>Qué se hace</translation>
+        <translation>Acción</translation>
     </message>
     <message>
         <source>Terminal</source>
-        <translation>Qué borne</translation>
+        <translation>Borne</translation>
     </message>
     <message>
         <source>On or off</source>
@@ -3693,11 +3693,11 @@
     </message>
     <message>
         <source>Timeout in seconds</source>
-        <translation>Como máximo, segundos</translation>
+        <translation>Tiempo límite en segundos</translation>
     </message>
     <message>
         <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>Entonces termina y lo dice. 0: mientras se mantenga la tecla, como máximo una hora</translation>
+        <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene la tecla, una hora como máximo</translation>
     </message>
 </context>
 <context>
@@ -3750,7 +3750,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
     </message>
     <message>
         <source>e.g. bar; empty: not scaled</source>
-        <translation>bar; vacío: sin escala</translation>
+        <translation>p. ej. bar; vacío: sin escala</translation>
     </message>
     <message>
         <source>At 4 mA or 0 V</source>
@@ -3777,11 +3777,11 @@ Clic derecho o F2 para renombrar y escalar.</translation>
     </message>
     <message>
         <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
-        <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − giran una articulación. Espacio y Esc detienen. Haga clic o espere medio minuto: el teclado se desarma.</translation>
+        <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen. Para desarmar, haga clic o espere 30 s.</translation>
     </message>
     <message>
         <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
-        <translation>Después las flechas mueven el brazo mientras se mantienen; un marco rodea la ventana.</translation>
+        <translation>Con el teclado armado, las flechas mueven el brazo mientras se mantienen pulsadas. Un marco rodea la ventana.</translation>
     </message>
 </context>
 <context>
@@ -3846,7 +3846,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Los datos del robot no están actualizados. Espere datos nuevos.</translation>
+        <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -4073,7 +4073,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>Compare this recording with the arm model, with different limits</source>
-        <translation>Comparar esta grabación con el modelo de su brazo, con otros límites</translation>
+        <translation>Comparar esta grabación con el modelo del brazo, con otros límites</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -4085,11 +4085,11 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>Stop comparing</source>
-        <translation>No seguir comparando</translation>
+        <translation>Dejar de comparar</translation>
     </message>
     <message>
         <source>Place cursor A where arm and model diverge</source>
-        <translation>Poner el cursor A donde el brazo y el modelo se separan</translation>
+        <translation>Colocar el cursor A donde difieren brazo y modelo</translation>
     </message>
 </context>
 <context>
@@ -4100,7 +4100,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>Lo que se ordenó a las articulaciones se da al brazo simulado, y lo que este hace se compara con lo grabado. Nada toca el brazo simulado, y no conoce la fricción.</translation>
+        <translation>El brazo simulado sigue las consignas articulares grabadas y su movimiento se compara con el grabado. El modelo no tiene contacto ni fricción.</translation>
     </message>
     <message>
         <source>Model of the arm</source>
@@ -4136,7 +4136,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>Signals with a limit of 0 are not compared.</source>
-        <translation>Lo que tiene el límite 0 no se compara.</translation>
+        <translation>Las señales con límite 0 no se comparan.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -4147,11 +4147,11 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
-        <translation>Mueve el brazo (hasta que termine el programa)</translation>
+        <translation>Mueve el brazo (hasta cerrar Tiller)</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>Solo el eje más desviado</translation>
+        <translation>Solo el eje dominante</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -4163,7 +4163,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>Direction in which the arm would move</source>
-        <translation>Hacia dónde iría el brazo</translation>
+        <translation>Dirección en la que se movería el brazo</translation>
     </message>
     <message>
         <source>Dead-man</source>
@@ -4175,7 +4175,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>Teclado, mientras está armado (Ctrl+J): flechas X e Y, RePág y AvPág Z, con Alt giran, 1 a 6 con + y − una articulación, Inicio, Fin alinea, Retroceso atrás, F movimiento libre. Ctrl más lento, Mayús más rápido. Espacio y Esc detienen.</translation>
+        <translation>Teclado, cuando está armado (Ctrl+J): flechas X e Y, RePág y AvPág Z, con Alt giro, 1 a 6 con + y − articulaciones, Inicio a inicio, Fin alinea, Retroceso atrás, F movimiento libre. Ctrl más lento, Mayús más rápido. Espacio y Esc detienen.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4183,7 +4183,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>No hay gamepad ni SpaceMouse. Conecte uno: aparece solo.</translation>
+        <translation>No se encontró ningún mando ni SpaceMouse. Conecte uno; se detecta automáticamente.</translation>
     </message>
     <message>
         <source>● held (%1)</source>
@@ -4202,7 +4202,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     <name>tiller::FigureBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>No se tomó «%1»: de %2 a %3. No se cambió nada.</translation>
+        <translation>«%1» está fuera del intervalo (%2 a %3). No se cambió nada.</translation>
     </message>
 </context>
 <context>
@@ -4248,7 +4248,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>La lista no vuelve sola. La orden «Primeros pasos» la trae de nuevo.</translation>
+        <translation>La lista no volverá a aparecer. Use la orden «Primeros pasos» para mostrarla.</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -4267,7 +4267,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>En Base. Intro lo aplica; no se mueve nada salvo el sistema.</translation>
+        <translation>En Base. Pulse Intro para aplicar. Solo cambia el sistema de coordenadas; el robot no se mueve.</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
@@ -4301,8 +4301,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     <message numerus="yes">
         <source>%n of them are now out of reach.</source>
         <translation>
-            <numerusform>%n de ellos queda allí fuera de alcance.</numerusform>
-            <numerusform>%n de ellos quedan allí fuera de alcance.</numerusform>
+            <numerusform>%n de ellos está ahora fuera de alcance.</numerusform>
+            <numerusform>%n de ellos están ahora fuera de alcance.</numerusform>
         </translation>
     </message>
     <message>
@@ -4315,11 +4315,11 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>The frame moves by %1 (%2, base frame).</source>
-        <translation>Se mueve %1 (%2, sistema base).</translation>
+        <translation>El sistema de coordenadas se mueve %1 (%2, base).</translation>
     </message>
     <message>
         <source>No waypoint uses this frame.</source>
-        <translation>Ningún punto de paso está dado en él.</translation>
+        <translation>Ningún punto de paso usa este sistema de coordenadas.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it.</source>
@@ -4342,15 +4342,15 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>Touched up “%1”</source>
-        <translation>«%1» está retocado</translation>
+        <translation>«%1» retocado</translation>
     </message>
     <message>
         <source>Set the position of “%1”</source>
-        <translation>Fijar el lugar de «%1»</translation>
+        <translation>Fijar la posición de «%1»</translation>
     </message>
     <message>
         <source>“%1” was set numerically. %2</source>
-        <translation>«%1» está fijado en cifras. %2</translation>
+        <translation>«%1» se fijó numéricamente. %2</translation>
     </message>
     <message>
         <source>Duplicate “%1”</source>
@@ -4363,8 +4363,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     <message numerus="yes">
         <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
-            <numerusform>%n punto de paso está dado en él. Se queda donde está, dado en Base.</numerusform>
-            <numerusform>%n puntos de paso están dados en él. Se quedan donde están, dados en Base.</numerusform>
+            <numerusform>%n punto de paso usa este sistema. Conserva su posición y se convierte a Base.</numerusform>
+            <numerusform>%n puntos de paso usan este sistema. Conservan su posición y se convierten a Base.</numerusform>
         </translation>
     </message>
     <message>
@@ -4392,11 +4392,11 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>«%1» es un sistema que tiene todo robot. Elija otro nombre.</translation>
+        <translation>«%1» es un sistema de coordenadas predefinido. Elija otro nombre.</translation>
     </message>
     <message>
         <source>Another frame is named “%1”. Choose another name.</source>
-        <translation>«%1» ya es el nombre de otro sistema. Elija otro nombre.</translation>
+        <translation>Otro sistema de coordenadas se llama «%1». Elija otro nombre.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -4436,7 +4436,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>Waypoints that move with the frame</source>
-        <translation>Puntos de paso que se mueven con él</translation>
+        <translation>Puntos de paso que se mueven con el sistema</translation>
     </message>
     <message>
         <source>TCP %1</source>
@@ -4502,11 +4502,11 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the point again.</source>
-        <translation>El robot no envió un lugar válido. Tome el punto de nuevo.</translation>
+        <translation>El robot envió una posición no válida. Tome el punto de nuevo.</translation>
     </message>
     <message>
         <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
-        <translation>El punto en +X está a solo %1 del origen. Tómelo de nuevo al menos a %2: cuanto más lejos, más exactos los ejes.</translation>
+        <translation>El punto en +X está a solo %1 del origen. Tómelo de nuevo a %2 como mínimo. Una distancia mayor da ejes más precisos.</translation>
     </message>
     <message>
         <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
@@ -4514,23 +4514,23 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
-        <translation>Los tres puntos están en línea: el tercero está a solo %1 del eje X. Tómelo de nuevo al menos a %2 hacia +Y.</translation>
+        <translation>Los tres puntos están alineados: el tercero está a solo %1 del eje X. Tómelo de nuevo a %2 como mínimo hacia +Y.</translation>
     </message>
     <message>
         <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
-        <translation>Listo: el punto en +X está a %1, el tercero a %2 del eje X.</translation>
+        <translation>Listo: el punto en +X está a %1 del origen y el tercero a %2 del eje X.</translation>
     </message>
     <message>
         <source>Jog the tip to the origin of the frame and take the point (P).</source>
-        <translation>Lleve la punta adonde empieza el sistema y tómelo (P).</translation>
+        <translation>Mueva la punta al origen del sistema de coordenadas y tome el punto (P).</translation>
     </message>
     <message>
         <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
-        <translation>Ahora a un punto en +X: a %1 del origen, %2 es lo mínimo.</translation>
+        <translation>Ahora vaya a un punto en +X: a %1 del origen, mínimo %2.</translation>
     </message>
     <message>
         <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
-        <translation>Ahora hacia +Y: a %1 del eje X, %2 es lo mínimo.</translation>
+        <translation>Ahora vaya hacia +Y: a %1 del eje X, mínimo %2.</translation>
     </message>
     <message>
         <source>Take  P</source>
@@ -4573,13 +4573,13 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>More frame commands</source>
-        <translation>Más sobre sistemas</translation>
+        <translation>Más órdenes de sistemas</translation>
     </message>
     <message>
         <source>No frames yet.
 Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
-        <translation>Aún no hay sistemas.
-Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos para tomar origen, +X y +Y.</translation>
+        <translation>Aún no hay sistemas de coordenadas.
+Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 puntos» para tomar el origen, +X y +Y.</translation>
     </message>
     <message>
         <source>new frame</source>
@@ -4587,7 +4587,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
+        <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -4595,7 +4595,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
-        <translation>Un sistema donde está el TCP, con los ejes de la herramienta (Mayús+T)</translation>
+        <translation>Crear un sistema de coordenadas en el TCP con los ejes de la herramienta (Mayús+T)</translation>
     </message>
     <message>
         <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
@@ -4603,7 +4603,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
-        <translation>El sistema seleccionado va adonde está el TCP (Mayús+U)</translation>
+        <translation>Mover el sistema seleccionado al TCP (Mayús+U)</translation>
     </message>
     <message>
         <source>Select a frame to touch up.</source>
@@ -4623,7 +4623,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Create frame from points</source>
-        <translation>Crear el sistema con los puntos tomados</translation>
+        <translation>Crear sistema a partir de puntos</translation>
     </message>
     <message>
         <source>Cancel frame teaching</source>
@@ -4647,7 +4647,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Enter frame numerically</source>
-        <translation>Fijar sistema en cifras</translation>
+        <translation>Introducir sistema numéricamente</translation>
     </message>
     <message>
         <source>Duplicate frame</source>
@@ -4678,15 +4678,15 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     <name>tiller::GoThrough</name>
     <message>
         <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>No hay puntos que recorrer. Enseñe algunos o selecciónelos.</translation>
+        <translation>No hay puntos de paso que recorrer. Enseñe o seleccione primero puntos de paso.</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
-        <translation>No hay punto de paso antes de este.</translation>
+        <translation>Este es el primer punto de paso.</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project.</source>
-        <translation>Un punto del recorrido ya no está en este proyecto.</translation>
+        <translation>Se eliminó del proyecto un punto de paso de la ruta.</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
@@ -4694,7 +4694,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>Un bucle de un solo punto no lleva a ninguna parte. Elija más puntos, o recorra sin bucle.</translation>
+        <translation>Un bucle necesita al menos dos puntos de paso. Seleccione más puntos o desactive el bucle.</translation>
     </message>
 </context>
 <context>
@@ -4717,23 +4717,23 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Previous waypoint, hold</source>
-        <translation>Un punto atrás, mantener</translation>
+        <translation>Punto anterior, mantener</translation>
     </message>
     <message>
         <source>Moves to the previous waypoint while the key is held</source>
-        <translation>Vuelve al punto anterior mientras se mantiene la tecla</translation>
+        <translation>Va al punto de paso anterior mientras se mantiene la tecla</translation>
     </message>
     <message>
         <source>Next waypoint, hold</source>
-        <translation>Un punto adelante, mantener</translation>
+        <translation>Punto siguiente, mantener</translation>
     </message>
     <message>
         <source>Moves to the next waypoint while the key is held, and stops there</source>
-        <translation>Va al punto siguiente mientras se mantiene la tecla, y para allí</translation>
+        <translation>Va al punto de paso siguiente mientras se mantiene la tecla y se detiene allí</translation>
     </message>
     <message>
         <source>Waypoints of the route</source>
-        <translation>Qué puntos recorrer</translation>
+        <translation>Puntos de paso de la ruta</translation>
     </message>
     <message>
         <source>Waypoints</source>
@@ -4741,7 +4741,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>Qué puntos recorrer, en el orden de la lista</translation>
+        <translation>Selecciona los puntos de paso de la ruta, en el orden de la lista</translation>
     </message>
     <message>
         <source>From here</source>
@@ -4757,11 +4757,11 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>Tras el último punto viene de nuevo el primero, mientras se mantenga la tecla</translation>
+        <translation>Vuelve a empezar por el primer punto después del último, mientras se mantiene la tecla</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+        <translation>Tiller no tiene el control. Tome primero el control.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -4769,7 +4769,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Next: %1 of %2, %3</source>
-        <translation>El siguiente: %1 de %2, %3</translation>
+        <translation>Siguiente: %1 de %2, %3</translation>
     </message>
     <message>
         <source>done</source>
@@ -4777,7 +4777,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Done. The next press starts at the first waypoint.</source>
-        <translation>Hecho. La próxima pulsación empieza en el primero.</translation>
+        <translation>Terminado. La próxima pulsación empieza en el primer punto.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints</source>
@@ -4792,7 +4792,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
-        <translation>Va de punto a punto mientras se mantiene la tecla, no más deprisa que la velocidad de movimiento, y hace en cada uno lo que allí hay que hacer. Al soltar se detiene; la siguiente pulsación sigue hacia el punto que viene.</translation>
+        <translation>Va de punto en punto mientras se mantiene la tecla, no más rápido que la velocidad de movimiento manual, y ejecuta las acciones de cada punto. Suelte para pausar; la siguiente pulsación continúa hacia el punto siguiente.</translation>
     </message>
     <message>
         <source>At %1: %2</source>
@@ -4822,11 +4822,11 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Gripper opening</source>
-        <translation>Cuánto está abierta la pinza</translation>
+        <translation>Apertura de la pinza</translation>
     </message>
     <message>
         <source>Gripped object</source>
-        <translation>Qué sujeta la pinza</translation>
+        <translation>Objeto agarrado</translation>
     </message>
     <message>
         <source>Activate</source>
@@ -4878,7 +4878,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Gripper type</source>
-        <translation>Qué pinza</translation>
+        <translation>Tipo de pinza</translation>
     </message>
     <message>
         <source>None</source>
@@ -4906,7 +4906,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Target opening</source>
-        <translation>Apertura deseada</translation>
+        <translation>Apertura de destino</translation>
     </message>
     <message>
         <source>Finger speed</source>
@@ -4918,7 +4918,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Suggested action</source>
-        <translation>Qué hacer con la pinza</translation>
+        <translation>Acción sugerida</translation>
     </message>
     <message>
         <source>Closes</source>
@@ -4954,15 +4954,15 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
-        <translation>Cuánto deben abrirse los dedos, 0 a %1. «Mover» los envía allí.</translation>
+        <translation>Apertura de destino de los dedos, 0 a %1. «Mover» inicia el movimiento.</translation>
     </message>
     <message>
         <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
-        <translation>Del próximo movimiento. 0 % es unos %1, 100 % unos %2.</translation>
+        <translation>Velocidad del próximo movimiento. 0 % son unos %1, 100 % unos %2.</translation>
     </message>
     <message>
         <source>Force of the next grip. 0 % is about %1, 100 % about %2.</source>
-        <translation>Del próximo agarre. 0 % es unos %1, 100 % unos %2.</translation>
+        <translation>Fuerza del próximo agarre. 0 % son unos %1, 100 % unos %2.</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -4986,11 +4986,11 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Please wait…</source>
-        <translation>Un momento…</translation>
+        <translation>Espere…</translation>
     </message>
     <message>
         <source>Select the mounted gripper. The choice is stored for this robot.</source>
-        <translation>Elija qué hay en la muñeca. Se recuerda con este robot.</translation>
+        <translation>Seleccione la pinza montada. La elección se guarda para este robot.</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5018,19 +5018,19 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>active, at standstill</source>
-        <translation>activa, quieta</translation>
+        <translation>activa, en reposo</translation>
     </message>
     <message>
         <source>unknown while moving</source>
-        <translation>desconocido mientras se mueve</translation>
+        <translation>desconocido durante el movimiento</translation>
     </message>
     <message>
         <source>object, outer grip</source>
-        <translation>un objeto, por fuera</translation>
+        <translation>objeto, agarre exterior</translation>
     </message>
     <message>
         <source>object, inner grip</source>
-        <translation>un objeto, por dentro</translation>
+        <translation>objeto, agarre interior</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -5038,7 +5038,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>The gripper cannot be reached with this port offset.</source>
-        <translation>Con este desplazamiento de puertos no se alcanza ninguna pinza.</translation>
+        <translation>La pinza no es accesible con este desplazamiento de puerto.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5054,27 +5054,27 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
-        <translation>Una parada del brazo deja la pinza como está: sigue sujetando.</translation>
+        <translation>Detener el brazo no cambia la pinza: mantiene el agarre.</translation>
     </message>
     <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
-        <translation>Los dedos abren y cierran una vez; lo que sujetan cae. Aparte los dedos de la pinza.</translation>
+        <translation>Los dedos se abren y se cierran una vez y sueltan el objeto agarrado. Mantenga los dedos lejos de la pinza.</translation>
     </message>
     <message>
         <source>Opens the gripper and releases the object.</source>
-        <translation>Abre la pinza; lo que sujeta se suelta.</translation>
+        <translation>Abre la pinza y suelta el objeto.</translation>
     </message>
     <message>
         <source>Closes the gripper. Keep your fingers clear of it.</source>
-        <translation>Cierra la pinza. Aparte los dedos.</translation>
+        <translation>Cierra la pinza. Mantenga los dedos lejos de ella.</translation>
     </message>
     <message>
         <source>Moves the fingers to this opening.</source>
-        <translation>Envía los dedos a esta apertura.</translation>
+        <translation>Mueve los dedos a esta apertura.</translation>
     </message>
     <message>
         <source>Speed or force is out of range.</source>
-        <translation>Su velocidad o su fuerza no es una que admita.</translation>
+        <translation>La velocidad o la fuerza está fuera del intervalo.</translation>
     </message>
     <message>
         <source>The gripper did not accept the command.</source>
@@ -5129,15 +5129,15 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>LAST STOP · no key check</source>
-        <translation>ÚLTIMA PARADA · sin testigo</translation>
+        <translation>ÚLTIMA PARADA · sin comprobación</translation>
     </message>
     <message>
         <source>not measured</source>
-        <translation>no vista</translation>
+        <translation>no medida</translation>
     </message>
     <message>
         <source>Data stopped while the arm was moving: the stop could not be measured.</source>
-        <translation>Los datos acabaron mientras el brazo se movía: no se sabe cómo se detuvo.</translation>
+        <translation>Los datos se interrumpieron mientras el brazo se movía: no se pudo medir la parada.</translation>
     </message>
     <message>
         <source>%1 ms · %2</source>
@@ -5145,7 +5145,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Measured from stop command to standstill. Cause: %1</source>
-        <translation>De la parada al reposo, medido. Causa: %1</translation>
+        <translation>Medida desde la orden de parada hasta el reposo. Causa: %1</translation>
     </message>
     <message>
         <source>No stop measured yet</source>
@@ -5157,7 +5157,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>El brazo puede superar %1. Baje el límite en Ajustes; termina con el programa.</translation>
+        <translation>El brazo puede moverse más rápido que %1. Reduzca el límite en Ajustes; se restablece al cerrar Tiller.</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -5172,14 +5172,14 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Mantenga esta tecla: mueve el brazo solo mientras se mantiene.</translation>
+        <translation>Mantenga esta tecla: el brazo solo se mueve mientras se mantiene.</translation>
     </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
-        <translation>La ventana no era la activa. Pulse de nuevo.</translation>
+        <translation>La ventana no estaba activa. Pulse de nuevo.</translation>
     </message>
     <message>
         <source>Click in the window first.</source>
@@ -5191,11 +5191,11 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>Another key is already held.</source>
-        <translation>Se mantiene otra tecla.</translation>
+        <translation>Ya se mantiene otra tecla.</translation>
     </message>
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>El servidor gráfico no responde: nadie podría decir cuándo se suelta la tecla.</translation>
+        <translation>El servidor gráfico no responde: no se podría detectar cuándo se suelta la tecla.</translation>
     </message>
 </context>
 <context>
@@ -5226,7 +5226,7 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
-        <translation>Todo desde %1 s antes está en %2. Doble clic en esta línea para abrirlo.</translation>
+        <translation>La grabación %2 empieza %1 s antes de la parada. Haga doble clic en esta entrada para abrirla.</translation>
     </message>
 </context>
 <context>
@@ -5249,13 +5249,13 @@ Lleve la punta a una esquina de la bandeja o mesa. Pulse Del TCP, o 3 puntos par
     </message>
     <message>
         <source>%1, outdated</source>
-        <translation>%1, datos viejos</translation>
+        <translation>%1, sin actualizar</translation>
     </message>
     <message>
         <source>
 Cannot be switched while the robot sends no data.</source>
         <translation>
-No se puede conmutar mientras no lleguen datos del robot.</translation>
+No se puede conmutar mientras el robot no envía datos.</translation>
     </message>
     <message>
         <source>
@@ -5335,7 +5335,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Select a row of the I/O tab with the Tab key first.</source>
-        <translation>Vaya primero a una fila de la pestaña E/S con la tecla Tab.</translation>
+        <translation>Seleccione primero una fila de la pestaña E/S con la tecla Tab.</translation>
     </message>
     <message>
         <source>The robot did not confirm %1</source>
@@ -5343,7 +5343,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Another program or the installation may control it.</source>
-        <translation>Quizá pertenezca a otro programa o a la instalación.</translation>
+        <translation>Puede que la controle otro programa o la instalación.</translation>
     </message>
     <message>
         <source>Analog</source>
@@ -5359,7 +5359,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Replay is active: return to live data first.</source>
-        <translation>Esto es una reproducción: vuelva primero a lo actual.</translation>
+        <translation>La reproducción está activa: vuelva primero a los datos en vivo.</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -5394,7 +5394,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Frame of the displayed pose</source>
-        <translation>Mostrado bajo el teclado</translation>
+        <translation>Sistema de la pose mostrada</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -5430,7 +5430,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Retraces the last motion while held</source>
-        <translation>Vuelve por donde vino el brazo mientras se mantiene</translation>
+        <translation>Recorre hacia atrás el último movimiento mientras se mantiene</translation>
     </message>
     <message>
         <source>home</source>
@@ -5446,11 +5446,11 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Another key is already held.</source>
-        <translation>Se mantiene otra tecla.</translation>
+        <translation>Ya se mantiene otra tecla.</translation>
     </message>
     <message>
         <source>Last stop: not measured, data stopped while the arm was moving</source>
-        <translation>Última parada: no vista, los datos acabaron mientras el brazo se movía</translation>
+        <translation>Última parada: no medida, los datos se interrumpieron durante el movimiento</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
@@ -5458,7 +5458,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
-        <translation>El brazo sigue la mano mientras se mantiene: %1. Clic derecho: otros ejes</translation>
+        <translation>Mueva el brazo a mano mientras mantiene esta tecla: %1. Clic derecho para elegir ejes</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -5477,7 +5477,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     <name>tiller::JogKey</name>
     <message>
         <source>%1 left in this direction</source>
-        <translation>quedan %1 en este sentido</translation>
+        <translation>quedan %1 en esta dirección</translation>
     </message>
 </context>
 <context>
@@ -5535,7 +5535,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Axes of the view: X right, Y away from you, Z up</source>
-        <translation>Ejes de la imagen: X derecha, Y alejándose, Z arriba</translation>
+        <translation>Ejes de la vista: X a la derecha, Y alejándose de usted, Z hacia arriba</translation>
     </message>
     <message>
         <source>Needs the 3D view</source>
@@ -5543,7 +5543,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>No frame taught yet. Teach a frame in the Frames tab.</source>
-        <translation>Aún no se enseñó ningún sistema. Enseñe uno en la pestaña Sistemas.</translation>
+        <translation>Aún no hay ningún sistema enseñado. Enseñe uno en la pestaña Sistemas de coordenadas.</translation>
     </message>
     <message>
         <source>One step per press: %1</source>
@@ -5551,7 +5551,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>One rotation step per press, tool or joint: %1</source>
-        <translation>Un giro por pulsación, de la herramienta o una articulación: %1</translation>
+        <translation>Un paso de giro por pulsación, herramienta o articulación: %1</translation>
     </message>
     <message>
         <source>≤ %1</source>
@@ -5559,15 +5559,15 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>Despacio hasta que la herramienta toque algo con %1 N, mientras se mantiene. Otro clic para otros pasos</translation>
+        <translation>Mueve despacio mientras se mantiene hasta que la fuerza de contacto llega a %1 N. Haga clic de nuevo para otros pasos</translation>
     </message>
     <message>
         <source>One step per press: %1. Click again for other steps</source>
-        <translation>Un paso por pulsación: %1. Otro clic para otros pasos</translation>
+        <translation>Un paso por pulsación: %1. Haga clic de nuevo para otros pasos</translation>
     </message>
     <message>
         <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>Un giro por pulsación, de la herramienta o una articulación: %1. Otro clic para otros giros</translation>
+        <translation>Un paso de giro por pulsación, herramienta o articulación: %1. Haga clic de nuevo para otros ángulos</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -5575,7 +5575,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Other angle…</source>
-        <translation>Otro giro…</translation>
+        <translation>Otro ángulo…</translation>
     </message>
     <message>
         <source>Other step…</source>
@@ -5599,7 +5599,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Angle in degrees</source>
-        <translation>Giro en grados</translation>
+        <translation>Ángulo en grados</translation>
     </message>
     <message>
         <source>TCP speed in %1</source>
@@ -5607,7 +5607,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Contact force that ends the motion, in N</source>
-        <translation>Fuerza que termina el movimiento, en N</translation>
+        <translation>Fuerza de contacto en N que termina el movimiento</translation>
     </message>
 </context>
 <context>
@@ -5733,7 +5733,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Filter the log by text</source>
-        <translation>Filtrar el registro por palabras</translation>
+        <translation>Filtrar el registro por texto</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -5745,7 +5745,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
-        <translation>Copiar las líneas seleccionadas, o todas las mostradas (Ctrl+C)</translation>
+        <translation>Copiar las entradas seleccionadas, o todas las visibles (Ctrl+C)</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -5753,11 +5753,11 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Write the visible entries to a file</source>
-        <translation>Escribir en un archivo las líneas mostradas</translation>
+        <translation>Escribir las entradas visibles en un archivo</translation>
     </message>
     <message>
         <source>Details of the selected entry</source>
-        <translation>La línea seleccionada completa</translation>
+        <translation>Detalles de la entrada seleccionada</translation>
     </message>
     <message>
         <source>write %1</source>
@@ -5781,50 +5781,50 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>Abrir la grabación de la línea seleccionada: los incidentes tienen una</translation>
+        <translation>Abrir la grabación de la entrada seleccionada (los incidentes tienen una)</translation>
     </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
     <message>
         <source>%1 collides with %2 after %3 of the path</source>
-        <translation>%1 choca con %2 del brazo tras %3 del recorrido</translation>
+        <translation>%1 choca con %2 tras el %3 de la trayectoria</translation>
     </message>
     <message>
         <source>The path enters the wrist singularity after %1 of its length</source>
-        <translation>La línea entra en la singularidad de muñeca tras %1 del recorrido</translation>
+        <translation>La trayectoria entra en la singularidad de muñeca tras el %1 de su longitud</translation>
     </message>
     <message>
         <source>Slow near the wrist singularity at %1 of the path</source>
-        <translation>Lento cerca de la singularidad de muñeca al %1 del recorrido</translation>
+        <translation>Lento cerca de la singularidad de muñeca al %1 de la trayectoria</translation>
     </message>
     <message>
         <source>The path enters the elbow singularity after %1 of its length</source>
-        <translation>La línea llega al codo estirado tras %1 del recorrido</translation>
+        <translation>La trayectoria entra en la singularidad de codo tras el %1 de su longitud</translation>
     </message>
     <message>
         <source>Slow near the elbow singularity at %1 of the path</source>
-        <translation>Lento cerca del codo estirado al %1 del recorrido</translation>
+        <translation>Lento cerca de la singularidad de codo al %1 de la trayectoria</translation>
     </message>
     <message>
         <source>The path enters the shoulder singularity after %1 of its length</source>
-        <translation>La línea llega al eje de la base tras %1 del recorrido</translation>
+        <translation>La trayectoria entra en la singularidad de hombro tras el %1 de su longitud</translation>
     </message>
     <message>
         <source>Slow near the shoulder singularity at %1 of the path</source>
-        <translation>Lento cerca del eje de la base al %1 del recorrido</translation>
+        <translation>Lento cerca de la singularidad de hombro al %1 de la trayectoria</translation>
     </message>
     <message>
         <source>A joint would have to jump after %1 of the path</source>
-        <translation>Una articulación tendría que girar de golpe tras %1 del recorrido</translation>
+        <translation>Una articulación tendría que saltar tras el %1 de la trayectoria</translation>
     </message>
     <message>
         <source>%1 exceeds its range after %2 of the path</source>
-        <translation>%1 sale de su rango tras %2 del recorrido</translation>
+        <translation>%1 supera su recorrido tras el %2 de la trayectoria</translation>
     </message>
     <message>
         <source>The path leaves the reach of the arm after %1 of its length</source>
-        <translation>La línea sale del alcance del brazo tras %1 del recorrido</translation>
+        <translation>La trayectoria sale del alcance del brazo tras el %1 de su longitud</translation>
     </message>
     <message>
         <source>Base</source>
@@ -5953,15 +5953,15 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
-        <translation>La grabación de la trayectoria terminó sola: cesaron los datos, o duró diez minutos.</translation>
+        <translation>Grabación de la trayectoria detenida: no llegan más datos, o se alcanzó el límite de diez minutos.</translation>
     </message>
     <message>
         <source>The path recorded so far is kept.</source>
-        <translation>Lo grabado hasta entonces se conserva.</translation>
+        <translation>La trayectoria grabada hasta ahora se conserva.</translation>
     </message>
     <message>
         <source>Stop recording path</source>
-        <translation>Terminar la grabación de la trayectoria</translation>
+        <translation>Detener la grabación de la trayectoria</translation>
     </message>
     <message>
         <source>Simplifying the path…</source>
@@ -5969,19 +5969,19 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
-        <translation>No llegan datos del robot: no hay nada que grabar.</translation>
+        <translation>El robot no envía datos: no hay nada que grabar.</translation>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
-        <translation>Termina la grabación y conserva la trayectoria como puntos de paso</translation>
+        <translation>Detiene la grabación y guarda la trayectoria como puntos de paso</translation>
     </message>
     <message>
         <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>Graba por dónde se lleva el brazo, con movimiento libre o a mano, hasta pulsar de nuevo, y conserva la trayectoria como puntos. No mueve nada.</translation>
+        <translation>Graba la trayectoria del brazo en movimiento libre o manual hasta que se pulse de nuevo, y la guarda como puntos de paso. El robot no se mueve.</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
-        <translation>Seleccione los puntos de la trayectoria, al menos dos.</translation>
+        <translation>Seleccione al menos dos puntos de paso de la trayectoria.</translation>
     </message>
     <message>
         <source>Export path</source>
@@ -5993,7 +5993,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
-        <translation>La trayectoria no se escribió.</translation>
+        <translation>La trayectoria no se exportó.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written as a path to %1</source>
@@ -6015,19 +6015,19 @@ Vacíe la búsqueda para verlo todo.</translation>
     <name>tiller::PathRecorder</name>
     <message>
         <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
-        <translation>%1 no tiene columna «%2». Necesita timestamp y actual_q_0 a actual_q_5.</translation>
+        <translation>%1 no tiene la columna «%2». Se requieren las columnas timestamp y actual_q_0 a actual_q_5.</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
-        <translation>No llegan datos del robot: no hay nada que grabar.</translation>
+        <translation>El robot no envía datos: no hay nada que grabar.</translation>
     </message>
     <message>
         <source>Import refused: a path is being recorded. Stop that recording first.</source>
-        <translation>No se leyó nada: se está grabando una trayectoria. Termínela primero.</translation>
+        <translation>Importación rechazada: se está grabando una trayectoria. Detenga primero esa grabación.</translation>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
-        <translation>La demostración no se pudo leer.</translation>
+        <translation>No se pudo importar la demostración.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6035,7 +6035,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>The arm did not move: no path was stored.</source>
-        <translation>El brazo no se movió: no se conservó trayectoria.</translation>
+        <translation>El brazo no se movió: no se guardó ninguna trayectoria.</translation>
     </message>
     <message>
         <source>Record “%1”</source>
@@ -6043,22 +6043,22 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
-        <translation>«%1»: %2 s en %3 puntos. Cada lugar grabado está a menos de %4 y %5 de ellos.</translation>
+        <translation>«%1»: %2 s, %3 puntos de paso. Desviación máxima de la grabación: %4 y %5.</translation>
     </message>
     <message numerus="yes">
         <source>%n packets were lost.</source>
         <translation>
-            <numerusform>%n paquete no llegó.</numerusform>
-            <numerusform>%n paquetes no llegaron.</numerusform>
+            <numerusform>Se perdió %n paquete.</numerusform>
+            <numerusform>Se perdieron %n paquetes.</numerusform>
         </translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
-        <translation>Seleccione los puntos de la trayectoria, al menos dos.</translation>
+        <translation>Seleccione al menos dos puntos de paso de la trayectoria.</translation>
     </message>
     <message>
         <source>“%1” is out of reach. Touch it up, or remove it.</source>
-        <translation>«%1» no se puede alcanzar. Retóquelo u omítalo.</translation>
+        <translation>«%1» está fuera de alcance. Retóquelo o quítelo.</translation>
     </message>
 </context>
 <context>
@@ -6081,7 +6081,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>First cell</source>
-        <translation>Primer sitio</translation>
+        <translation>Primera celda</translation>
     </message>
     <message>
         <source>End of the first row</source>
@@ -6101,7 +6101,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Cells per row</source>
-        <translation>Sitios por fila</translation>
+        <translation>Celdas por fila</translation>
     </message>
     <message>
         <source>Rows</source>
@@ -6113,11 +6113,11 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Layer height</source>
-        <translation>Altura de una capa</translation>
+        <translation>Altura de capa</translation>
     </message>
     <message>
         <source>Distance between layers, opposite to the tool direction.</source>
-        <translation>De una capa a la siguiente, contra la dirección de la herramienta.</translation>
+        <translation>Distancia entre capas, opuesta a la dirección de la herramienta.</translation>
     </message>
     <message>
         <source>Order</source>
@@ -6145,31 +6145,31 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>A pattern with this name exists. Choose another name.</source>
-        <translation>Ya hay un patrón con ese nombre. Elija otro.</translation>
+        <translation>Ya existe un patrón con este nombre. Elija otro nombre.</translation>
     </message>
     <message>
         <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>Elija el punto de cada esquina. Enseñe primero las tres esquinas donde no las haya.</translation>
+        <translation>Seleccione un punto de paso para cada esquina. Enseñe primero las tres esquinas.</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
-        <translation>Dos esquinas son el mismo lugar. Elija otro punto para una.</translation>
+        <translation>Dos esquinas son idénticas. Seleccione otro punto de paso para una de ellas.</translation>
     </message>
     <message>
         <source>Invalid layer height.</source>
-        <translation>La altura de una capa no es una cifra posible.</translation>
+        <translation>Altura de capa no válida.</translation>
     </message>
     <message>
         <source>Enter a layer height.</source>
-        <translation>Las capas necesitan una altura.</translation>
+        <translation>Introduzca una altura de capa.</translation>
     </message>
     <message>
         <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>%1 sitios son más que los %2 que puede tener un patrón.</translation>
+        <translation>El patrón tiene %1 celdas; el máximo es %2.</translation>
     </message>
     <message>
         <source>All cells are excluded.</source>
-        <translation>Todos los sitios están omitidos.</translation>
+        <translation>Todas las celdas están excluidas.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -6180,7 +6180,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>%1 All are within reach.</source>
-        <translation>%1 Todos son alcanzables.</translation>
+        <translation>%1 Todas están al alcance.</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -6189,8 +6189,8 @@ Vacíe la búsqueda para verlo todo.</translation>
     <message numerus="yes">
         <source>%n of them are out of reach and marked.</source>
         <translation>
-            <numerusform>%n queda fuera de alcance y está marcado.</numerusform>
-            <numerusform>%n quedan fuera de alcance y están marcados.</numerusform>
+            <numerusform>%n de ellas está fuera de alcance y marcada.</numerusform>
+            <numerusform>%n de ellas están fuera de alcance y marcadas.</numerusform>
         </translation>
     </message>
 </context>
@@ -6198,11 +6198,11 @@ Vacíe la búsqueda para verlo todo.</translation>
     <name>tiller::PatternGrid</name>
     <message>
         <source>Cells of the pattern</source>
-        <translation>Sitios del patrón</translation>
+        <translation>Celdas del patrón</translation>
     </message>
     <message>
         <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>Haga clic en un sitio para omitirlo o incluirlo de nuevo. La primera esquina está abajo a la izquierda.</translation>
+        <translation>Haga clic en una celda para excluirla o incluirla. La primera esquina está abajo a la izquierda.</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -6221,11 +6221,11 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Measure payload</source>
-        <translation>Hallar la carga útil</translation>
+        <translation>Medir la carga útil</translation>
     </message>
     <message>
         <source>Measure the payload in several poses</source>
-        <translation>Hallar la carga útil pesándola en varias poses</translation>
+        <translation>Medir la carga útil en varias poses</translation>
     </message>
     <message>
         <source>Next pose, hold</source>
@@ -6233,7 +6233,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
-        <translation>Gira la muñeca a la pose siguiente mientras se mantiene la tecla, no más rápido que la velocidad manual. Vea que la herramienta tenga sitio para girar.</translation>
+        <translation>Gira la muñeca a la siguiente pose mientras se mantiene la tecla, no más rápido que la velocidad de movimiento manual. Asegúrese de que la herramienta tiene espacio para girar.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6241,49 +6241,49 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Cancel payload measurement</source>
-        <translation>Cancelar la búsqueda de la carga útil</translation>
+        <translation>Cancelar la medición de la carga útil</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+        <translation>Tiller no tiene el control. Tome primero el control.</translation>
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
-        <translation>El brazo se movió. Deje que se detenga, no toque nada y tome la pose de nuevo.</translation>
+        <translation>El brazo se movió. Espere el reposo, mantenga la herramienta sin contacto y tome la pose de nuevo.</translation>
     </message>
     <message>
         <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
-        <translation>El robot no envía fuerzas. Introduzca masa y centro en cifras.</translation>
+        <translation>El robot no envía fuerzas. Introduzca la masa y el centro de gravedad.</translation>
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
-        <translation>Pesando… que nada toque la herramienta.</translation>
+        <translation>Midiendo la carga útil… Mantenga la herramienta sin contacto.</translation>
     </message>
     <message>
         <source>%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.</source>
-        <translation>%1 kg, centro a %2 de la brida. Las poses coinciden en %3 y %4.</translation>
+        <translation>%1 kg, centro de gravedad a %2 de la brida. Las poses coinciden dentro de %3 y %4.</translation>
     </message>
     <message>
         <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
-        <translation>%1 Eso es pobre: la pose %2 es la que menos encaja. Quítela y tome otra.</translation>
+        <translation>%1 La precisión es baja: la pose %2 es la que más se desvía. Quítela y tome otra.</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
-        <translation>La herramienta gira demasiado poco entre las poses. Tome otra, girada a otro lado.</translation>
+        <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome una pose más con la herramienta girada en otra dirección.</translation>
     </message>
     <message>
         <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg: demasiado ligera para que el sensor diga dónde está su centro. Introdúzcalo en cifras.</translation>
+        <translation>%1 kg: demasiado ligera para medir el centro de gravedad. Introdúzcalo manualmente.</translation>
     </message>
     <message>
         <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
-        <translation>Deje que el brazo se detenga, no toque nada y tome la pose. Después gire la muñeca, a mano o con «Pose siguiente», y tome tres más.</translation>
+        <translation>Espere el reposo, mantenga la herramienta sin contacto y tome la pose. Después gire la muñeca, con las teclas o con «Pose siguiente», y tome tres poses más.</translation>
     </message>
     <message numerus="yes">
         <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Gire la muñeca a otro lado y tome la pose. Faltan: %n</numerusform>
-            <numerusform>Gire la muñeca a otro lado y tome la pose. Faltan: %n</numerusform>
+            <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n</numerusform>
+            <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n</numerusform>
         </translation>
     </message>
     <message>
@@ -6292,11 +6292,11 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Remove least accurate pose</source>
-        <translation>Quitar la peor</translation>
+        <translation>Quitar la pose menos precisa</translation>
     </message>
     <message>
         <source>Remove last pose</source>
-        <translation>Quitar la última</translation>
+        <translation>Quitar la última pose</translation>
     </message>
     <message>
         <source>Pose %1  %2</source>
@@ -6304,7 +6304,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ encaja menos</translation>
+        <translation>  ◀ menos precisa</translation>
     </message>
 </context>
 <context>
@@ -6335,7 +6335,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Another payload is named “%1”. Choose another name.</source>
-        <translation>«%1» ya es el nombre de otra carga útil. Elija otro nombre.</translation>
+        <translation>Otra carga útil se llama «%1». Elija otro nombre.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -6360,8 +6360,8 @@ Vacíe la búsqueda para verlo todo.</translation>
     <message>
         <source>No payloads yet.
 Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
-        <translation>Aún no hay carga útil.
-Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el brazo.</translation>
+        <translation>Aún no hay cargas útiles.
+Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medirla con el brazo.</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -6397,7 +6397,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
-        <translation>Intro lo aplica al proyecto; el robot conserva lo suyo.</translation>
+        <translation>Pulse Intro para aplicar al proyecto. La carga útil del robot no cambia.</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -6409,27 +6409,27 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Measure…</source>
-        <translation>Pesar…</translation>
+        <translation>Medir…</translation>
     </message>
     <message>
         <source>Measure the payload with the arm</source>
-        <translation>Hallar la carga útil con el brazo</translation>
+        <translation>Medir la carga útil con el brazo</translation>
     </message>
     <message>
         <source>Verify</source>
-        <translation>¿Es cierta?</translation>
+        <translation>Comprobar</translation>
     </message>
     <message>
         <source>Verify the payload</source>
-        <translation>Comprobar si la carga útil es cierta</translation>
+        <translation>Comprobar la carga útil</translation>
     </message>
     <message>
         <source>Store the active payload of the robot</source>
-        <translation>Conservar la carga útil que tiene el robot</translation>
+        <translation>Guardar la carga útil activa del robot</translation>
     </message>
     <message>
         <source>Enter new payload</source>
-        <translation>Nueva carga útil en cifras</translation>
+        <translation>Introducir carga útil nueva</translation>
     </message>
     <message>
         <source>payload</source>
@@ -6465,7 +6465,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Select the payload to set.</source>
-        <translation>Seleccione una carga útil para fijar.</translation>
+        <translation>Seleccione la carga útil que se va a fijar.</translation>
     </message>
     <message>
         <source>Use the payload “%1”</source>
@@ -6473,7 +6473,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+        <translation>Tiller no tiene el control. Tome primero el control.</translation>
     </message>
     <message>
         <source>Delete the payload “%1”</source>
@@ -6481,19 +6481,19 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
-        <translation>Pesando… que nada toque la herramienta.</translation>
+        <translation>Midiendo la carga útil… Mantenga la herramienta sin contacto.</translation>
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
-        <translation>El brazo se movió. Deje que se detenga, no toque nada y compruebe de nuevo.</translation>
+        <translation>El brazo se movió. Espere el reposo, mantenga la herramienta sin contacto y compruebe de nuevo.</translation>
     </message>
     <message>
         <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>El robot no envía fuerzas: su carga útil no se puede comprobar.</translation>
+        <translation>El robot no envía fuerzas: no se puede comprobar la carga útil.</translation>
     </message>
     <message>
         <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>Con %1 kg el brazo siente en reposo %2 y %3.</translation>
+        <translation>Con %1 kg, el brazo mide %2 y %3 en reposo.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -6505,39 +6505,39 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
-        <translation>Cuelgan unos %1 kg más de lo que se le dijo.</translation>
+        <translation>La carga pesa unos %1 kg más que la carga útil configurada.</translation>
     </message>
     <message>
         <source>The load is about %1 kg lighter than the configured payload.</source>
-        <translation>Cuelgan unos %1 kg menos de lo que se le dijo.</translation>
+        <translation>La carga pesa unos %1 kg menos que la carga útil configurada.</translation>
     </message>
     <message>
         <source>The centre of gravity differs, or something is touching the tool.</source>
-        <translation>Su centro está en otro sitio, o algo toca la herramienta.</translation>
+        <translation>El centro de gravedad difiere, o algo toca la herramienta.</translation>
     </message>
     <message>
         <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
-        <translation>%1 %2 Pésela o elija otra carga útil. Poner a cero el sensor de fuerza oculta una carga útil falsa hasta que la herramienta gire.</translation>
+        <translation>%1 %2 Mídala o seleccione otra carga útil. Poner a cero el sensor de fuerza oculta una carga útil incorrecta hasta que la herramienta gira.</translation>
     </message>
     <message>
         <source>The payload is wrong. %1 %2</source>
-        <translation>La carga útil no es cierta. %1 %2</translation>
+        <translation>La carga útil es incorrecta. %1 %2</translation>
     </message>
     <message>
         <source>The payload is wrong</source>
-        <translation>La carga útil no es cierta</translation>
+        <translation>La carga útil es incorrecta</translation>
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1, como la tiene el robot</translation>
+        <translation>%1, activo en el robot</translation>
     </message>
     <message>
         <source>%1; the robot has %2 kg, centre of gravity %3</source>
-        <translation>%1; al robot se le dijo %2 kg, centro %3</translation>
+        <translation>%1; el robot tiene %2 kg, centro de gravedad %3</translation>
     </message>
     <message>
         <source>The robot&apos;s payload differs from “%1”</source>
-        <translation>El robot tiene otra carga útil que «%1»</translation>
+        <translation>La carga útil del robot difiere de «%1»</translation>
     </message>
     <message>
         <source>On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing was changed.</source>
@@ -6576,11 +6576,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>X-axis signal</source>
-        <translation>Respecto a esta señal</translation>
+        <translation>Señal del eje X</translation>
     </message>
     <message>
         <source>Add a signal to the plots first.</source>
-        <translation>Ponga primero una señal en los gráficos.</translation>
+        <translation>Añada primero una señal a los gráficos.</translation>
     </message>
     <message>
         <source>There are no samples in this range.</source>
@@ -6588,11 +6588,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
-        <translation>Faltan muestras en este intervalo: ponga los cursores A y B de modo que no haya hueco entre ellos.</translation>
+        <translation>Faltan muestras en este intervalo: coloque los cursores A y B sin huecos entre ellos.</translation>
     </message>
     <message>
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
-        <translation>Ventana de Hann de %1 muestras · %2 Hz por línea · media de %3 · %4 … %5 s</translation>
+        <translation>Ventana de Hann de %1 muestras · resolución %2 Hz · media de %3 · %4 … %5 s</translation>
     </message>
     <message>
         <source>Frequency [Hz]</source>
@@ -6612,8 +6612,8 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     <message numerus="yes">
         <source>%n sample(s), every %1th shown</source>
         <translation>
-            <numerusform>%n muestra, una de cada %1</numerusform>
-            <numerusform>%n muestras, una de cada %1</numerusform>
+            <numerusform>%n muestra, se muestra 1 de cada %1</numerusform>
+            <numerusform>%n muestras, se muestra 1 de cada %1</numerusform>
         </translation>
     </message>
     <message>
@@ -6622,7 +6622,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
-        <translation>Estas dos no son de la misma grabación: coloque los cursores A y B alrededor de un intervalo más corto.</translation>
+        <translation>Estas señales son de grabaciones distintas: coloque los cursores A y B alrededor de un intervalo más corto.</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -6633,11 +6633,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     <name>tiller::PlotComparison</name>
     <message>
         <source>Not compared with the arm model: the recording does not state the robot model.</source>
-        <translation>No comparado con el modelo del brazo: no se sabe qué brazo es.</translation>
+        <translation>No comparada con el modelo del brazo: la grabación no indica el modelo de robot.</translation>
     </message>
     <message>
         <source>Arm and model diverge: %1</source>
-        <translation>El brazo y el modelo se separan: %1</translation>
+        <translation>El brazo y el modelo difieren: %1</translation>
     </message>
     <message>
         <source>Comparing the arm with its model: %1</source>
@@ -6680,7 +6680,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
-        <translation>Haga clic en los gráficos para poner los cursores A y B; arrástrelos, o use las teclas A, B y las flechas. Haga clic en un nombre de la leyenda para ocultar su curva, con Ctrl para leer esa señal.</translation>
+        <translation>Haga clic en los gráficos para colocar los cursores A y B; arrástrelos o use las teclas A, B y las flechas. Haga clic en una entrada de la leyenda para ocultar su curva; Ctrl+clic lee esa señal en los cursores.</translation>
     </message>
     <message>
         <source>Time window</source>
@@ -6688,7 +6688,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
-        <translation>Cuánto tiempo muestran los gráficos. La rueda sobre los gráficos hace zoom; sobre los valores de la izquierda, o con Ctrl, los escala, y un doble clic allí deja decidir de nuevo a las curvas.</translation>
+        <translation>Intervalo de tiempo de los gráficos. La rueda del ratón amplía el eje de tiempo; sobre el eje de valores o con Ctrl, amplía los valores. Doble clic en el eje de valores ajusta la escala automáticamente.</translation>
     </message>
     <message>
         <source>Pause the plots</source>
@@ -6704,7 +6704,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Export the visible range</source>
-        <translation>Exportar el intervalo mostrado</translation>
+        <translation>Exportar el intervalo visible</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6712,7 +6712,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Save the visible range as an image (PNG) or as values (CSV)</source>
-        <translation>Guardar lo mostrado como imagen (PNG) o como valores (CSV)</translation>
+        <translation>Guardar el intervalo visible como imagen (PNG) o como valores (CSV)</translation>
     </message>
     <message>
         <source>Record to a CSV file</source>
@@ -6720,11 +6720,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>Grabar lo que envía el robot en un archivo CSV; la tecla de al lado dice qué y dónde</translation>
+        <translation>Grabar los datos del robot en un archivo CSV. La flecha define señales y carpeta</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>La fuerza no se puso a cero: los gráficos no muestran muestras. Conéctese a un robot o vaya a un tiempo con muestras.</translation>
+        <translation>No se puede poner a cero la fuerza: los gráficos no muestran muestras. Conéctese a un robot o vaya a un momento con muestras.</translation>
     </message>
     <message>
         <source>Paused · %1 s back</source>
@@ -6752,7 +6752,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Freeze the plots; data and recording continue</source>
-        <translation>Congelar los gráficos; los datos y la grabación siguen</translation>
+        <translation>Congelar los gráficos; los datos y la grabación continúan</translation>
     </message>
     <message>
         <source>Back to the newest samples</source>
@@ -6760,11 +6760,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Show the force as measured by the robot. %1</source>
-        <translation>Mostrar de nuevo la fuerza como la mide el robot. %1</translation>
+        <translation>Mostrar la fuerza medida por el robot. %1</translation>
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
-        <translation>Contar la fuerza desde lo que es ahora. Solo lo que muestran los gráficos: el robot, las grabaciones y los valores exportados conservan lo medido.</translation>
+        <translation>Restar la fuerza actual en los gráficos. El robot, las grabaciones y los valores exportados no cambian.</translation>
     </message>
     <message>
         <source>● REC %1</source>
@@ -6788,11 +6788,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>No se exportó nada: los gráficos no muestran muestras. Conéctese a un robot o vaya a un tiempo con muestras.</translation>
+        <translation>No se puede exportar: los gráficos no muestran muestras. Conéctese a un robot o vaya a un momento con muestras.</translation>
     </message>
     <message>
         <source>Exported the visible range to %1</source>
-        <translation>Intervalo mostrado exportado a %1</translation>
+        <translation>Intervalo visible exportado a %1</translation>
     </message>
     <message>
         <source>Picture (*.png)</source>
@@ -6812,7 +6812,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Recording options</source>
-        <translation>Qué se graba</translation>
+        <translation>Opciones de grabación</translation>
     </message>
     <message>
         <source>Rows, signals, folder and file name of the next recording</source>
@@ -6820,13 +6820,13 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>One row per packet</source>
-        <translation>Una fila por cada paquete</translation>
+        <translation>Una fila por paquete</translation>
     </message>
     <message numerus="yes">
         <source>One row every %n packet(s)</source>
         <translation>
-            <numerusform>Una fila por cada paquete</numerusform>
-            <numerusform>Una fila por cada %n paquetes</numerusform>
+            <numerusform>Una fila cada %n paquete</numerusform>
+            <numerusform>Una fila cada %n paquetes</numerusform>
         </translation>
     </message>
     <message>
@@ -6850,7 +6850,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Open folder</source>
-        <translation>Mostrar la carpeta</translation>
+        <translation>Abrir la carpeta</translation>
     </message>
     <message>
         <source>Folder for recordings</source>
@@ -6866,11 +6866,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>nombre el archivo .png, .svg o .pdf para una imagen, .csv para valores</translation>
+        <translation>use la extensión .png, .svg o .pdf para una imagen, o .csv para valores</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
-        <translation>%1, en %2 s del tiempo de los gráficos</translation>
+        <translation>%1, a los %2 s en el eje de tiempo</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -6886,7 +6886,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>The plots were copied to the clipboard as an image.</source>
-        <translation>Los gráficos están en el portapapeles como imagen.</translation>
+        <translation>Los gráficos se copiaron al portapapeles como imagen.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -6922,11 +6922,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Save layout…</source>
-        <translation>Guardar esta disposición…</translation>
+        <translation>Guardar disposición…</translation>
     </message>
     <message>
         <source>Open layout…</source>
-        <translation>Abrir una disposición…</translation>
+        <translation>Abrir disposición…</translation>
     </message>
     <message>
         <source>Memory for the history</source>
@@ -6954,7 +6954,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Plot layouts (*.json)</source>
-        <translation>Disposición de gráficos (*.json)</translation>
+        <translation>Disposiciones de gráficos (*.json)</translation>
     </message>
     <message>
         <source>Open plot layout</source>
@@ -6974,7 +6974,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>Todo lo que dice el robot: arrástrelo a un gráfico, a su borde para uno propio, o doble clic</translation>
+        <translation>Todas las señales del robot: arrastre una señal a un gráfico, o a su borde para crear uno nuevo, o haga doble clic en ella</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -6986,7 +6986,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
-        <translation>Lo que tiene cada señal en los cursores A y B, y lo que hay entre ellos: menor, mayor, media, RMS, desviación, pendiente</translation>
+        <translation>Valores en los cursores A y B y estadísticas entre ellos: mínimo, máximo, media, RMS, desviación típica, pendiente</translation>
     </message>
     <message>
         <source>Pages and layout of the plots</source>
@@ -7006,7 +7006,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Export the visible range…</source>
-        <translation>Exportar el intervalo mostrado…</translation>
+        <translation>Exportar el intervalo visible…</translation>
     </message>
     <message>
         <source>Time axis</source>
@@ -7014,7 +7014,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Relative to the newest sample</source>
-        <translation>Antes de la muestra más reciente</translation>
+        <translation>Respecto a la muestra más reciente</translation>
     </message>
     <message>
         <source>Controller time</source>
@@ -7026,7 +7026,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>The maximum number of plot pages is reached: remove a page first.</source>
-        <translation>Hay tantas páginas de gráficos como puede haber: quite primero una.</translation>
+        <translation>Se alcanzó el número máximo de páginas de gráficos: quite primero una.</translation>
     </message>
     <message>
         <source>Record to an MCAP file</source>
@@ -7034,7 +7034,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>Graba lo que envía el robot en un archivo MCAP; la tecla de al lado dice qué y dónde</translation>
+        <translation>Grabar los datos del robot en un archivo MCAP. La flecha define señales y carpeta</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7087,7 +7087,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Double-click to rename</source>
-        <translation>Doble clic: otro nombre</translation>
+        <translation>Doble clic para renombrar</translation>
     </message>
 </context>
 <context>
@@ -7150,15 +7150,15 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>Haga clic en los gráficos para poner A, después B: lo que hay entre ellos se resume aquí.</translation>
+        <translation>Haga clic en los gráficos para colocar A y después B. Aquí aparecen las estadísticas del intervalo entre ellos.</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
-        <translation>%1 · resumiendo: %2</translation>
+        <translation>%1 · calculando: %2</translation>
     </message>
     <message>
         <source>Statistics are incomplete: %1</source>
-        <translation>No se pudo resumir todo el intervalo: %1</translation>
+        <translation>Las estadísticas están incompletas: %1</translation>
     </message>
 </context>
 <context>
@@ -7185,7 +7185,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Fixed scale · double-click the axis to scale automatically</source>
-        <translation>Escala fija · doble clic en el eje para soltarla</translation>
+        <translation>Escala fija · doble clic en el eje para ajustarla automáticamente</translation>
     </message>
     <message>
         <source>No samples yet: connect to a robot</source>
@@ -7193,7 +7193,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Zeroed (offset %1 %2)</source>
-        <translation>A cero: %1 %2 descontados</translation>
+        <translation>Puesta a cero (desplazamiento %1 %2)</translation>
     </message>
     <message>
         <source>Plots over time</source>
@@ -7201,7 +7201,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A y B ponen los cursores, las flechas los mueven, arriba y abajo eligen la señal que leen; H oculta su curva, Ctrl+Supr la quita; más y menos cambian la ventana de tiempo, con Ctrl la escala de los valores, Ctrl+0 deja decidir de nuevo a las curvas; N escribe una nota; F muestra todo; Fin vuelve a las muestras más nuevas</translation>
+        <translation>A y B colocan los cursores, izquierda y derecha los mueven, arriba y abajo eligen la señal que leen. H oculta su curva, Ctrl+Supr la quita. Más y menos cambian el intervalo de tiempo, con Ctrl la escala de valores; Ctrl+0 la ajusta automáticamente. N añade una nota, F muestra todos los datos, Fin vuelve a las muestras más recientes</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -7263,11 +7263,11 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>orientación según Ajustes. Δ₀: recorrido desde cero. Clic: recorrido desde la pulsación</translation>
+        <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic: desplazamiento desde la pulsación</translation>
     </message>
     <message>
         <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>orientación según Ajustes. Δ: recorrido desde la pulsación. Clic: cero aquí</translation>
+        <translation>orientación como en Ajustes. Δ: desplazamiento desde la pulsación. Clic: cero aquí</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -7290,7 +7290,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
     </message>
     <message>
         <source>Another position is named “%1”. Choose another name.</source>
-        <translation>«%1» ya es el nombre de otra posición. Elija otro nombre.</translation>
+        <translation>Otra posición se llama «%1». Elija otro nombre.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -7304,7 +7304,7 @@ Pulse Del robot para conservar la que tiene, o Pesar… para hallarla con el bra
         <source>No positions yet.
 Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>Aún no hay posiciones.
-Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translation>
+Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí».</translation>
     </message>
     <message>
         <source>Safe height</source>
@@ -7312,11 +7312,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
-        <translation>%1. Intro lo aplica; no se mueve nada salvo la posición.</translation>
+        <translation>%1. Pulse Intro para aplicar. Solo cambia la posición guardada; el robot no se mueve.</translation>
     </message>
     <message>
         <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
-        <translation>Por encima, en el sistema base, no hay nada: allí el TCP puede ir de lado.</translation>
+        <translation>Altura en el sistema de la base por encima de la cual no hay obstáculos: ahí el TCP puede moverse lateralmente.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -7324,7 +7324,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>Set the safe height to the current TCP height</source>
-        <translation>La altura segura es donde está ahora el TCP</translation>
+        <translation>Fijar la altura segura a la altura actual del TCP</translation>
     </message>
     <message>
         <source>Set home here</source>
@@ -7336,7 +7336,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>Store the current position of the arm</source>
-        <translation>Conservar la posición que tiene el brazo</translation>
+        <translation>Guardar la posición actual del brazo</translation>
     </message>
     <message>
         <source>Use as home</source>
@@ -7352,7 +7352,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>Reset to default home</source>
-        <translation>Usar de nuevo el inicio habitual</translation>
+        <translation>Restablecer el inicio predeterminado</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -7364,7 +7364,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
+        <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -7372,11 +7372,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>Set “%1” to the current position of the arm?</source>
-        <translation>¿Fijar «%1» donde está el brazo?</translation>
+        <translation>¿Fijar «%1» en la posición actual del brazo?</translation>
     </message>
     <message>
         <source>The Home key will move the arm there.</source>
-        <translation>La tecla Inicio va allí desde ahora.</translation>
+        <translation>La tecla Inicio moverá el brazo hasta allí.</translation>
     </message>
     <message>
         <source>Set home</source>
@@ -7436,11 +7436,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>La tecla Inicio va al inicio habitual: erguido, libre de sí mismo.</translation>
+        <translation>La tecla Inicio lleva a la posición predeterminada: brazo vertical, sin colisión consigo mismo.</translation>
     </message>
     <message>
         <source>%1: target of the Home key</source>
-        <translation>%1: la tecla Inicio va allí</translation>
+        <translation>%1: destino de la tecla Inicio</translation>
     </message>
     <message>
         <source>%1 · %2 %3 from here</source>
@@ -7451,7 +7451,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     <name>tiller::Practice</name>
     <message>
         <source>Start the simulated robot first (robot menu).</source>
-        <translation>Inicie primero el robot simulado: está en el menú Robot.</translation>
+        <translation>Inicie primero el robot simulado (menú Robot).</translation>
     </message>
     <message>
         <source>Power the arm on and release the brakes first.</source>
@@ -7459,11 +7459,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>El brazo está en una parada. Recupérelo primero.</translation>
+        <translation>El sistema de seguridad detuvo el brazo. Recupérelo primero.</translation>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
-        <translation>Hecho. Iniciar lo repite.</translation>
+        <translation>Hecho. Pulse Iniciar para repetir la tarea.</translation>
     </message>
     <message>
         <source>Press Start.</source>
@@ -7490,7 +7490,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>enter value, press Return</source>
-        <translation>cifra, después Intro</translation>
+        <translation>introduzca el valor, pulse Intro</translation>
     </message>
     <message>
         <source>Fz [N]</source>
@@ -7510,15 +7510,15 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>Starts or restarts the task</source>
-        <translation>Empieza el ejercicio, o lo empieza de nuevo</translation>
+        <translation>Inicia o reinicia la tarea</translation>
     </message>
     <message>
         <source>Continues with the next task</source>
-        <translation>Pasa al ejercicio siguiente</translation>
+        <translation>Continúa con la tarea siguiente</translation>
     </message>
     <message>
         <source>Available after the check above has passed</source>
-        <translation>Posible cuando la comprobación de arriba lo diga</translation>
+        <translation>Disponible cuando se supere la comprobación de arriba</translation>
     </message>
 </context>
 <context>
@@ -7529,11 +7529,11 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>Check</source>
-        <translation>Mirar</translation>
+        <translation>Comprobar</translation>
     </message>
     <message>
         <source>Failed</source>
-        <translation>Mal</translation>
+        <translation>Error</translation>
     </message>
     <message>
         <source>Not checked</source>
@@ -7549,7 +7549,7 @@ Lleve el brazo a un lugar y pulse Fijar inicio aquí o Añadir aquí.</translati
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>Conectado de todos modos, la ventana muestra los datos que haya. Lo rojo de arriba puede impedir tomar el control o terminar un movimiento en marcha.</translation>
+        <translation>Si se conecta de todos modos, la ventana muestra los datos disponibles. Los puntos en rojo de arriba pueden impedir tomar el control o detener un movimiento en curso.</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -7571,9 +7571,9 @@ Watch the arm, not the screen, while you hold a key.
 Release the key to stop the arm.</source>
         <translation>Mantenga a todos fuera del alcance del brazo.
 Tenga a mano la parada de emergencia: STOP en esta ventana es una parada por software.
-Empiece despacio: la primera velocidad es %1.
+Empiece despacio: la velocidad inicial es %1.
 Mire el brazo, no la pantalla, mientras mantiene una tecla.
-Suelte la tecla y el brazo se detiene.</translation>
+Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>Checking %1…</source>
@@ -7581,7 +7581,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>Problems found</source>
-        <translation>Algo lo impide</translation>
+        <translation>Se encontraron problemas</translation>
     </message>
     <message>
         <source>Ready, with warnings</source>
@@ -7626,7 +7626,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>%1. Update Tiller to open it. The file was not changed.</source>
-        <translation>%1. Actualice Tiller para abrirlo. El archivo quedó como estaba.</translation>
+        <translation>%1. Actualice Tiller para abrirlo. El archivo no se modificó.</translation>
     </message>
     <message>
         <source>Open project</source>
@@ -7650,7 +7650,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>“%1” is a copy with unsaved changes.</source>
-        <translation>«%1» es una copia y tiene cambios que no están en ningún archivo.</translation>
+        <translation>«%1» es una copia con cambios sin guardar.</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -7949,7 +7949,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>Suspected joint: %1 (largest deviation from its target current).</source>
-        <translation>Articulación sospechosa: %1, cuya corriente se apartó más de su objetivo.</translation>
+        <translation>Articulación sospechosa: %1 (mayor desviación respecto a su corriente de consigna).</translation>
     </message>
     <message>
         <source> (%1 s)</source>
@@ -7957,11 +7957,11 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>Tick the items that you have checked.</source>
-        <translation>Marque lo que ha mirado.</translation>
+        <translation>Marque los puntos que ha comprobado.</translation>
     </message>
     <message>
         <source>Requested; waiting for the robot…</source>
-        <translation>Pedido; esperando al robot…</translation>
+        <translation>Solicitado; esperando al robot…</translation>
     </message>
 </context>
 <context>
@@ -7992,7 +7992,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>Input register type</source>
-        <translation>Tipo de registro de entrada</translation>
+        <translation>Tipo del registro de entrada</translation>
     </message>
     <message>
         <source>Input register number</source>
@@ -8019,7 +8019,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>Mostrar lo que el robot hace ahora; una grabación queda abierta en los gráficos</translation>
+        <translation>Mostrar el estado actual del robot. La grabación sigue abierta en los gráficos</translation>
     </message>
 </context>
 <context>
@@ -8042,7 +8042,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>The popup could not be closed from here: close it on the teach pendant.</source>
-        <translation>No se pudo cerrar desde aquí: ciérrelo en la consola portátil.</translation>
+        <translation>La ventana emergente no se pudo cerrar desde aquí: ciérrela en la consola portátil.</translation>
     </message>
     <message>
         <source>No data from the robot: close it on the teach pendant.</source>
@@ -8057,7 +8057,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>A waiting program continues when the popup is closed: keep clear of the arm.</source>
-        <translation>Un programa que lo espera sigue cuando se cierra: apártese del brazo.</translation>
+        <translation>Un programa en espera continúa al cerrar la ventana emergente: manténgase alejado del brazo.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8096,7 +8096,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>Taking control was cancelled by a stop</source>
-        <translation>Una parada terminó la toma de control</translation>
+        <translation>Una parada canceló la toma de control</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -8136,11 +8136,11 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>No data from the robot. Reconnecting automatically; motion does not resume.</source>
-        <translation>Sin datos del robot. Se reconecta solo; el movimiento no se reanuda.</translation>
+        <translation>Sin datos del robot. Se reconecta automáticamente; el movimiento no se reanuda.</translation>
     </message>
     <message>
         <source>Robot data are late.</source>
-        <translation>Los datos del robot llegan tarde.</translation>
+        <translation>Los datos del robot se retrasan.</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -8182,7 +8182,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
-        <translation>La pinza no da valores. Encienda el brazo; si sigue así, compruebe el cable de la pinza en la muñeca.</translation>
+        <translation>La pinza no envía valores. Encienda el brazo; si el problema continúa, compruebe el cable de la pinza en la muñeca.</translation>
     </message>
     <message>
         <source>The gripper answers again</source>
@@ -8194,7 +8194,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
-        <translation>La pinza no se activó. Vea que nada bloquee sus dedos y pulse de nuevo Activar.</translation>
+        <translation>La pinza no se activó. Compruebe que nada bloquea sus dedos y pulse Activar de nuevo.</translation>
     </message>
     <message>
         <source>The gripper holds an object (%1 open)</source>
@@ -8214,27 +8214,27 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
-        <translation>Nadie responde por la pinza en %1:%2. Instale el URCap de Robotiq en el robot y elija la pinza en su Instalación.</translation>
+        <translation>Ningún servicio de pinza responde en %1:%2. Instale el URCap de Robotiq en el robot y seleccione la pinza en su Instalación.</translation>
     </message>
     <message>
         <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>La pinza no responde. Compruebe su cable en la muñeca y su página en la Instalación del robot; si sigue así, reinicie el robot.</translation>
+        <translation>La pinza no responde. Compruebe su cable en la muñeca y su página en la Instalación del robot; si el problema continúa, reinicie el robot.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
-        <translation>El robot terminó la conexión con la pinza; quizá se está reiniciando. Vuelve sola; la pinza sigue sujetando.</translation>
+        <translation>El robot cerró la conexión con la pinza y puede estar reiniciándose. Tiller se reconecta automáticamente; la pinza mantiene el agarre.</translation>
     </message>
     <message>
         <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
-        <translation>La pinza no lo aceptó. Actívela; si está activa, mire su página en la Instalación del robot.</translation>
+        <translation>La pinza no aceptó la orden. Actívela; si está activa, compruebe su página en la Instalación del robot.</translation>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
-        <translation>La pinza se está activando: lo pedido se hace después.</translation>
+        <translation>La pinza se está activando; la orden se ejecuta después.</translation>
     </message>
     <message>
         <source>The gripper received a motion command before it was active. Press Activate.</source>
-        <translation>Se envió la pinza a un sitio antes de estar activa. Pulse Activar.</translation>
+        <translation>La pinza recibió una orden de movimiento antes de estar activa. Pulse Activar.</translation>
     </message>
     <message>
         <source>The gripper is too hot. Let it cool down, then press Activate.</source>
@@ -8242,11 +8242,11 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
-        <translation>La pinza no oyó nada durante un segundo. Compruebe su cable en la muñeca y pulse Activar.</translation>
+        <translation>La pinza no recibió ninguna orden durante un segundo. Compruebe su cable en la muñeca y pulse Activar.</translation>
     </message>
     <message>
         <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
-        <translation>La pinza tiene poca tensión. Ponga la tensión de la herramienta a 24 V y pulse Activar.</translation>
+        <translation>La tensión de alimentación de la pinza es demasiado baja. Ajuste la tensión de la herramienta a 24 V y pulse Activar.</translation>
     </message>
     <message>
         <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
@@ -8254,23 +8254,23 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>The automatic release of the gripper is complete. Press Activate.</source>
-        <translation>La liberación automática de la pinza terminó. Pulse Activar.</translation>
+        <translation>La liberación automática de la pinza ha terminado. Pulse Activar.</translation>
     </message>
     <message>
         <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
-        <translation>La pinza tiene un fallo interno. Pulse Activar; si vuelve, pregunte a Robotiq.</translation>
+        <translation>La pinza tiene un fallo interno. Pulse Activar; si el fallo vuelve, contacte con Robotiq.</translation>
     </message>
     <message>
         <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
-        <translation>La activación falló. Vea que nada bloquee los dedos y pulse Activar.</translation>
+        <translation>La activación falló. Compruebe que nada bloquea los dedos y pulse Activar.</translation>
     </message>
     <message>
         <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
-        <translation>La pinza consume demasiada corriente. Vea que nada bloquee los dedos y pulse Activar.</translation>
+        <translation>La pinza consume demasiada corriente. Compruebe que nada bloquea los dedos y pulse Activar.</translation>
     </message>
     <message>
         <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
-        <translation>La pinza comunica el fallo %1. Pulse Activar; si vuelve, vea su manual.</translation>
+        <translation>La pinza comunica el fallo %1. Pulse Activar; si el fallo vuelve, consulte su manual.</translation>
     </message>
 </context>
 <context>
@@ -8288,7 +8288,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>Default view, perspective</source>
-        <translation>Mirar desde el primer lado, en perspectiva</translation>
+        <translation>Vista predeterminada, en perspectiva</translation>
     </message>
     <message>
         <source>Front</source>
@@ -8320,7 +8320,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>Fit the arm, target and waypoints in the view</source>
-        <translation>Brazo, objetivo y puntos de paso en la imagen</translation>
+        <translation>Ajustar brazo, objetivo y puntos de paso a la vista</translation>
     </message>
 </context>
 <context>
@@ -8331,7 +8331,7 @@ Suelte la tecla y el brazo se detiene.</translation>
     </message>
     <message>
         <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
-        <translation>Arrastre o use las flechas para mirar desde otro lado, con Mayús o el botón derecho para mover la imagen, la rueda o más y menos para acercarse, doble clic o Inicio para la primera vista. Nada de esto mueve el robot.</translation>
+        <translation>Arrastre o use las flechas para girar la vista; con Mayús o el botón derecho la desplaza. Amplíe con la rueda o con más y menos. Doble clic o Inicio para la vista predeterminada. Nada de esto mueve el robot.</translation>
     </message>
     <message>
         <source>NO DATA</source>
@@ -8668,7 +8668,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+        <translation>Tiller no tiene el control. Tome primero el control.</translation>
     </message>
     <message>
         <source>Delete the TCP “%1”</source>
@@ -8680,7 +8680,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1, como lo tiene el robot</translation>
+        <translation>%1, activo en el robot</translation>
     </message>
     <message>
         <source>%1, %2 from the robot&apos;s TCP</source>
@@ -8798,27 +8798,27 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
-        <translation>La brida giró %1 por el camino, sobre todo en la pose %2. Tome las tres de nuevo sin girar la herramienta.</translation>
+        <translation>La brida giró hasta %1 (pose %2). Tome las tres poses de nuevo sin girar la herramienta.</translation>
     </message>
     <message>
         <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>El recorrido por +Z es solo %1. Tome las tres de nuevo, separadas al menos %2.</translation>
+        <translation>La distancia en +Z es de solo %1. Tome las tres poses de nuevo, separadas %2 como mínimo.</translation>
     </message>
     <message>
         <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>El recorrido hacia +X es solo %1. Tome las tres de nuevo, separadas al menos %2.</translation>
+        <translation>La distancia en +X es de solo %1. Tome las tres poses de nuevo, separadas %2 como mínimo.</translation>
     </message>
     <message>
         <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
-        <translation>Las tres poses están en línea: la tercera está a solo %1. Tome las tres de nuevo.</translation>
+        <translation>Las tres poses están alineadas: la tercera está a solo %1 de la línea. Tómelas de nuevo.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the three poses again.</source>
-        <translation>El robot no envió un lugar válido. Tome las tres de nuevo.</translation>
+        <translation>El robot envió una posición no válida. Tome las tres poses de nuevo.</translation>
     </message>
     <message>
         <source>Retake last pose</source>
-        <translation>Tomar de nuevo la última</translation>
+        <translation>Repetir la última pose</translation>
     </message>
     <message>
         <source>Take pose %1</source>
@@ -8830,11 +8830,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ encaja menos</translation>
+        <translation>  ◀ menos precisa</translation>
     </message>
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
-        <translation>Las poses se pueden tomar mientras el robot envíe datos.</translation>
+        <translation>Las poses solo se pueden tomar mientras el robot envía datos.</translation>
     </message>
 </context>
 <context>
@@ -8879,11 +8879,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     <name>tiller::TravelWatch</name>
     <message>
         <source>%1: %2 left to the limit of %3</source>
-        <translation>%1: quedan %2, después %3 está en su límite</translation>
+        <translation>%1: quedan %2 hasta el límite de %3</translation>
     </message>
     <message>
         <source>%1: %2 left to the end of reach or a singularity</source>
-        <translation>%1: quedan %2, después el fin del alcance o una singularidad</translation>
+        <translation>%1: quedan %2 hasta el fin del alcance o una singularidad</translation>
     </message>
     <message>
         <source>%1: %2 left, then %3 is %4 from %5</source>
@@ -8924,7 +8924,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
-        <translation>En el sistema del punto. Intro lo aplica; no se mueve nada salvo el punto.</translation>
+        <translation>En el sistema del punto de paso. Pulse Intro para aplicar. Solo cambia el punto de paso; el robot no se mueve.</translation>
     </message>
     <message>
         <source>Selected waypoint</source>
@@ -8940,7 +8940,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>El sistema en que está dado y con el que se mueve. El lugar se queda donde está. —: mandan las articulaciones</translation>
+        <translation>Sistema de referencia del punto de paso. La posición en el espacio no cambia. —: las articulaciones tienen prioridad</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -8955,15 +8955,15 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>joints have priority</source>
-        <translation>mandan las articulaciones</translation>
+        <translation>prioridad de articulaciones</translation>
     </message>
     <message>
         <source>pose has priority</source>
-        <translation>manda la pose</translation>
+        <translation>prioridad de pose</translation>
     </message>
     <message>
         <source>cell of “%1”</source>
-        <translation>sitio de «%1»</translation>
+        <translation>celda de «%1»</translation>
     </message>
     <message>
         <source>corner of “%1”</source>
@@ -8983,15 +8983,15 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Shows the Go through controls instead of the values.</source>
-        <translation>Muestra las teclas de Recorrer en lugar de las cifras.</translation>
+        <translation>Muestra los mandos de Recorrer en lugar de los valores.</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation>Cifras</translation>
+        <translation>Valores</translation>
     </message>
     <message>
         <source>Shows the values instead of the Go through controls.</source>
-        <translation>Muestra las cifras en lugar de las teclas de Recorrer.</translation>
+        <translation>Muestra los valores en lugar de los mandos de Recorrer.</translation>
     </message>
 </context>
 <context>
@@ -9032,11 +9032,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Convert the pattern “%1” to waypoints</source>
-        <translation>Disolver el patrón «%1»</translation>
+        <translation>Convertir el patrón «%1» en puntos de paso</translation>
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
-        <translation>Seleccione un sitio de un patrón.</translation>
+        <translation>Seleccione una celda de un patrón.</translation>
     </message>
     <message>
         <source>Delete the pattern “%1”</source>
@@ -9048,11 +9048,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>El sistema en que estaba dado entonces ya no está en el proyecto.</translation>
+        <translation>El sistema de coordenadas de la versión anterior se eliminó del proyecto.</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
-        <translation>Recuperar un «%1» anterior</translation>
+        <translation>Restaurar una versión anterior de «%1»</translation>
     </message>
     <message>
         <source>Import waypoints</source>
@@ -9072,11 +9072,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Import failed</source>
-        <translation>No se importó nada</translation>
+        <translation>Error de importación</translation>
     </message>
     <message>
         <source>%1 is too large for a waypoint file.</source>
-        <translation>%1 es demasiado grande para una lista de puntos.</translation>
+        <translation>%1 es demasiado grande para un archivo de puntos de paso.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -9103,7 +9103,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Export failed</source>
-        <translation>No se exportó nada</translation>
+        <translation>Error de exportación</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written to %1</source>
@@ -9114,7 +9114,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Select the waypoints to add actions to.</source>
-        <translation>Seleccione puntos donde haya que hacer algo.</translation>
+        <translation>Seleccione los puntos de paso a los que añadir acciones.</translation>
     </message>
     <message numerus="yes">
         <source>Change the actions at %n waypoints</source>
@@ -9139,7 +9139,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Paste failed</source>
-        <translation>No se pegó nada</translation>
+        <translation>Error al pegar</translation>
     </message>
     <message>
         <source>There are no waypoints on the clipboard.</source>
@@ -9177,7 +9177,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Restore the version before this change</source>
-        <translation>Volver a antes de esto</translation>
+        <translation>Restaurar la versión anterior a este cambio</translation>
     </message>
     <message>
         <source>Name: “%1”, now “%2”</source>
@@ -9185,15 +9185,15 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
-        <translation>Lugar: se movió %1 (%2, sistema base)</translation>
+        <translation>Posición: desplazada %1 (%2, base)</translation>
     </message>
     <message>
         <source>Joints: largest change %2 (%1)</source>
-        <translation>Articulaciones: %1 giró más, %2</translation>
+        <translation>Articulaciones: mayor cambio %2 (%1)</translation>
     </message>
     <message>
         <source>joints have priority</source>
-        <translation>mandan las articulaciones</translation>
+        <translation>prioridad de articulaciones</translation>
     </message>
     <message>
         <source>Base</source>
@@ -9201,7 +9201,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>a deleted frame</source>
-        <translation>un sistema que ya no existe</translation>
+        <translation>un sistema eliminado</translation>
     </message>
     <message>
         <source>Frame: %1, now %2</source>
@@ -9245,19 +9245,19 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Actions: changed</source>
-        <translation>Acciones: otras que ahora</translation>
+        <translation>Acciones: cambiadas</translation>
     </message>
     <message>
         <source>Not changed since it was taught.</source>
-        <translation>No cambió desde que se enseñó.</translation>
+        <translation>Sin cambios desde que se enseñó.</translation>
     </message>
     <message>
         <source>The version before this change equals the current version.</source>
-        <translation>Antes de esto era como ahora.</translation>
+        <translation>La versión anterior a este cambio es igual a la actual.</translation>
     </message>
     <message>
         <source>Before this change:</source>
-        <translation>Antes de esto era:</translation>
+        <translation>Antes de este cambio:</translation>
     </message>
 </context>
 <context>
@@ -9280,7 +9280,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
-        <translation>Una articulación saldría de su rango. Retoque el punto desde otra postura del brazo.</translation>
+        <translation>Una articulación superaría su recorrido. Retoque el punto con otra configuración del brazo.</translation>
     </message>
     <message>
         <source>Its frame is not in this project. Choose another frame.</source>
@@ -9288,11 +9288,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>La línea recta desde aquí sale del alcance del brazo. Use MoveJ o empiece en otro lugar.</translation>
+        <translation>La línea recta desde la posición actual sale del alcance del brazo. Use MoveJ o empiece en otra posición.</translation>
     </message>
     <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
-        <translation>Fuera de alcance. Retóquelo más cerca de la base.</translation>
+        <translation>Fuera de alcance. Retoque el punto más cerca de la base.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -9308,19 +9308,19 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>MoveL: the TCP moves along a straight line</source>
-        <translation>MoveL: el TCP va en línea recta</translation>
+        <translation>MoveL: el TCP se mueve en línea recta</translation>
     </message>
     <message>
         <source>Joints have priority: the arm returns to the same configuration</source>
-        <translation>Mandan las articulaciones: el brazo vuelve en la misma postura</translation>
+        <translation>Prioridad de articulaciones: el brazo vuelve a la misma configuración</translation>
     </message>
     <message>
         <source>The pose has priority: the waypoint moves with its frame</source>
-        <translation>Manda la pose: se mueve con su sistema</translation>
+        <translation>Prioridad de pose: el punto de paso se mueve con su sistema</translation>
     </message>
     <message>
         <source>Within reach</source>
-        <translation>Alcanzable</translation>
+        <translation>Al alcance</translation>
     </message>
     <message>
         <source>Name</source>
@@ -9352,7 +9352,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Waypoint %2 is named “%1”. Choose another name.</source>
-        <translation>«%1» es el nombre del punto %2. Elija otro nombre.</translation>
+        <translation>El punto de paso %2 ya se llama «%1». Elija otro nombre.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -9368,7 +9368,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>El brazo no puede llegar allí. «%1» quedó como estaba.</translation>
+        <translation>El brazo no puede alcanzar esta pose. «%1» no se cambió.</translation>
     </message>
     <message>
         <source>Change the pose of “%1”</source>
@@ -9384,7 +9384,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
-        <translation>Dar «%1» en %2</translation>
+        <translation>Cambiar el sistema de «%1» a %2</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -9412,11 +9412,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Name %1, next waypoint</source>
-        <translation>Nombre %1, el siguiente</translation>
+        <translation>Nombre %1, punto siguiente</translation>
     </message>
     <message>
         <source>Actions: %1</source>
-        <translation>Se hace allí: %1</translation>
+        <translation>Acciones: %1</translation>
     </message>
     <message>
         <source>Name %1</source>
@@ -9474,7 +9474,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Only the selected properties are changed.</source>
-        <translation>Solo cambia lo marcado.</translation>
+        <translation>Solo se cambian las propiedades seleccionadas.</translation>
     </message>
     <message>
         <source>Properties of “%1”</source>
@@ -9585,7 +9585,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Tool of each waypoint</source>
-        <translation>Herramienta, cada uno la suya</translation>
+        <translation>Herramienta de cada punto de paso</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -9605,7 +9605,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Axis of rotation or mirroring</source>
-        <translation>En torno a o a lo largo de</translation>
+        <translation>Eje de giro o de reflexión</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9613,7 +9613,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>El brazo no puede llegar: %1. No se movería nada.</translation>
+        <translation>El brazo no puede alcanzar estas poses: %1. No se moverá nada.</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another one.</source>
@@ -9622,13 +9622,13 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     <message numerus="yes">
         <source>%n of them would be out of reach. They are kept and marked.</source>
         <translation>
-            <numerusform>%n quedaría fuera de alcance; se conserva y se marca.</numerusform>
-            <numerusform>%n quedarían fuera de alcance; se conservan y se marcan.</numerusform>
+            <numerusform>%n de ellos quedaría fuera de alcance. Se conserva y se marca.</numerusform>
+            <numerusform>%n de ellos quedarían fuera de alcance. Se conservan y se marcan.</numerusform>
         </translation>
     </message>
     <message>
         <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
-        <translation>Reflejado en el plano por el origen perpendicular al eje. La herramienta se acerca desde el lado reflejado.</translation>
+        <translation>Reflejado en el plano que pasa por el origen y es perpendicular al eje. La herramienta se acerca por el lado reflejado.</translation>
     </message>
     <message>
         <source>All remain within reach.</source>
@@ -9672,11 +9672,11 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <source>No waypoints yet.
 Jog the arm to a position and press Teach here (T).</source>
         <translation>Aún no hay puntos de paso.
-Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
+Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Los datos del robot son viejos. Espere a que vuelvan.</translation>
+        <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -9688,15 +9688,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>El brazo no está bajo control. Tome primero el control.</translation>
+        <translation>Tiller no tiene el control. Tome primero el control.</translation>
     </message>
     <message>
         <source>Add the current position after the selection (T)</source>
-        <translation>Añadir el lugar donde está el brazo, tras la selección (T)</translation>
+        <translation>Añadir la posición actual después de la selección (T)</translation>
     </message>
     <message>
         <source>Replace the selected waypoint with the current position (U)</source>
-        <translation>Sustituir el lugar seleccionado por donde está el brazo (U)</translation>
+        <translation>Sustituir el punto seleccionado por la posición actual (U)</translation>
     </message>
     <message>
         <source>Select a waypoint to touch up.</source>
@@ -9752,7 +9752,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
-        <translation>El lugar actual está a %1 (%2, sistema base). Mayor cambio articular: %3 %4.</translation>
+        <translation>La posición actual está a %1 (%2, base). Mayor cambio articular: %3 %4.</translation>
     </message>
     <message>
         <source>Touch up “%1”?</source>
@@ -9796,7 +9796,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Convert pattern to waypoints</source>
-        <translation>Hacer de los sitios del patrón puntos ordinarios</translation>
+        <translation>Convertir patrón en puntos de paso</translation>
     </message>
     <message>
         <source>Delete the pattern and its waypoints</source>
@@ -9804,7 +9804,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Actions…</source>
-        <translation>Acciones allí…</translation>
+        <translation>Acciones…</translation>
     </message>
     <message>
         <source>Import and export</source>
@@ -9831,11 +9831,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Search commands</source>
-        <translation>Buscar una orden</translation>
+        <translation>Buscar órdenes</translation>
     </message>
     <message>
         <source>Type a command or keyword</source>
-        <translation>Escriba lo que quiere hacer</translation>
+        <translation>Escriba una orden o palabra clave</translation>
     </message>
     <message>
         <source>Commands found</source>
@@ -9843,7 +9843,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>not available now</source>
-        <translation>ahora no es posible</translation>
+        <translation>no disponible ahora</translation>
     </message>
 </context>
 <context>
@@ -9854,11 +9854,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
-        <translation>Una dirección tiene cuatro números de 0 a 255, como 192.168.0.10.</translation>
+        <translation>Una dirección tiene cuatro números de 0 a 255, p. ej. 192.168.0.10.</translation>
     </message>
     <message>
         <source>A host name contains only letters, digits, dots and hyphens.</source>
-        <translation>Un nombre de host solo tiene letras, cifras, puntos y guiones.</translation>
+        <translation>Un nombre de host contiene solo letras, cifras, puntos y guiones.</translation>
     </message>
     <message>
         <source>Forget</source>
@@ -9878,7 +9878,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
-        <translation>Antes de mover un brazo real: mantenga a todos fuera de su alcance, tenga a mano la parada de emergencia, compruebe carga útil y TCP, empiece despacio. El STOP de esta ventana no es una parada de emergencia.</translation>
+        <translation>Antes de mover un brazo real: mantenga a todos fuera de su alcance, tenga a mano la parada de emergencia, compruebe la carga útil y el TCP, y empiece despacio. STOP en esta ventana no es una parada de emergencia.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -9890,7 +9890,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>Puntos de paso de un archivo, sin robot: todo funciona salvo moverse.</translation>
+        <translation>Puntos de paso de un archivo, sin robot: todo funciona salvo el movimiento.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -9898,11 +9898,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>Un UR5e simulado dentro de este programa. Todo funciona, nada puede dañarse.</translation>
+        <translation>Un UR5e simulado en este programa. Todas las funciones están disponibles sin riesgo.</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
-        <translation>Inicia el robot simulado y abre un proyecto ya enseñado.</translation>
+        <translation>Inicia el robot simulado y abre un proyecto con puntos de paso enseñados.</translation>
     </message>
     <message>
         <source>Connect a robot</source>
@@ -9934,14 +9934,14 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
-        <translation>Quita el robot seleccionado de esta lista (Supr). En el robot no cambia nada.</translation>
+        <translation>Quita de esta lista el robot seleccionado (Supr). El robot no cambia.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
         <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>crear la carpeta %1: elija una en la que se pueda escribir</translation>
+        <translation>crear la carpeta %1: elija una carpeta en la que tenga permiso para escribir</translation>
     </message>
     <message>
         <source>connect</source>
@@ -10013,11 +10013,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>the robot reported no reason</source>
-        <translation>el robot no da motivo</translation>
+        <translation>el robot no comunicó el motivo</translation>
     </message>
     <message>
         <source>pressed again        %1 times: the motion had stopped before the key was released</source>
-        <translation>pulsado de nuevo     %1 veces: el movimiento se detuvo antes de soltar la tecla</translation>
+        <translation>pulsado de nuevo     %1 veces: el movimiento se había detenido antes de soltar la tecla</translation>
     </message>
     <message>
         <source>jogged               </source>
@@ -10074,7 +10074,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>Qué dice ahora cada dispositivo y hacia dónde irá.</translation>
+        <translation>Muestra los valores actuales de cada dispositivo y la dirección en que se movería el brazo.</translation>
     </message>
     <message>
         <source>Moves the arm</source>
@@ -10098,7 +10098,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Deflection below which the device does not move the arm.</source>
-        <translation>Hasta aquí puede estar desviada una palanca sin mover nada.</translation>
+        <translation>Desviación por debajo de la cual el dispositivo no mueve el brazo.</translation>
     </message>
     <message>
         <source>Curve of the %1</source>
@@ -10110,15 +10110,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
-        <translation>1: uniforme. Más: suave cerca del centro, rápido al final del recorrido.</translation>
+        <translation>1: lineal. Mayor: más fino cerca del centro, más rápido al final.</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>Solo el eje más desviado</translation>
+        <translation>Solo el eje dominante</translation>
     </message>
     <message>
         <source>%1: dominant axis only</source>
-        <translation>%1: solo el eje más desviado</translation>
+        <translation>%1: solo el eje dominante</translation>
     </message>
     <message>
         <source>Dead zone</source>
@@ -10134,18 +10134,18 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>No hay gamepad ni SpaceMouse. Conecte uno: aparece solo.</translation>
+        <translation>No se encontró ningún mando ni SpaceMouse. Conecte uno; se detecta automáticamente.</translation>
     </message>
     <message>
         <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
-        <translation>Solo mientras se mantiene su hombre muerto. No se recuerda: tras un inicio ningún dispositivo mueve el brazo.</translation>
+        <translation>Mueve el brazo solo mientras se mantiene el hombre muerto. No se guarda: tras un reinicio, ningún dispositivo mueve el brazo.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
         <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
-        <translation>Aquí no hay ningún panel. Elija una perspectiva abajo a la derecha o muestre un panel con el menú Vista.</translation>
+        <translation>No se muestra ningún panel. Seleccione una perspectiva abajo a la derecha o muestre un panel con el menú Vista.</translation>
     </message>
 </context>
 <context>
@@ -10191,11 +10191,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Speed cap and maximum hold time</source>
-        <translation>Límite de velocidad y pulsación más larga</translation>
+        <translation>Límite de velocidad y tiempo máximo de pulsación</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>Teclas de las órdenes</translation>
+        <translation>Atajos de teclado</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -10239,15 +10239,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1:</source>
-        <translation>Lo marcado se sustituye por lo que contiene %1:</translation>
+        <translation>Los ajustes seleccionados se sustituyen por los de %1:</translation>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
-        <translation>Lo marcado se sustituye por lo que contiene %1, escrito por Tiller %2:</translation>
+        <translation>Los ajustes seleccionados se sustituyen por los de %1 (escrito por Tiller %2):</translation>
     </message>
     <message>
         <source>%1: identical</source>
-        <translation>%1: ya es igual</translation>
+        <translation>%1: idéntico</translation>
     </message>
     <message>
         <source>%1: not in the file</source>
@@ -10259,11 +10259,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
-        <translation>Lo sustituido se guarda en un archivo propio, que se puede importar de nuevo.</translation>
+        <translation>Los ajustes sustituidos se guardan en un archivo aparte, que se puede importar de nuevo.</translation>
     </message>
     <message>
         <source>All settings in the file match the current settings.</source>
-        <translation>El archivo no contiene nada que no esté ya aquí.</translation>
+        <translation>Todos los ajustes del archivo coinciden con los actuales.</translation>
     </message>
 </context>
 <context>
@@ -10274,7 +10274,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Una lista en la vista: desde encender hasta una grabación.</translation>
+        <translation>Muestra en la vista una lista de comprobación, desde el encendido hasta una grabación.</translation>
     </message>
     <message>
         <source>Practice tasks</source>
@@ -10286,7 +10286,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Los ejercicios son solo para el robot simulado de este programa. Este es «%1».</translation>
+        <translation>Los ejercicios solo funcionan con el robot simulado integrado. El robot actual es «%1».</translation>
     </message>
     <message>
         <source>Practice: place “%1”</source>
@@ -10301,7 +10301,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>Teclado armado: las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − giran una articulación. Espacio y Esc detienen.</translation>
+        <translation>Teclado armado: las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen.</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -10341,7 +10341,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
-        <translation>%1 enmudeció mientras movía el brazo, que se detuvo. Suéltelo; si sigue mudo, conéctelo de nuevo.</translation>
+        <translation>%1 dejó de enviar datos mientras movía el brazo. El brazo se detuvo. Suelte el dispositivo; si el problema continúa, vuelva a conectarlo.</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -10365,7 +10365,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>Una copia de uno de tres proyectos, para probar en el robot simulado.</translation>
+        <translation>Abre una copia de uno de tres proyectos para probarla en el robot simulado.</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -10373,7 +10373,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Saves to this file now and saves all further changes automatically.</source>
-        <translation>Guarda ahora en este archivo, y cada cambio en adelante.</translation>
+        <translation>Guarda en este archivo ahora y después cada cambio automáticamente.</translation>
     </message>
     <message>
         <source>Show waypoints</source>
@@ -10393,7 +10393,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Shows this tab.</source>
-        <translation>Trae esta pestaña al frente.</translation>
+        <translation>Muestra esta pestaña.</translation>
     </message>
     <message>
         <source>Show gripper</source>
@@ -10401,7 +10401,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Shows the Gripper page of the I/O tab.</source>
-        <translation>Trae al frente la página de la pinza en E/S.</translation>
+        <translation>Muestra la página Pinza de la pestaña E/S.</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -10409,7 +10409,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Restores the panel layout of the current perspective.</source>
-        <translation>Todos los paneles adonde los tiene la perspectiva actual.</translation>
+        <translation>Restablece la disposición de los paneles de la perspectiva actual.</translation>
     </message>
     <message>
         <source>Light colours</source>
@@ -10421,7 +10421,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Changes the colour theme now and for the next start.</source>
-        <translation>Cambia los colores enseguida y lo recuerda.</translation>
+        <translation>Cambia el tema de colores ahora y para el próximo inicio.</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -10429,7 +10429,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
-        <translation>Cuenta la fuerza TCP desde lo que es ahora; otra vez: como la mide el robot.</translation>
+        <translation>Resta la fuerza actual del TCP en los gráficos. Pulse de nuevo para mostrar la fuerza medida.</translation>
     </message>
     <message>
         <source>Commands…</source>
@@ -10445,7 +10445,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
-        <translation>Colores, tamaños, unidades, el límite de velocidad, dispositivos y la tecla de cada orden.</translation>
+        <translation>Tema, tamaños, unidades, límite de velocidad, dispositivos y atajos de teclado.</translation>
     </message>
     <message>
         <source>Export settings…</source>
@@ -10453,7 +10453,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Saves all settings to one file, for another computer or as a backup.</source>
-        <translation>Un archivo con todo lo que se recuerda, para otro ordenador o como copia.</translation>
+        <translation>Guarda todos los ajustes en un archivo, para otro ordenador o como copia de seguridad.</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -10461,7 +10461,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>Toma lo que contiene un archivo así; antes dice qué sustituye.</translation>
+        <translation>Importa ajustes de un archivo después de mostrar qué se sustituirá.</translation>
     </message>
     <message>
         <source>Help</source>
@@ -10485,11 +10485,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
-        <translation>Lo hace una ventana propia, para una segunda pantalla, o lo devuelve.</translation>
+        <translation>Mueve el panel a una ventana aparte, p. ej. para una segunda pantalla, o de vuelta.</translation>
     </message>
     <message>
         <source>Moves this panel to that side of the main window.</source>
-        <translation>Mueve este panel a ese lado de los demás.</translation>
+        <translation>Mueve este panel a ese lado de la ventana principal.</translation>
     </message>
     <message>
         <source>%1 to the left</source>
@@ -10513,11 +10513,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Name of the program on the robot, as shown on the teach pendant</source>
-        <translation>Nombre del programa en el robot, como lo muestra la tableta</translation>
+        <translation>Nombre del programa en el robot, como se ve en la consola portátil</translation>
     </message>
     <message>
         <source>Name of the program on the robot, e.g. pick.urp</source>
-        <translation>Nombre del programa en el robot, como pick.urp</translation>
+        <translation>Nombre del programa en el robot, p. ej. pick.urp</translation>
     </message>
     <message>
         <source>Speed cap %1</source>
@@ -10525,7 +10525,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
-        <translation>Hay una grabación en marcha. Termínela primero: no debe faltar nada de ella.</translation>
+        <translation>Hay una grabación en curso. Deténgala primero.</translation>
     </message>
     <message>
         <source>Waypoints, Frames, Tools, I/O, Log</source>
@@ -10538,8 +10538,8 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     <message numerus="yes">
         <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
-            <numerusform>El robot simulado no conoce %n caja o plano de la celda: no tiene sitio para más.</numerusform>
-            <numerusform>El robot simulado no conoce %n cajas o planos de la celda: no tiene sitio para más.</numerusform>
+            <numerusform>%n caja o plano de la celda supera el límite del robot simulado y este lo ignora.</numerusform>
+            <numerusform>%n cajas o planos de la celda superan el límite del robot simulado y este los ignora.</numerusform>
         </translation>
     </message>
     <message>
@@ -10548,7 +10548,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>Un archivo con versiones, registro y ajustes para quien le ayude; antes muestra lo que contiene.</translation>
+        <translation>Guarda versiones, registro y ajustes en un archivo para el soporte, después de mostrar su contenido.</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -10556,15 +10556,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Tiller closed unexpectedly</source>
-        <translation>Tiller terminó de forma inesperada la última vez</translation>
+        <translation>Tiller se cerró de forma inesperada</translation>
     </message>
     <message>
         <source>Tiller saved a crash log. You can attach it to a problem report.</source>
-        <translation>Se guardó lo que hacía entonces. Guárdelo como informe para quien le ayude.</translation>
+        <translation>Tiller guardó un registro del fallo. Puede adjuntarlo a un informe de problemas.</translation>
     </message>
     <message>
         <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
-        <translation>El manual en la página de lo que tiene el foco, todas las órdenes con sus teclas y las reglas del movimiento manual.</translation>
+        <translation>Abre la página del manual del elemento con foco, la lista de órdenes y atajos, y las reglas del movimiento manual.</translation>
     </message>
     <message>
         <source>The settings could not be saved. %1</source>
@@ -10623,11 +10623,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     <name>tiller::app::PanelDock</name>
     <message>
         <source>Dock</source>
-        <translation>Devolver</translation>
+        <translation>Acoplar</translation>
     </message>
     <message>
         <source>Move the panel back to the main window</source>
-        <translation>De vuelta a la ventana principal</translation>
+        <translation>Devolver el panel a la ventana principal</translation>
     </message>
     <message>
         <source>Close</source>
@@ -10635,7 +10635,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Closes this panel. Use the View menu to show it again.</source>
-        <translation>Cierra este panel. El menú Vista lo trae de nuevo.</translation>
+        <translation>Cierra este panel. Use el menú Vista para mostrarlo de nuevo.</translation>
     </message>
     <message>
         <source>Move, float or close %1</source>
@@ -10643,7 +10643,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Click to move, float or close this panel. Drag to move it.</source>
-        <translation>Clic: mover, separar o cerrar este panel. Arrastrar: llevarlo a otro sitio.</translation>
+        <translation>Haga clic para mover, soltar o cerrar este panel. Arrastre para moverlo.</translation>
     </message>
 </context>
 <context>
@@ -10654,11 +10654,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
-        <translation>Los paneles como están ahora, en la perspectiva actual.</translation>
+        <translation>Guarda la disposición actual de los paneles en la perspectiva actual.</translation>
     </message>
     <message>
         <source>This perspective is built in. Save it under another name.</source>
-        <translation>Esta perspectiva es fija. Guárdela con un nombre propio.</translation>
+        <translation>Esta perspectiva está predefinida. Guárdela con otro nombre.</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -10666,7 +10666,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Saves the current panel layout under a new name.</source>
-        <translation>Los paneles como están ahora, con un nombre propio.</translation>
+        <translation>Guarda la disposición actual de los paneles con un nombre nuevo.</translation>
     </message>
     <message>
         <source>Save perspective as</source>
@@ -10678,7 +10678,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Renames the current perspective.</source>
-        <translation>Da otro nombre a la perspectiva actual.</translation>
+        <translation>Cambia el nombre de la perspectiva actual.</translation>
     </message>
     <message>
         <source>Rename perspective</source>
@@ -10686,7 +10686,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>This perspective is built in and cannot be renamed.</source>
-        <translation>Esta perspectiva es fija y conserva su nombre.</translation>
+        <translation>Esta perspectiva está predefinida y no se puede renombrar.</translation>
     </message>
     <message>
         <source>Delete perspective…</source>
@@ -10694,11 +10694,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Deletes the current perspective. The panel layout does not change.</source>
-        <translation>Olvida la perspectiva actual. Los paneles quedan como están.</translation>
+        <translation>Elimina la perspectiva actual. La disposición de los paneles no cambia.</translation>
     </message>
     <message>
         <source>This perspective is built in and cannot be deleted.</source>
-        <translation>Esta perspectiva es fija y permanece.</translation>
+        <translation>Esta perspectiva está predefinida y no se puede eliminar.</translation>
     </message>
     <message>
         <source>Perspective %1</source>
@@ -10706,7 +10706,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Perspective %1. Select a panel layout, or save the current one.</source>
-        <translation>Perspectiva %1. Elija cómo están los paneles, o guarde cómo están ahora.</translation>
+        <translation>Perspectiva %1. Seleccione una disposición de paneles o guarde la actual.</translation>
     </message>
     <message>
         <source>Name of the perspective</source>
@@ -10765,7 +10765,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Shows only the plots, as large as possible.</source>
-        <translation>Muestra solo los gráficos, tan grandes como permite la ventana.</translation>
+        <translation>Muestra solo los gráficos, lo más grandes posible.</translation>
     </message>
     <message>
         <source>Shows the panels as you saved them.</source>
@@ -10773,7 +10773,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
-        <translation>La perspectiva «%1» no se puede mostrar: su disposición en los ajustes está dañada. Ordene los paneles y guárdela de nuevo.</translation>
+        <translation>No se puede mostrar la perspectiva «%1»: su disposición guardada está dañada. Ordene los paneles y guárdela de nuevo.</translation>
     </message>
     <message>
         <source>Type a name.</source>
@@ -10785,19 +10785,19 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
-        <translation>Hay tantas perspectivas como se pueden conservar. Elimine una primero.</translation>
+        <translation>Se alcanzó el número máximo de perspectivas. Elimine primero una.</translation>
     </message>
     <message>
         <source>A perspective with this name exists. Choose another name.</source>
-        <translation>Ya hay una perspectiva con este nombre. Elija otro nombre.</translation>
+        <translation>Ya existe una perspectiva con este nombre. Elija otro nombre.</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>Los paneles están como en la perspectiva «%1»: la disposición de la versión anterior no encaja en esta. Ordénelos de nuevo; se recuerda.</translation>
+        <translation>La disposición de los paneles se restableció a la perspectiva «%1»: la disposición de la versión anterior no es compatible. Ordene los paneles de nuevo; la disposición se guarda.</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>Los paneles están como en la perspectiva «%1»: la disposición en los ajustes está dañada o es de otra versión. Ordénelos de nuevo; se recuerda.</translation>
+        <translation>La disposición de los paneles se restableció a la perspectiva «%1»: la disposición guardada está dañada o es de otra versión. Ordene los paneles de nuevo; la disposición se guarda.</translation>
     </message>
 </context>
 <context>
@@ -10820,11 +10820,11 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>{date}, {time}, {robot} and {number} are replaced when a recording starts.</source>
-        <translation>{date}, {time}, {robot} y {number} se rellenan al empezar una grabación.</translation>
+        <translation>{date}, {time}, {robot} y {number} se sustituyen al iniciar una grabación.</translation>
     </message>
     <message>
         <source>Packets per row</source>
-        <translation>Una fila cada tantos paquetes</translation>
+        <translation>Paquetes por fila</translation>
     </message>
     <message>
         <source>Search signals</source>
@@ -10864,7 +10864,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
-        <translation>Por ejemplo %1. {date}, {time}, {robot} y {number} se rellenan; un archivo existente nunca se sustituye.</translation>
+        <translation>Por ejemplo %1. {date}, {time}, {robot} y {number} se sustituyen. Los archivos existentes nunca se sobrescriben.</translation>
     </message>
     <message numerus="yes">
         <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
@@ -10875,7 +10875,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Recording format</source>
-        <translation>Formato de una grabación</translation>
+        <translation>Formato de grabación</translation>
     </message>
     <message>
         <source>CSV: text, for pandas and spreadsheets</source>
@@ -10887,7 +10887,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Free disk space to keep, in megabytes</source>
-        <translation>Megabytes del disco que quedan libres</translation>
+        <translation>Espacio libre en disco que conservar, en megabytes</translation>
     </message>
     <message>
         <source> MB</source>
@@ -10895,7 +10895,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>A recording stops and is completed before the free disk space falls below this value.</source>
-        <translation>Una grabación termina en orden y queda completa antes de que haya menos libre en el disco.</translation>
+        <translation>Una grabación se detiene y se completa antes de que el espacio libre baje de este valor.</translation>
     </message>
     <message>
         <source>Format</source>
@@ -10930,7 +10930,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Content of this file</source>
-        <translation>Lo que dice este archivo</translation>
+        <translation>Contenido de este archivo</translation>
     </message>
     <message>
         <source>Save report…</source>
@@ -10942,7 +10942,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
-        <translation>Un archivo con lo que necesita saber quien le ayude. Abajo está todo lo que contendrá. Se guarda donde usted elija; Tiller no lo envía a ningún sitio.</translation>
+        <translation>Un archivo con la información que necesita el soporte. Abajo se muestra todo su contenido. El archivo se guarda donde usted elija; Tiller no lo envía.</translation>
     </message>
     <message>
         <source>Tiller report %1.zip</source>
@@ -10965,7 +10965,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>Cada uno está enseñado para un UR5e y se puede recorrer con el robot simulado. Usted trabaja en una copia: guardar pide un archivo propio.</translation>
+        <translation>Cada proyecto está enseñado para un UR5e y funciona en el robot simulado. Usted trabaja con una copia: al guardar se pide un archivo nuevo.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -10996,7 +10996,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation>Teclas</translation>
+        <translation>Atajos</translation>
     </message>
     <message>
         <source>Close</source>
@@ -11008,7 +11008,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Save all settings to one file, for another computer or as a backup</source>
-        <translation>Un archivo con todo lo que se recuerda, para otro ordenador o como copia</translation>
+        <translation>Guardar todos los ajustes en un archivo, para otro ordenador o como copia de seguridad</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -11016,7 +11016,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Import settings from a file after showing what will be replaced</source>
-        <translation>Toma lo que contiene un archivo así; antes dice qué sustituye</translation>
+        <translation>Importar ajustes de un archivo después de mostrar qué se sustituirá</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -11032,7 +11032,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Size of controls</source>
-        <translation>Tamaño de teclas y filas</translation>
+        <translation>Tamaño de los controles</translation>
     </message>
     <message>
         <source>Compact</source>
@@ -11052,7 +11052,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Interface size</source>
-        <translation>Tamaño de todo</translation>
+        <translation>Tamaño de la interfaz</translation>
     </message>
     <message>
         <source>Lengths</source>
@@ -11084,7 +11084,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Maximum hold time</source>
-        <translation>Pulsación más larga</translation>
+        <translation>Tiempo máximo de pulsación</translation>
     </message>
     <message>
         <source> s</source>
@@ -11092,15 +11092,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
-        <translation>Tras este tiempo termina un movimiento manual y hay que pulsar de nuevo su tecla. El movimiento libre tiene cinco minutos, un movimiento a un lugar lo que tarda y 5 s.</translation>
+        <translation>Después de este tiempo, el movimiento manual se detiene y hay que pulsar la tecla de nuevo. Movimiento libre: cinco minutos. Ir a una posición: su duración más 5 s.</translation>
     </message>
     <message>
         <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
-        <translation>Táctil: tan alto como necesita un dedo. En una ventana de menos de %1 px las teclas de articulaciones, pestañas y barras de título siguen más pequeñas.</translation>
+        <translation>Táctil: suficientemente grande para los dedos. En ventanas de menos de %1 px de alto, las teclas de articulación, pestañas y barras de título siguen siendo más pequeñas.</translation>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>Cómo se muestran y escriben longitudes, velocidades del TCP y orientaciones. Gráficos y archivos conservan metros, milímetros y grados.</translation>
+        <translation>Unidades para mostrar e introducir longitudes, velocidades del TCP y orientaciones. Los gráficos y archivos usan siempre metros, milímetros y grados.</translation>
     </message>
     <message>
         <source>Speed cap</source>
@@ -11108,27 +11108,27 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Scales text, controls, plots and the view.</source>
-        <translation>Texto, teclas, filas, gráficos y la vista, todo igual.</translation>
+        <translation>Escala el texto, los controles, los gráficos y la vista.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>Vale desde el próximo inicio de Tiller. La pantalla solo tiene sitio para %1 %, que tendrá entonces.</translation>
+        <translation>Se aplica en el próximo inicio de Tiller. Esta pantalla admite como máximo %1 %, que es lo que se usará.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
-        <translation>Vale desde el próximo inicio de Tiller.</translation>
+        <translation>Se aplica en el próximo inicio de Tiller.</translation>
     </message>
     <message>
         <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Por encima de %1. Nada más limita el movimiento desde un PC: ni el modo manual ni el dispositivo de habilitación de la consola. La cabecera lo dice, y termina con el programa.</translation>
+        <translation>▲ Por encima de %1. Ningún otro límite se aplica al mover desde un PC: ni el modo manual ni el dispositivo de validación de la consola. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
     </message>
     <message>
         <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>Ningún movimiento de este programa lo supera, en el TCP y en el codo. Vale enseguida y detiene lo que se mueve.</translation>
+        <translation>Velocidad máxima de TCP y codo para todo movimiento de Tiller. Se aplica de inmediato y detiene el movimiento en curso.</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>Teclas de las órdenes</translation>
+        <translation>Atajos de teclado</translation>
     </message>
     <message>
         <source>Command</source>
@@ -11136,7 +11136,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Shortcut</source>
-        <translation>Tecla</translation>
+        <translation>Atajo</translation>
     </message>
     <message>
         <source>Restore default shortcuts</source>
@@ -11144,15 +11144,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Shortcut for %1</source>
-        <translation>Tecla para %1</translation>
+        <translation>Atajo de %1</translation>
     </message>
     <message>
         <source>%1 is reserved for stopping the arm.</source>
-        <translation>%1 detiene el brazo y nada más.</translation>
+        <translation>%1 está reservada para detener el brazo.</translation>
     </message>
     <message>
         <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 pertenece a &quot;%2&quot;. Quítela allí primero.</translation>
+        <translation>%1 está asignada a &quot;%2&quot;. Quítela primero de allí.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11160,7 +11160,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>System language: %1</source>
-        <translation>Como el sistema: %1</translation>
+        <translation>Idioma del sistema: %1</translation>
     </message>
     <message>
         <source>Reopen window</source>
@@ -11168,15 +11168,15 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
-        <translation>Detiene el brazo, devuelve el control y conecta de nuevo; lo que muestran los gráficos empieza de nuevo. El proyecto se guarda.</translation>
+        <translation>Detiene el brazo, devuelve el control y se reconecta. Los gráficos empiezan de nuevo. El proyecto se guarda.</translation>
     </message>
     <message>
         <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>De la ventana y las comprobaciones. Archivos y scripts son iguales en todos.</translation>
+        <translation>Idioma de la ventana y de la comprobación de la conexión. Los archivos y scripts no dependen de él.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
-        <translation>Vale desde el próximo inicio de Tiller, o al abrir la ventana de nuevo.</translation>
+        <translation>Se aplica en el próximo inicio de Tiller o al reabrir la ventana.</translation>
     </message>
     <message>
         <source>Monitor only</source>
@@ -11223,7 +11223,7 @@ Lleve el brazo a un lugar y pulse Enseñar aquí (T).</translation>
     </message>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
-        <translation>Ajustes importados de %1. Lo que había antes está en %2</translation>
+        <translation>Ajustes importados de %1. Los ajustes anteriores se guardaron en %2</translation>
     </message>
 </context>
 </TS>
