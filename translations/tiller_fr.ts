@@ -5,7 +5,7 @@
     <name>ActionStep</name>
     <message>
         <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>Ce robot n’a pas de pince ici. Choisissez-la sous E/S, Pince.</translation>
+        <translation>Aucune pince n’est configurée pour ce robot. Sélectionnez-la dans E/S, Pince.</translation>
     </message>
     <message>
         <source>Go through</source>
@@ -13,11 +13,11 @@
     </message>
     <message>
         <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 ne s’est pas activé en %2 s. Vérifiez ce qui est attendu, puis appuyez de nouveau.</translation>
+        <translation>%1 ne s’est pas activée en %2 s. Vérifiez la cause, puis appuyez de nouveau.</translation>
     </message>
     <message>
         <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 ne s’est pas désactivé en %2 s. Vérifiez ce qui est attendu, puis appuyez de nouveau.</translation>
+        <translation>%1 ne s’est pas désactivée en %2 s. Vérifiez la cause, puis appuyez de nouveau.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -111,19 +111,19 @@
     </message>
     <message>
         <source>Wait until %1 is on, %2 s at most</source>
-        <translation>Attendre que %1 s’active, au plus %2 s</translation>
+        <translation>Attendre que %1 soit activée, %2 s au plus</translation>
     </message>
     <message>
         <source>Wait until %1 is off, %2 s at most</source>
-        <translation>Attendre que %1 se désactive, au plus %2 s</translation>
+        <translation>Attendre que %1 soit désactivée, %2 s au plus</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
-        <translation>Attendre que %1 s’active</translation>
+        <translation>Attendre que %1 soit activée</translation>
     </message>
     <message>
         <source>Wait until %1 is off</source>
-        <translation>Attendre que %1 se désactive</translation>
+        <translation>Attendre que %1 soit désactivée</translation>
     </message>
     <message>
         <source>Wait %1 s</source>
@@ -151,14 +151,14 @@
     </message>
     <message>
         <source>Wait</source>
-        <translation>Attendre un temps</translation>
+        <translation>Attendre</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
         <source>go back: no recorded motion left</source>
-        <translation>revenir : il ne reste rien à annuler</translation>
+        <translation>revenir en arrière : plus aucun mouvement enregistré</translation>
     </message>
 </context>
 <context>
@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
-        <translation>Dérouler la démonstration sur le robot simulé, laisser ses fichiers dans ce dossier, quitter.</translation>
+        <translation>Exécuter la démonstration sur le robot simulé, écrire ses fichiers dans ce dossier et quitter.</translation>
     </message>
     <message>
         <source>Open this project file (.tiller).</source>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>unexpected argument &quot;%1&quot;</source>
-        <translation>&quot;%1&quot; n’était pas attendu</translation>
+        <translation>argument inattendu &quot;%1&quot;</translation>
     </message>
     <message>
         <source>--theme takes light or dark, not &quot;%1&quot;</source>
@@ -201,11 +201,11 @@
     </message>
     <message>
         <source>--robot and --simulator cannot be combined</source>
-        <translation>--robot et --simulator s’excluent</translation>
+        <translation>--robot et --simulator ne peuvent pas être combinés</translation>
     </message>
     <message>
         <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
-        <translation>--demo ne marche qu’avec le robot simulé, pas avec --robot</translation>
+        <translation>--demo ne fonctionne qu’avec le robot simulé et ne peut pas être combiné avec --robot</translation>
     </message>
     <message>
         <source>--demo needs a folder</source>
@@ -213,11 +213,11 @@
     </message>
     <message>
         <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
-        <translation>--robot demande une adresse, comme --robot 192.168.0.10</translation>
+        <translation>--robot demande une adresse, p. ex. --robot 192.168.0.10</translation>
     </message>
     <message>
         <source>only one project can be opened; remove &quot;%1&quot;</source>
-        <translation>un seul projet peut être ouvert, pas aussi &quot;%1&quot;</translation>
+        <translation>un seul projet peut être ouvert ; retirez &quot;%1&quot;</translation>
     </message>
     <message>
         <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
@@ -252,7 +252,7 @@
     </message>
     <message>
         <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
-        <translation>%1 : pas comparé, l’enregistrement n’a pas %2 ; enregistrez tous les signaux, en MCAP</translation>
+        <translation>%1 : non comparé, car l’enregistrement ne contient pas %2 ; enregistrez tous les signaux en MCAP</translation>
     </message>
     <message>
         <source>%1: no values</source>
@@ -260,11 +260,11 @@
     </message>
     <message>
         <source>%1: within %2 at all times, maximum %3 at %4 s</source>
-        <translation>%1 : jamais au-delà de %2, au plus %3 à %4 s</translation>
+        <translation>%1 : toujours dans les limites de %2, maximum %3 à %4 s</translation>
     </message>
     <message>
         <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
-        <translation>%1 : au-delà de %2 dès %3 s (%4), au plus %5 à %6 s</translation>
+        <translation>%1 : dépasse %2 à partir de %3 s (%4), maximum %5 à %6 s</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -277,43 +277,43 @@
     </message>
     <message>
         <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
-        <translation>Le bras et le modèle se séparent à %1 s : %2 est décalé de %3</translation>
+        <translation>Le bras et le modèle divergent à %1 s : écart de %2 : %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
-        <translation>Le bras et le modèle se séparent à %1 s : le TCP est décalé de %2</translation>
+        <translation>Le bras et le modèle divergent à %1 s : écart du TCP de %2</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
-        <translation>Le bras et le modèle se séparent à %1 s : %2 demande %3 de plus ou de moins que prévu</translation>
+        <translation>Le bras et le modèle divergent à %1 s : écart du courant de %2 : %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
-        <translation>Le bras et le modèle se séparent à %1 s : une force de %2 pousse le TCP</translation>
+        <translation>Le bras et le modèle divergent à %1 s : une force de %2 agit sur le TCP</translation>
     </message>
     <message>
         <source>The arm moved as the model of a %1 does</source>
-        <translation>Le bras a fait ce que fait le modèle d’un %1</translation>
+        <translation>Le bras a bougé comme le modèle d’un %1</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
-        <translation>Rien n’a pu être comparé : le bras était toujours hors tension ou guidé à la main.</translation>
+        <translation>Rien à comparer : le bras était hors tension ou guidé à la main pendant tout l’enregistrement.</translation>
     </message>
     <message>
         <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>Ils n’ont jamais été ensemble : vérifiez la charge utile indiquée au robot, le modèle et ce qui touche le bras.</translation>
+        <translation>Ils diffèrent dès le premier échantillon : vérifiez la charge utile configurée, le modèle de robot et tout contact avec le bras.</translation>
     </message>
     <message>
         <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>À partir de là, quelque chose poussait ou retenait le bras, sa charge était autre, ou une articulation ne suivait pas.</translation>
+        <translation>À partir de là, le bras a été poussé ou retenu, sa charge utile était différente, ou une articulation n’a pas suivi sa consigne.</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
-        <translation>Cet enregistrement ne peut pas être comparé à un modèle : il manque ce qui a été commandé aux articulations, ou leur position. Enregistrez tous les signaux, en MCAP.</translation>
+        <translation>Cet enregistrement ne peut pas être comparé à un modèle : les positions articulaires de consigne ou réelles manquent. Enregistrez tous les signaux en MCAP.</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
-        <translation>Cet enregistrement ne peut pas être comparé à un modèle : ses lignes sont trop espacées. Enregistrez chaque paquet.</translation>
+        <translation>Cet enregistrement ne peut pas être comparé à un modèle : son intervalle d’échantillonnage est trop long. Enregistrez chaque paquet.</translation>
     </message>
     <message>
         <source>Not compared with the model of the arm.</source>
@@ -364,11 +364,11 @@
     </message>
     <message>
         <source>The arm is not at the commanded position.</source>
-        <translation>Le bras n’est pas où le contrôleur l’a envoyé.</translation>
+        <translation>Le bras n’est pas à la position commandée.</translation>
     </message>
     <message>
         <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
-        <translation>Cherchez un obstacle ; vérifiez charge utile, centre de gravité et montage ; réduisez l’accélération.</translation>
+        <translation>Vérifiez s’il y a des obstacles ; vérifiez la charge utile, le centre de gravité et le montage ; réduisez l’accélération.</translation>
     </message>
     <message>
         <source>Singularity</source>
@@ -376,7 +376,7 @@
     </message>
     <message>
         <source>The linear move passes through a singularity of the arm.</source>
-        <translation>Le mouvement droit passe par une position singulière du bras.</translation>
+        <translation>Le mouvement linéaire traverse une singularité du bras.</translation>
     </message>
     <message>
         <source>Jog individual joints out of it; use MoveJ through this region.</source>
@@ -400,19 +400,19 @@
     </message>
     <message>
         <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
-        <translation>Les forces ne correspondent pas à la charge utile, ou quelque chose poussait le bras au début de Freedrive.</translation>
+        <translation>Les forces mesurées ne correspondent pas à la charge utile, ou le bras a été poussé au démarrage de Freedrive.</translation>
     </message>
     <message>
         <source>Correct payload and mounting, release the arm, and try again.</source>
-        <translation>Corrigez charge utile et montage, lâchez le bras et réessayez.</translation>
+        <translation>Corrigez la charge utile et le montage, lâchez le bras et réessayez.</translation>
     </message>
     <message>
         <source>Collision detected by a joint</source>
-        <translation>Collision sentie par une articulation</translation>
+        <translation>Collision détectée par une articulation</translation>
     </message>
     <message>
         <source>A joint needed more torque than the motion requires.</source>
-        <translation>Une articulation a demandé plus de couple que le mouvement n’explique.</translation>
+        <translation>Une articulation a demandé plus de couple que le mouvement n’en exige.</translation>
     </message>
     <message>
         <source>Remove the obstacle; if there was none, check the payload.</source>
@@ -420,11 +420,11 @@
     </message>
     <message>
         <source>Collision detected by the tool force</source>
-        <translation>Collision sentie par la force à l’outil</translation>
+        <translation>Collision détectée par la force à l’outil</translation>
     </message>
     <message>
         <source>The force at the tool exceeded its limit.</source>
-        <translation>La force à l’outil a dépassé ce qui est permis.</translation>
+        <translation>La force à l’outil a dépassé sa limite.</translation>
     </message>
     <message>
         <source>Position deviation</source>
@@ -436,7 +436,7 @@
     </message>
     <message>
         <source>Check for obstacles, and check payload and mounting.</source>
-        <translation>Cherchez un obstacle et vérifiez charge utile et montage.</translation>
+        <translation>Vérifiez s’il y a des obstacles, et vérifiez la charge utile et le montage.</translation>
     </message>
     <message>
         <source>Too many protective stops</source>
@@ -448,7 +448,7 @@
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
-        <translation>Trouvez la cause des arrêts avant de continuer ; puis redémarrez le contrôleur.</translation>
+        <translation>Trouvez la cause des arrêts avant de continuer, puis redémarrez le contrôleur.</translation>
     </message>
     <message>
         <source>Sudden change of target position</source>
@@ -456,11 +456,11 @@
     </message>
     <message>
         <source>A program commanded a step in position.</source>
-        <translation>Un programme a demandé un saut de position.</translation>
+        <translation>Un programme a commandé un saut de position.</translation>
     </message>
     <message>
         <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
-        <translation>Faites commencer le programme où se trouve le bras et gardez ses pas servo petits.</translation>
+        <translation>Démarrez le programme à la position actuelle du bras et gardez de petits pas d’asservissement.</translation>
     </message>
     <message>
         <source>Sudden change of target speed</source>
@@ -468,7 +468,7 @@
     </message>
     <message>
         <source>A program commanded a step in speed.</source>
-        <translation>Un programme a demandé un saut de vitesse.</translation>
+        <translation>Un programme a commandé un saut de vitesse.</translation>
     </message>
     <message>
         <source>Reduce the acceleration, or smooth the path.</source>
@@ -476,15 +476,15 @@
     </message>
     <message>
         <source>Protective stop requested by a program</source>
-        <translation>Arrêt de protection par un programme</translation>
+        <translation>Arrêt de protection demandé par un programme</translation>
     </message>
     <message>
         <source>The running program requested the stop.</source>
-        <translation>Le programme en cours a lui-même demandé l’arrêt.</translation>
+        <translation>Le programme en cours a demandé l’arrêt.</translation>
     </message>
     <message>
         <source>See the messages of the program before this one.</source>
-        <translation>Voyez les messages du programme qui précèdent.</translation>
+        <translation>Consultez les messages précédents du programme.</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -492,7 +492,7 @@
     </message>
     <message>
         <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
-        <translation>Un script a été envoyé, mais le robot n’écoute que son pupitre.</translation>
+        <translation>Un script a été envoyé, mais le robot n’accepte que les commandes de son pupitre.</translation>
     </message>
     <message>
         <source>Switch to Remote control on the teach pendant.</source>
@@ -519,19 +519,19 @@
     </message>
     <message>
         <source>There is no signal “%1”. See the signal list for the names.</source>
-        <translation>Il n’y a pas de signal « %1 ». La liste des signaux montre les noms.</translation>
+        <translation>Il n’existe pas de signal « %1 ». Les noms figurent dans la liste des signaux.</translation>
     </message>
     <message>
         <source>The expression contains no signal.</source>
-        <translation>Il ne contient aucun signal.</translation>
+        <translation>L’expression ne contient aucun signal.</translation>
     </message>
     <message>
         <source>The expression contains too many signals.</source>
-        <translation>Il contient trop de signaux.</translation>
+        <translation>L’expression contient trop de signaux.</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
-        <translation>Il doit donner un nombre.</translation>
+        <translation>Le résultat de l’expression doit être un nombre.</translation>
     </message>
     <message>
         <source>The text is too long.</source>
@@ -539,15 +539,15 @@
     </message>
     <message>
         <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
-        <translation>Écrivez un nom, un signe égal et une expression : |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+        <translation>Saisissez un nom, un signe égal et une expression : |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
         <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>Un signe égal de trop ; une comparaison en a deux : ==</translation>
+        <translation>Il y a un signe égal de trop. Pour une comparaison, utilisez ==</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
-        <translation>La durée est entre 0.001 et 60 secondes.</translation>
+        <translation>La fenêtre de temps doit être comprise entre 0,001 et 60 secondes.</translation>
     </message>
 </context>
 <context>
@@ -577,11 +577,11 @@
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
-        <translation>Regardez le bras, ôtez la cause, puis rétablissez : Rétablir… dans l’en-tête, ou sur le pupitre.</translation>
+        <translation>Inspectez le bras, éliminez la cause, puis rétablissez : appuyez sur « Rétablir… » dans l’en-tête ou utilisez le pupitre.</translation>
     </message>
     <message>
         <source>Power on and release the brakes with the button in the header.</source>
-        <translation>Mettez sous tension et desserrez les freins : le bouton de l’en-tête montre le chemin.</translation>
+        <translation>Mettez sous tension et desserrez les freins avec le bouton de l’en-tête.</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not answer</source>
@@ -589,15 +589,15 @@
     </message>
     <message>
         <source>the service on port %1 does not use RTDE</source>
-        <translation>ce qui répond sur le port %1 ne parle pas RTDE</translation>
+        <translation>le service du port %1 n’utilise pas RTDE</translation>
     </message>
     <message>
         <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
-        <translation>Trop de clients RTDE, ou un contrôleur bloqué : fermez d’autres programmes, puis redémarrez le contrôleur.</translation>
+        <translation>Trop de clients RTDE, ou le contrôleur ne répond plus : fermez d’autres programmes, puis redémarrez le contrôleur.</translation>
     </message>
     <message>
         <source>Check the address: this is another device, or another program uses the port.</source>
-        <translation>Vérifiez l’adresse : c’est un autre appareil, ou un autre programme a pris le port.</translation>
+        <translation>Vérifiez l’adresse : il s’agit d’un autre appareil, ou un autre programme utilise le port.</translation>
     </message>
     <message>
         <source>protocol version %1</source>
@@ -605,7 +605,7 @@
     </message>
     <message>
         <source>another program uses %1</source>
-        <translation>un autre programme occupe %1</translation>
+        <translation>un autre programme utilise %1</translation>
     </message>
     <message>
         <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
@@ -621,11 +621,11 @@
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
-        <translation>24 à 47 sont libres</translation>
+        <translation>les registres 24 à 47 sont libres</translation>
     </message>
     <message>
         <source>a fieldbus adapter or another program uses %1</source>
-        <translation>un adaptateur de bus de terrain ou un autre programme occupe %1</translation>
+        <translation>un adaptateur de bus de terrain ou un autre programme utilise %1</translation>
     </message>
     <message>
         <source>No action needed for jogging. To use these registers, disable EtherNet/IP, PROFINET or MODBUS in the robot&apos;s installation.</source>
@@ -633,7 +633,7 @@
     </message>
     <message>
         <source>registers 0 to 23 are free</source>
-        <translation>0 à 23 sont libres</translation>
+        <translation>les registres 0 à 23 sont libres</translation>
     </message>
     <message>
         <source>the robot accepts the subscription but sends no data</source>
@@ -661,11 +661,11 @@
     </message>
     <message>
         <source>permitted, and requested by real-time loops</source>
-        <translation>permis, et demandé par les boucles prioritaires</translation>
+        <translation>autorisée, et demandée par les boucles temps réel</translation>
     </message>
     <message>
         <source>CPUs may enter deep sleep states, which delays loops</source>
-        <translation>les processeurs peuvent dormir profondément, les boucles commencent plus tard</translation>
+        <translation>les processeurs peuvent entrer en veille profonde, ce qui retarde les boucles</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -677,11 +677,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
-        <translation>&quot;%1&quot; n’est pas une adresse, et aucun hôte de ce nom n’est connu</translation>
+        <translation>&quot;%1&quot; n’est pas une adresse, et aucun hôte de ce nom n’a été trouvé</translation>
     </message>
     <message>
         <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
-        <translation>Saisissez les quatre nombres que le pupitre montre sous À propos, ou demandez le nom à l’administrateur du réseau.</translation>
+        <translation>Saisissez les quatre nombres affichés par le pupitre sous « À propos », ou demandez le nom à votre administrateur réseau.</translation>
     </message>
     <message>
         <source>%1 does not answer</source>
@@ -689,11 +689,11 @@
     </message>
     <message>
         <source>There is no route to %1</source>
-        <translation>Il n’y a pas de chemin vers %1</translation>
+        <translation>Aucune route vers %1</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
-        <translation>Vérifiez que le robot est allumé, le câble branché et qu’aucun pare-feu ne s’interpose.</translation>
+        <translation>Vérifiez que le robot est allumé, que le câble est branché et qu’aucun pare-feu ne bloque la connexion.</translation>
     </message>
     <message>
         <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
@@ -701,11 +701,11 @@
     </message>
     <message>
         <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 répond, mais aucun service de robot n’y est</translation>
+        <translation>%1 répond, mais n’offre aucun service d’un robot</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>Vérifiez que c’est bien l’adresse du robot. Un robot qui vient d’être allumé demande encore une minute.</translation>
+        <translation>Vérifiez qu’il s’agit de l’adresse du robot. Un robot qui vient d’être allumé a besoin d’une minute de plus.</translation>
     </message>
     <message>
         <source>%1 answers</source>
@@ -733,11 +733,11 @@
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
-        <translation>Un pare-feu avale ce port : autorisez le port TCP %1 vers le robot.</translation>
+        <translation>Un pare-feu bloque ce port : autorisez le port TCP %1 vers le robot.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
-        <translation>Passez le robot en commande à distance sur le pupitre, en haut à droite. Sinon Tiller ne fait qu’observer.</translation>
+        <translation>Passez le robot en commande à distance en haut à droite du pupitre. D’ici là, Tiller ne peut qu’observer.</translation>
     </message>
     <message>
         <source>the dashboard accepts connections but does not answer</source>
@@ -745,11 +745,11 @@
     </message>
     <message>
         <source>the service on port %1 is not a dashboard server</source>
-        <translation>ce qui répond sur le port %1 n’est pas un dashboard</translation>
+        <translation>le service du port %1 n’est pas un serveur Dashboard</translation>
     </message>
     <message>
         <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
-        <translation>Redémarrez le contrôleur du robot ; si cela reste ainsi, voyez son journal.</translation>
+        <translation>Redémarrez le contrôleur du robot ; si le problème persiste, consultez son journal.</translation>
     </message>
     <message>
         <source>Check the address, and check that no other program uses this port.</source>
@@ -769,15 +769,15 @@
     </message>
     <message>
         <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
-        <translation>ni le dashboard (port %1) ni la Robot API (port %2) n’est là</translation>
+        <translation>ni le Dashboard (port %1) ni la Robot API (port %2) ne sont disponibles</translation>
     </message>
     <message>
         <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
-        <translation>Activez le Dashboard Server sur le robot : Réglages, Sécurité, Services. PolyScope X demande 10.11 ou plus récent pour la Robot API.</translation>
+        <translation>Activez le serveur Dashboard sur le robot : Réglages, Sécurité, Services. PolyScope X nécessite la version 10.11 ou plus récente pour la Robot API.</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1, port %2 ; les messages se ferment sur la tablette</translation>
+        <translation>Robot API %1, port %2 ; les messages doivent être fermés sur le pupitre</translation>
     </message>
     <message>
         <source>the primary interface does not describe the arm</source>
@@ -785,15 +785,15 @@
     </message>
     <message>
         <source>Check that this is the address of the robot, and restart its controller.</source>
-        <translation>Vérifiez que c’est bien l’adresse du robot et redémarrez son contrôleur.</translation>
+        <translation>Vérifiez qu’il s’agit de l’adresse du robot, et redémarrez son contrôleur.</translation>
     </message>
     <message>
         <source>robot type %1 is not known to this version of Tiller</source>
-        <translation>le type de robot %1 est plus récent que ce programme</translation>
+        <translation>cette version de Tiller ne connaît pas le type de robot %1</translation>
     </message>
     <message>
         <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
-        <translation>Observer marche. Limites et aperçus utilisent les dimensions que le robot signale ; déplacez d’abord lentement.</translation>
+        <translation>L’observation fonctionne. Les limites et aperçus utilisent les dimensions indiquées par le robot ; déplacez d’abord lentement.</translation>
     </message>
     <message>
         <source>Address resolves</source>
@@ -825,7 +825,7 @@
     </message>
     <message>
         <source>RTDE protocol</source>
-        <translation>RTDE est compris</translation>
+        <translation>Protocole RTDE</translation>
     </message>
     <message>
         <source>Controller software</source>
@@ -853,7 +853,7 @@
     </message>
     <message>
         <source>No fieldbus uses registers</source>
-        <translation>Aucun bus de terrain n’occupe de registres</translation>
+        <translation>Aucun bus de terrain n’utilise de registres</translation>
     </message>
     <message>
         <source>Data rate</source>
@@ -861,11 +861,11 @@
     </message>
     <message>
         <source>Real-time priority on this PC</source>
-        <translation>Privilège temps réel de ce PC</translation>
+        <translation>Priorité temps réel sur ce PC</translation>
     </message>
     <message>
         <source>Timer wake-ups of this PC</source>
-        <translation>Réveils rapides de ce PC</translation>
+        <translation>Réveils de minuterie de ce PC</translation>
     </message>
     <message>
         <source>TCP and payload</source>
@@ -896,11 +896,11 @@
     </message>
     <message>
         <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>Laissez le bras s’immobiliser avant Freedrive.</translation>
+        <translation>Attendez que le bras soit à l’arrêt avant Freedrive.</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>Le bras sent %1 avec une charge utile de %2 kg : il bougerait de lui-même. Lâchez l’outil, ou corrigez charge utile et TCP.</translation>
+        <translation>Le bras mesure %1 avec une charge utile de %2 kg et dériverait. Lâchez l’outil, ou corrigez la charge utile et le TCP.</translation>
     </message>
 </context>
 <context>
@@ -911,29 +911,29 @@
     </message>
     <message>
         <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
-        <translation>Stick gauche X et Y, stick droit Z et rotation. Gâchette droite : les sticks tournent.</translation>
+        <translation>Manche gauche : X et Y. Manche droit : Z et rotation. Maintenez la gâchette droite pour tourner avec les deux manches.</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
         <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>Pas de second témoin sur cet écran (%1) : seuls les événements de la fenêtre disent si une touche est encore tenue.</translation>
+        <translation>Contrôle de touche indisponible sur cette plate-forme (%1) : les touches maintenues ne sont connues que par les événements de la fenêtre.</translation>
     </message>
     <message>
         <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>On demande au serveur d’affichage toutes les 10 ms si le bouton ou la touche est encore enfoncé.</translation>
+        <translation>Contrôle de touche actif : Tiller demande toutes les 10 ms au serveur d’affichage si le bouton ou la touche est encore enfoncé.</translation>
     </message>
     <message>
         <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>On ne peut interroger le serveur d’affichage une seconde fois : seuls les événements de la fenêtre disent si une touche est encore tenue.</translation>
+        <translation>Contrôle de touche indisponible : pas de seconde connexion au serveur d’affichage. Les touches maintenues ne sont connues que par les événements de la fenêtre.</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
-        <translation>Cet écran a de petits pixels. « Taille de tout » dans les réglages agrandit texte, touches et tracés.</translation>
+        <translation>Cet écran a une haute résolution. Augmentez « Taille de l’interface » dans les réglages pour agrandir textes, touches et tracés.</translation>
     </message>
 </context>
 <context>
@@ -952,7 +952,7 @@
     </message>
     <message>
         <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
-        <translation>Armé, les flèches déplacent le bras ; un cadre entoure la fenêtre. Se termine de lui-même après une demi-minute.</translation>
+        <translation>Clavier armé, les flèches déplacent le bras et un cadre entoure la fenêtre. Se désarme après 30 s sans utilisation.</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -960,7 +960,7 @@
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>Ce que dit chaque périphérique maintenant et où il ira.</translation>
+        <translation>Affiche les valeurs actuelles de chaque appareil et la direction dans laquelle le bras irait.</translation>
     </message>
     <message>
         <source>Zero here</source>
@@ -968,27 +968,27 @@
     </message>
     <message>
         <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
-        <translation>Compte le chemin du TCP à partir d’ici ; encore une fois : de nouveau depuis l’appui.</translation>
+        <translation>Mesure le déplacement du TCP à partir d’ici. Appuyez de nouveau pour mesurer depuis le dernier appui.</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
-        <translation>Arrête le bras ; le prochain appui a cette vitesse.</translation>
+        <translation>Arrête le bras. Le prochain appui utilise cette vitesse.</translation>
     </message>
     <message>
         <source>Moves by this distance, only while the key is held.</source>
-        <translation>Déplace d’autant, seulement tant que la touche est tenue.</translation>
+        <translation>Déplace de cette distance, seulement tant que la touche est maintenue.</translation>
     </message>
     <message>
         <source>Moves by this distance at each press.</source>
-        <translation>Déplace d’autant à chaque appui.</translation>
+        <translation>Déplace de cette distance à chaque appui.</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
-        <translation>Déplacer jusqu’au contact, %1 N</translation>
+        <translation>Déplacer jusqu’au contact (%1 N)</translation>
     </message>
     <message>
         <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>Une touche tenue déplace lentement et s’arrête quand l’outil rencontre cette force.</translation>
+        <translation>Déplace lentement tant que la touche est maintenue et s’arrête quand l’outil atteint cette force.</translation>
     </message>
     <message>
         <source>Jog speed, other…</source>
@@ -996,7 +996,7 @@
     </message>
     <message>
         <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>Demande la vitesse du TCP ; rotations et articulations en proportion.</translation>
+        <translation>Demande la vitesse du TCP. Les vitesses de rotation et des articulations changent en proportion.</translation>
     </message>
     <message>
         <source>Jog step, other…</source>
@@ -1004,7 +1004,7 @@
     </message>
     <message>
         <source>Asks for the step length. The step angle does not change.</source>
-        <translation>Demande la longueur d’un pas ; l’angle des rotations reste.</translation>
+        <translation>Demande la longueur du pas. L’angle du pas ne change pas.</translation>
     </message>
     <message>
         <source>Jog turn, other…</source>
@@ -1012,7 +1012,7 @@
     </message>
     <message>
         <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>Demande l’angle d’un pas qui tourne l’outil ou une articulation ; la longueur reste.</translation>
+        <translation>Demande l’angle du pas pour les rotations de l’outil et des articulations. La longueur ne change pas.</translation>
     </message>
     <message>
         <source>Jog until contact, other force…</source>
@@ -1020,7 +1020,7 @@
     </message>
     <message>
         <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>Demande la force en N à laquelle le mouvement s’arrête.</translation>
+        <translation>Demande la force de contact en N qui termine le mouvement.</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1028,7 +1028,7 @@
     </message>
     <message>
         <source>Selects the axes that can be moved by hand during Freedrive.</source>
-        <translation>Ce que la main peut bouger tant que Freedrive est tenu.</translation>
+        <translation>Sélectionne les axes mobiles à la main pendant Freedrive.</translation>
     </message>
 </context>
 <context>
@@ -1137,15 +1137,15 @@
     </message>
     <message>
         <source>TCP at the speed cap of %1</source>
-        <translation>TCP à son plafond de vitesse : %1</translation>
+        <translation>TCP au plafond de vitesse de %1</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
-        <translation>le plafond est dans les réglages</translation>
+        <translation>modifiez le plafond dans les réglages</translation>
     </message>
     <message>
         <source>Elbow at the speed cap of %1</source>
-        <translation>Coude à son plafond de vitesse : %1</translation>
+        <translation>Coude au plafond de vitesse de %1</translation>
     </message>
     <message>
         <source>move less sideways</source>
@@ -1153,15 +1153,15 @@
     </message>
     <message>
         <source>Rotation at its cap of %1</source>
-        <translation>Rotation à son plafond : %1</translation>
+        <translation>Rotation au plafond de %1</translation>
     </message>
     <message>
         <source>%1 at its maximum speed of %2</source>
-        <translation>%1 à sa vitesse maximale : %2</translation>
+        <translation>%1 à sa vitesse maximale de %2</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
-        <translation>choisissez une classe plus lente</translation>
+        <translation>choisissez une vitesse plus basse</translation>
     </message>
     <message>
         <source>move away from it</source>
@@ -1195,7 +1195,7 @@
     </message>
     <message>
         <source>The arm can be moved by hand.</source>
-        <translation>Le bras suit la main qui le bouge.</translation>
+        <translation>Le bras peut être déplacé à la main.</translation>
     </message>
     <message>
         <source>MOVING</source>
@@ -1263,15 +1263,15 @@
     </message>
     <message>
         <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
-        <translation>Les paquets arrivent tard ou pas du tout : le déplacement peut s’arrêter de lui-même et les tracés ont des trous. Utilisez un câble, pas une liaison radio, et fermez d’autres programmes.</translation>
+        <translation>Des paquets sont en retard ou perdus : le déplacement peut s’arrêter et les tracés ont des lacunes. Utilisez un câble au lieu d’une liaison sans fil et fermez d’autres programmes.</translation>
     </message>
     <message>
         <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>Les commandes prennent plus de 20 ms : le bras suit la touche avec un retard sensible. Déplacez lentement.</translation>
+        <translation>Les commandes prennent plus de 20 ms : le bras réagit aux touches avec retard. Déplacez lentement.</translation>
     </message>
     <message>
         <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>Bon : le bras suit aussitôt la touche, et une liaison coupée l’arrête en un quart de seconde.</translation>
+        <translation>Bon : le bras réagit aussitôt aux touches et s’arrête en 250 ms si la liaison échoue.</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1283,7 +1283,7 @@
     </message>
     <message>
         <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
-        <translation>En retard : un paquet qui vient plus d’une demi-période après son heure.</translation>
+        <translation>Un paquet est en retard s’il arrive plus d’une demi-période après l’heure attendue.</translation>
     </message>
     <message>
         <source>No robot connected</source>
@@ -1351,7 +1351,7 @@
     </message>
     <message>
         <source>Select the simulator or enter the address of a robot</source>
-        <translation>Choisissez le simulateur ou l’adresse d’un robot</translation>
+        <translation>Sélectionnez le simulateur ou saisissez l’adresse d’un robot</translation>
     </message>
     <message>
         <source>Powers the arm. Brakes stay engaged.</source>
@@ -1363,7 +1363,7 @@
     </message>
     <message>
         <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>Montre ce qui a arrêté le bras, les cinq dernières secondes et le chemin du retour. Rien ne bouge.</translation>
+        <translation>Affiche ce qui a arrêté le bras, les cinq dernières secondes et les étapes de rétablissement. Rien ne bouge.</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1422,7 +1422,7 @@
     </message>
     <message>
         <source>The arm is powered and initializing. Wait a moment.</source>
-        <translation>Le bras est sous tension et se prépare. Attendez un instant.</translation>
+        <translation>Le bras est sous tension et s’initialise. Attendez un instant.</translation>
     </message>
     <message>
         <source>Idle</source>
@@ -1438,7 +1438,7 @@
     </message>
     <message>
         <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
-        <translation>Le bras est bougé à la main malgré ses freins. Lâchez le bouton Freedrive.</translation>
+        <translation>Le bras est déplacé à la main, freins desserrés. Relâchez le bouton Freedrive.</translation>
     </message>
     <message>
         <source>Running</source>
@@ -1446,7 +1446,7 @@
     </message>
     <message>
         <source>Brakes are released. The arm is at standstill.</source>
-        <translation>Les freins sont desserrés. Le bras est immobile.</translation>
+        <translation>Les freins sont desserrés. Le bras est à l’arrêt.</translation>
     </message>
     <message>
         <source>Updating firmware</source>
@@ -1470,7 +1470,7 @@
     </message>
     <message>
         <source>The reduced safety limits are active.</source>
-        <translation>Le robot respecte ses limites réduites.</translation>
+        <translation>Les limites de sécurité réduites sont actives.</translation>
     </message>
     <message>
         <source>Protective stop</source>
@@ -1494,7 +1494,7 @@
     </message>
     <message>
         <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
-        <translation>Une protection est ouverte. Fermez-la ; si un réarmement est configuré, actionnez-le.</translation>
+        <translation>Une protection est ouverte. Fermez-la et, si un réarmement est configuré, appuyez sur le bouton de réarmement.</translation>
     </message>
     <message>
         <source>System emergency stop</source>
@@ -1534,7 +1534,7 @@
     </message>
     <message>
         <source>A joint was replaced. Validate the joints on the teach pendant.</source>
-        <translation>Une articulation a été échangée. Validez les articulations sur le pupitre.</translation>
+        <translation>Une articulation a été remplacée. Validez les articulations sur le pupitre.</translation>
     </message>
     <message>
         <source>Undefined</source>
@@ -1542,7 +1542,7 @@
     </message>
     <message>
         <source>The controller does not report its safety mode. Check the teach pendant.</source>
-        <translation>Le contrôleur ne dit pas son mode de sécurité. Regardez le pupitre.</translation>
+        <translation>Le contrôleur n’indique pas son mode de sécurité. Consultez le pupitre.</translation>
     </message>
     <message>
         <source>Automatic safeguard stop</source>
@@ -1614,7 +1614,7 @@
     </message>
     <message>
         <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
-        <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Relâchez-le là-bas, puis mettez sous tension et desserrez les freins.</translation>
+        <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Levez-le là-bas, puis mettez sous tension et desserrez les freins.</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1630,7 +1630,7 @@
     </message>
     <message>
         <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
-        <translation>L’outil a traversé un plan de sécurité activé par une entrée. Sortez-le avec le pupitre, ou désactivez l’entrée.</translation>
+        <translation>L’outil a franchi un plan de sécurité activé par une entrée. Sortez-le avec le pupitre ou désactivez l’entrée.</translation>
     </message>
     <message>
         <source>Program stopping</source>
@@ -1662,7 +1662,7 @@
     </message>
     <message>
         <source>The program is pausing.</source>
-        <translation>Le programme s’immobilise.</translation>
+        <translation>Le programme se met en pause.</translation>
     </message>
     <message>
         <source>Program paused</source>
@@ -1670,7 +1670,7 @@
     </message>
     <message>
         <source>Play continues the interrupted motion. Stop the program to discard it.</source>
-        <translation>Lecture poursuit le mouvement interrompu ; arrêtez le programme pour l’abandonner.</translation>
+        <translation>La lecture poursuit le mouvement interrompu. Arrêtez le programme pour l’abandonner.</translation>
     </message>
     <message>
         <source>Program resuming</source>
@@ -1678,7 +1678,7 @@
     </message>
     <message>
         <source>The program is resuming: the arm may move.</source>
-        <translation>Le programme continue : le bras peut bouger.</translation>
+        <translation>Le programme reprend : le bras peut bouger.</translation>
     </message>
     <message>
         <source>Unknown robot mode %1. See the teach pendant.</source>
@@ -1697,7 +1697,7 @@
     <name>OutputGripper</name>
     <message>
         <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
-        <translation>Le robot n’a pas confirmé les sorties. Elles appartiennent peut-être à un autre programme ou à l’installation.</translation>
+        <translation>Le robot n’a pas confirmé les sorties. Un autre programme ou l’installation les commande peut-être.</translation>
     </message>
     <message>
         <source>Gripper: close</source>
@@ -1717,11 +1717,11 @@
     </message>
     <message>
         <source>open requested</source>
-        <translation>ordre d’ouvrir</translation>
+        <translation>ouverture demandée</translation>
     </message>
     <message>
         <source>close requested</source>
-        <translation>ordre de fermer</translation>
+        <translation>fermeture demandée</translation>
     </message>
     <message>
         <source>both outputs off</source>
@@ -1744,11 +1744,11 @@
     </message>
     <message>
         <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>Écrit chaque paquet du robot dans un fichier CSV, jusqu’à l’arrêt.</translation>
+        <translation>Écrit chaque paquet du robot dans un fichier CSV jusqu’à l’arrêt de l’enregistrement.</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
-        <translation>Un enregistrement tourne déjà.</translation>
+        <translation>Un enregistrement est déjà en cours.</translation>
     </message>
     <message>
         <source>Connect to a robot first.</source>
@@ -1760,11 +1760,11 @@
     </message>
     <message>
         <source>Stops the recording and completes its file.</source>
-        <translation>Termine l’enregistrement ; son fichier est complet.</translation>
+        <translation>Arrête l’enregistrement et termine son fichier.</translation>
     </message>
     <message>
         <source>No recording is running.</source>
-        <translation>Rien n’est enregistré.</translation>
+        <translation>Aucun enregistrement en cours.</translation>
     </message>
     <message>
         <source>Pause or resume the plots</source>
@@ -1772,7 +1772,7 @@
     </message>
     <message>
         <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
-        <translation>Fige les tracés ; données et enregistrement continuent. Encore une fois : retour aux valeurs les plus récentes.</translation>
+        <translation>Fige les tracés ; les données et l’enregistrement continuent. Appuyez de nouveau pour revenir aux derniers échantillons.</translation>
     </message>
     <message>
         <source>Export the plots…</source>
@@ -1780,7 +1780,7 @@
     </message>
     <message>
         <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>Enregistre la plage montrée en image, dessin, page ou valeurs.</translation>
+        <translation>Enregistre la plage visible comme image, dessin, page ou valeurs.</translation>
     </message>
     <message>
         <source>Plots show %1</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
-        <translation>Combien de temps montrent les tracés.</translation>
+        <translation>Règle la plage de temps des tracés.</translation>
     </message>
     <message>
         <source>Search inputs and outputs</source>
@@ -1800,27 +1800,27 @@
     </message>
     <message>
         <source>Rename selected input or output</source>
-        <translation>Renommer l’entrée ou la sortie choisie</translation>
+        <translation>Renommer l’entrée ou la sortie sélectionnée</translation>
     </message>
     <message>
         <source>Applies to the focused row of the I/O tab.</source>
-        <translation>La ligne de l’onglet E/S qui a le focus.</translation>
+        <translation>S’applique à la ligne active de l’onglet E/S.</translation>
     </message>
     <message>
         <source>Switch selected output</source>
-        <translation>Commuter la sortie choisie</translation>
+        <translation>Commuter la sortie sélectionnée</translation>
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>La sortie de l’onglet E/S qui a le focus : activée, ou de nouveau désactivée.</translation>
+        <translation>Active ou désactive la sortie active de l’onglet E/S.</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
-        <translation>Impulsion sur la sortie choisie</translation>
+        <translation>Impulsion sur la sortie sélectionnée</translation>
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>La sortie de l’onglet E/S qui a le focus : activée une demi-seconde, puis désactivée.</translation>
+        <translation>Active la sortie sélectionnée de l’onglet E/S pendant 0,5 s, puis la désactive.</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1828,7 +1828,7 @@
     </message>
     <message>
         <source>Shows only entries that contain these words.</source>
-        <translation>Ne montre que les lignes avec ces mots.</translation>
+        <translation>Affiche seulement les entrées qui contiennent ces mots.</translation>
     </message>
     <message>
         <source>Log: show all</source>
@@ -1844,7 +1844,7 @@
     </message>
     <message>
         <source>Selects which log entries are shown.</source>
-        <translation>Choisit quelles lignes du journal sont montrées.</translation>
+        <translation>Choisit les entrées du journal à afficher.</translation>
     </message>
     <message>
         <source>Copy the log</source>
@@ -1852,7 +1852,7 @@
     </message>
     <message>
         <source>Copies the selected entries, or all visible entries.</source>
-        <translation>Copie les lignes choisies, ou toutes celles montrées.</translation>
+        <translation>Copie les entrées sélectionnées, ou toutes les entrées visibles.</translation>
     </message>
     <message>
         <source>Export the log…</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>Writes the visible entries to a file.</source>
-        <translation>Écrit dans un fichier les lignes montrées.</translation>
+        <translation>Écrit les entrées visibles dans un fichier.</translation>
     </message>
     <message>
         <source>Search signals for the plots</source>
@@ -1868,7 +1868,7 @@
     </message>
     <message>
         <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
-        <translation>Ouvre la liste de tout ce que dit le robot : sur un tracé en tirant, par double clic ou Entrée.</translation>
+        <translation>Ouvre la liste de tous les signaux. Ajoutez-en un à un tracé par glisser-déposer, double-clic ou Entrée.</translation>
     </message>
     <message>
         <source>New page of plots</source>
@@ -1876,15 +1876,15 @@
     </message>
     <message>
         <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>Une page vide derrière les autres ; toutes montrent le même temps.</translation>
+        <translation>Ajoute une page vide après les autres. Toutes partagent l’axe du temps.</translation>
     </message>
     <message>
         <source>Show the entire history</source>
-        <translation>Montrer tout l’historique des tracés</translation>
+        <translation>Afficher tout l’historique</translation>
     </message>
     <message>
         <source>Shows all data in memory and scales each plot automatically.</source>
-        <translation>Tout ce qui est en mémoire, chaque tracé à sa meilleure échelle.</translation>
+        <translation>Affiche toutes les données en mémoire et ajuste l’échelle de chaque tracé.</translation>
     </message>
 </context>
 <context>
@@ -1895,7 +1895,7 @@
     </message>
     <message>
         <source>Add note here…</source>
-        <translation>Noter ici…</translation>
+        <translation>Ajouter une note ici…</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -1907,7 +1907,7 @@
     </message>
     <message>
         <source>Read %1 at the cursors</source>
-        <translation>Que les curseurs lisent %1</translation>
+        <translation>Lire %1 aux curseurs</translation>
     </message>
     <message>
         <source>Move %1 to a plot of its own</source>
@@ -1919,11 +1919,11 @@
     </message>
     <message>
         <source>Warn when %1</source>
-        <translation>Alarme quand %1</translation>
+        <translation>Avertir quand %1</translation>
     </message>
     <message>
         <source>Do not warn when %1</source>
-        <translation>Pas d’alarme quand %1</translation>
+        <translation>Ne pas avertir quand %1</translation>
     </message>
     <message>
         <source>Rate of change of %1</source>
@@ -1931,7 +1931,7 @@
     </message>
     <message>
         <source>Moving mean of %1 over 0.5 s</source>
-        <translation>Moyenne glissante de %1 sur une demi-seconde</translation>
+        <translation>Moyenne mobile de %1 sur 0,5 s</translation>
     </message>
     <message>
         <source>Mean %1</source>
@@ -1947,7 +1947,7 @@
     </message>
     <message>
         <source>New plot to the right</source>
-        <translation>Nouveau tracé à côté</translation>
+        <translation>Nouveau tracé à droite</translation>
     </message>
     <message>
         <source>Remove this plot</source>
@@ -1955,7 +1955,7 @@
     </message>
     <message>
         <source>Scale to the curves</source>
-        <translation>Laisser les courbes décider de l’échelle</translation>
+        <translation>Ajuster l’échelle aux courbes</translation>
     </message>
     <message>
         <source>Show all</source>
@@ -1970,11 +1970,11 @@
     </message>
     <message>
         <source>The arm is in a protective stop. Press Recover… in the header.</source>
-        <translation>Le bras est en arrêt de protection. Appuyez sur Rétablir dans l’en-tête.</translation>
+        <translation>Le bras est en arrêt de protection. Appuyez sur « Rétablir… » dans l’en-tête.</translation>
     </message>
     <message>
         <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
-        <translation>Déverrouillé. Le bras ne marche pas encore : suivez la page de rétablissement.</translation>
+        <translation>Déverrouillé. Le bras n’est pas encore en marche : suivez la page de récupération.</translation>
     </message>
     <message>
         <source>Unlocked. Take control again.</source>
@@ -1986,39 +1986,39 @@
     </message>
     <message>
         <source>No new frame yet. Use 3 points in the Frames tab.</source>
-        <translation>Pas encore de nouveau repère. « 3 points » est dans l’onglet Repères.</translation>
+        <translation>Pas encore de nouveau repère. Utilisez « 3 points » dans l’onglet Repères.</translation>
     </message>
     <message>
         <source>“%1” meets the requirements.</source>
-        <translation>« %1 » est placé comme demandé.</translation>
+        <translation>« %1 » répond aux exigences.</translation>
     </message>
     <message>
         <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
-        <translation>« %1 » : son Z s’écarte de %2° de celui de la base. Le troisième point est du côté de +Y.</translation>
+        <translation>« %1 » : son axe Z s’écarte de %2° de l’axe Z de la base. Le troisième point doit être du côté +Y.</translation>
     </message>
     <message>
         <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
-        <translation>« %1 » : son X s’écarte de %2° du Y de la base.</translation>
+        <translation>« %1 » : son axe X s’écarte de %2° de l’axe Y de la base.</translation>
     </message>
     <message>
         <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>« %1 » n’a pas été pris avec le bras : le TCP n’a pas été à son origine.</translation>
+        <translation>« %1 » n’a pas été appris avec le bras : le TCP n’a pas été à son origine.</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>Le point de passage n’est plus là. Démarrer en pose un nouveau.</translation>
+        <translation>Le point de passage a été supprimé. Démarrer en ajoute un nouveau.</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
-        <translation>« %1 » est où il était. Le bras en est à %2 selon X.</translation>
+        <translation>« %1 » n’a pas changé. Le bras en est éloigné de %2 selon X.</translation>
     </message>
     <message>
         <source>“%1” has moved by %2 and is %3 from the expected position.</source>
-        <translation>« %1 » a bougé de %2 et est à %3 de sa place.</translation>
+        <translation>« %1 » a été déplacé de %2 et se trouve à %3 de la position attendue.</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the tool orientation changed.</source>
-        <translation>« %1 » est en place, mais l’outil a été tourné.</translation>
+        <translation>« %1 » est à la position attendue, mais l’orientation de l’outil a changé.</translation>
     </message>
     <message>
         <source>“%1” is at the part again.</source>
@@ -2026,7 +2026,7 @@
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
-        <translation>« %1 » est en place, mais le bras n’y est pas. Retouchez avec le bras sur la pièce.</translation>
+        <translation>« %1 » est à la position attendue, mais pas le bras. Retouchez le point avec le bras sur la pièce.</translation>
     </message>
     <message>
         <source>Slowed down to %1. Continue.</source>
@@ -2034,15 +2034,15 @@
     </message>
     <message>
         <source>No limit reached yet. The line below the pad will name it.</source>
-        <translation>Pas encore de limite. La ligne sous le pavé la nommera.</translation>
+        <translation>Aucune limite atteinte. La ligne sous le pavé l’indiquera.</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
-        <translation>Voilà la limite. Maintenant retour : %1 sur %2.</translation>
+        <translation>Limite atteinte. Revenez maintenant : %1 sur %2.</translation>
     </message>
     <message>
         <source>You reached the limit and moved out of it again.</source>
-        <translation>Trouvée, et de nouveau sorti.</translation>
+        <translation>Vous avez atteint la limite puis en êtes ressorti.</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>No recording yet. Press Record above the plots.</source>
-        <translation>Pas encore d’enregistrement. Enregistrer est au-dessus des tracés.</translation>
+        <translation>Pas encore d’enregistrement. Appuyez sur « Enregistrer » au-dessus des tracés.</translation>
     </message>
     <message>
         <source>Recorded. Enter the force that the plot shows.</source>
@@ -2062,7 +2062,7 @@
     </message>
     <message>
         <source>%1 does not match the recording. Look at the Fz curve.</source>
-        <translation>%1 n’est pas ce qui a été enregistré. Regardez la courbe Fz.</translation>
+        <translation>%1 ne correspond pas à l’enregistrement. Regardez la courbe Fz.</translation>
     </message>
     <message>
         <source>Correct: it was %1.</source>
@@ -2090,23 +2090,23 @@
     </message>
     <message>
         <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>Démarrer fait heurter le bras simulé, qui passe en arrêt de protection. Voyez ce qui l’a arrêté, attendez les cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
+        <translation>Démarrer fait entrer le bras simulé en collision et en arrêt de protection. Trouvez ce qui l’a arrêté, attendez cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
-        <translation>Apprenez un repère par trois points dans l’onglet Repères. Son X doit suivre Y+ de la base, son Z monter : prenez l’origine, puis un point plus loin selon Y+, puis un autre plus loin selon X−.</translation>
+        <translation>Apprenez un repère à partir de trois points dans l’onglet Repères. Son axe X doit pointer selon Y+ de la base et son axe Z vers le haut : prenez l’origine, puis un point plus loin selon Y+, puis un point plus loin selon X−.</translation>
     </message>
     <message>
         <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>Démarrer pose un point de passage « pièce » où se trouve le bras. La pièce a depuis bougé de %1 selon X+ de la base. Allez-y, choisissez le point et retouchez-le (U).</translation>
+        <translation>Démarrer ajoute un point de passage « pièce » à la position actuelle du bras. La pièce se déplace ensuite de %1 selon X+ de la base. Allez-y, sélectionnez le point et retouchez-le (U).</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
-        <translation>Éloignez-vous de la base, vers l’extérieur, jusqu’à ce qu’une limite ralentisse le bras de moitié. La ligne sous le pavé la nomme et dit la sortie. Revenez ensuite de %1.</translation>
+        <translation>Déplacez vers l’extérieur, loin de la base, jusqu’à ce qu’une limite réduise la vitesse de moitié. La ligne sous le pavé nomme la limite et la façon d’en sortir. Revenez ensuite de %1.</translation>
     </message>
     <message>
         <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>Démarrer fait appuyer une main sur l’outil par le haut. Enregistrez au moins trois secondes et arrêtez. Lisez dans les tracés combien vaut la force Fz, et saisissez-la.</translation>
+        <translation>Démarrer fait appuyer une main sur l’outil par le haut. Enregistrez au moins trois secondes, puis arrêtez. Lisez la force Fz dans les tracés et saisissez-la.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2147,11 +2147,11 @@
     </message>
     <message>
         <source>No data from the robot. Reconnecting automatically.</source>
-        <translation>Pas de données du robot. Reconnexion automatique.</translation>
+        <translation>Aucune donnée du robot. Reconnexion automatique.</translation>
     </message>
     <message>
         <source>Robot data are late. Waiting for new data.</source>
-        <translation>Les données du robot sont en retard. En attente de leur retour.</translation>
+        <translation>Les données du robot sont en retard. En attente de nouvelles données.</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -2166,7 +2166,7 @@
     <name>RecordingChoice</name>
     <message>
         <source>A file name must not be empty or begin with a period.</source>
-        <translation>Un fichier demande un nom qui ne commence pas par un point.</translation>
+        <translation>Un nom de fichier ne doit pas être vide ni commencer par un point.</translation>
     </message>
     <message>
         <source>A file name cannot contain “%1”.</source>
@@ -2185,7 +2185,7 @@
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
-        <translation>Le bras peut être bougé. Ce qui était armé avant l’arrêt ne le bouge pas : chaque mouvement demande un nouvel appui.</translation>
+        <translation>Le bras peut être déplacé. Les mouvements d’avant l’arrêt ne reprennent pas : chaque mouvement demande un nouvel appui.</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -2205,15 +2205,15 @@
     </message>
     <message>
         <source>I inspected the arm: no one touches it and nothing is trapped.</source>
-        <translation>J’ai regardé le bras : personne ne le touche, rien n’est coincé.</translation>
+        <translation>J’ai inspecté le bras : personne ne le touche et rien n’est coincé.</translation>
     </message>
     <message>
         <source>The cause of the stop is known and removed.</source>
-        <translation>Ce qui l’a arrêté est connu et ôté.</translation>
+        <translation>La cause de l’arrêt est connue et éliminée.</translation>
     </message>
     <message>
         <source>Payload and TCP match the mounted tool.</source>
-        <translation>Charge utile et TCP sont ceux de l’outil monté.</translation>
+        <translation>La charge utile et le TCP correspondent à l’outil monté.</translation>
     </message>
     <message>
         <source>Possible in %1 s</source>
@@ -2221,15 +2221,15 @@
     </message>
     <message>
         <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>J’ai regardé le bras et le journal du robot : la cause est connue.</translation>
+        <translation>J’ai inspecté le bras et le journal du robot : la cause est connue.</translation>
     </message>
     <message>
         <source>The cause is removed, and no one is within reach of the arm.</source>
-        <translation>La cause est ôtée et personne n’est à portée du bras.</translation>
+        <translation>La cause est éliminée et personne n’est à portée du bras.</translation>
     </message>
     <message>
         <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>Rien à presser ici : cela finit quand sa cause a disparu.</translation>
+        <translation>Rien à faire ici : cet état prend fin quand sa cause est éliminée.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -2291,7 +2291,7 @@
     </message>
     <message>
         <source>A program is already running.</source>
-        <translation>Un programme tourne déjà.</translation>
+        <translation>Un programme est déjà en cours.</translation>
     </message>
     <message>
         <source>Connect…</source>
@@ -2299,7 +2299,7 @@
     </message>
     <message>
         <source>Select the simulator, a robot or a project.</source>
-        <translation>Choisir le simulateur, un robot ou un projet.</translation>
+        <translation>Sélectionnez le simulateur, un robot ou un projet.</translation>
     </message>
     <message>
         <source>Simulated robot</source>
@@ -2315,7 +2315,7 @@
     </message>
     <message>
         <source>Checks everything between this PC and the robot and suggests fixes.</source>
-        <translation>Regarde tout ce qu’il y a entre ce PC et le robot, chaque chose avec son remède.</translation>
+        <translation>Vérifie tout entre ce PC et le robot et propose des remèdes.</translation>
     </message>
     <message>
         <source>Select a robot first.</source>
@@ -2327,7 +2327,7 @@
     </message>
     <message>
         <source>Stops our motion, then closes the connection.</source>
-        <translation>Termine la connexion ; un mouvement d’ici s’arrête d’abord.</translation>
+        <translation>Arrête notre mouvement, puis ferme la connexion.</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
@@ -2339,7 +2339,7 @@
     </message>
     <message>
         <source>The arm is powered on or powering on.</source>
-        <translation>Le bras est sous tension, ou le devient.</translation>
+        <translation>Le bras est sous tension ou en cours de mise sous tension.</translation>
     </message>
     <message>
         <source>The arm may sag by a few millimetres. Keep clear.</source>
@@ -2347,7 +2347,7 @@
     </message>
     <message>
         <source>Stops programs, engages the brakes and powers the arm off.</source>
-        <translation>Serre les freins et coupe le courant du bras ; les programmes s’arrêtent.</translation>
+        <translation>Arrête les programmes, serre les freins et met le bras hors tension.</translation>
     </message>
     <message>
         <source>The arm is powered off.</source>
@@ -2359,11 +2359,11 @@
     </message>
     <message>
         <source>Shows what stopped the arm and the recovery steps.</source>
-        <translation>Montre ce qui a arrêté le bras, et le chemin du retour.</translation>
+        <translation>Affiche ce qui a arrêté le bras et les étapes de rétablissement.</translation>
     </message>
     <message>
         <source>The safety system reports no stop.</source>
-        <translation>Pas d’arrêt du système de sécurité.</translation>
+        <translation>Le système de sécurité ne signale aucun arrêt.</translation>
     </message>
     <message>
         <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
@@ -2383,7 +2383,7 @@
     </message>
     <message>
         <source>Already in control.</source>
-        <translation>Déjà contrôlé.</translation>
+        <translation>Contrôle déjà pris.</translation>
     </message>
     <message>
         <source>Give control back</source>
@@ -2403,7 +2403,7 @@
     </message>
     <message>
         <source>Software stop of all motion. Not an emergency stop.</source>
-        <translation>Arrêt logiciel de tout ce qui bouge. Pas un arrêt d’urgence.</translation>
+        <translation>Arrêt logiciel de tout mouvement. Pas un arrêt d’urgence.</translation>
     </message>
     <message>
         <source>Load program…</source>
@@ -2411,11 +2411,11 @@
     </message>
     <message>
         <source>Loads a program stored on the robot by name.</source>
-        <translation>Charge par son nom un programme propre au robot.</translation>
+        <translation>Charge par son nom un programme enregistré sur le robot.</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
-        <translation>Démarre le programme chargé, ou poursuit celui en pause : le bras peut bouger aussitôt.</translation>
+        <translation>Démarre le programme chargé ou reprend un programme en pause : le bras peut bouger aussitôt.</translation>
     </message>
     <message>
         <source>Pauses the running program.</source>
@@ -2423,7 +2423,7 @@
     </message>
     <message>
         <source>Stops the program on the robot.</source>
-        <translation>Arrête le programme propre au robot.</translation>
+        <translation>Arrête le programme du robot.</translation>
     </message>
     <message>
         <source>Starts the control program on the robot. Asks before it stops another program.</source>
@@ -2545,7 +2545,7 @@
     </message>
     <message>
         <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
-        <translation>Le programme du robot n’a pas été arrêté : arrêtez-le sur le pupitre. %1</translation>
+        <translation>Le programme du robot n’a pas pu être arrêté : arrêtez-le sur le pupitre. %1</translation>
     </message>
     <message>
         <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
@@ -2560,11 +2560,11 @@
     <name>RobotTooling</name>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+        <translation>Tiller n’a pas le contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
         <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
-        <translation>TCP et charge utile se règlent bras immobile. Laissez-le s’immobiliser.</translation>
+        <translation>Le TCP et la charge utile ne se règlent qu’à l’arrêt. Attendez que le bras soit arrêté.</translation>
     </message>
     <message>
         <source>TCP set on the robot: %1</source>
@@ -2583,7 +2583,7 @@
     </message>
     <message>
         <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
-        <translation>Une pièce est prise d’un distributeur et posée à l’une de six places d’un plateau. Les places sont données dans le repère du plateau et bougent avec lui.</translation>
+        <translation>Prend une pièce dans un distributeur et la place dans l’un des six emplacements d’un plateau. Les emplacements sont définis dans le repère du plateau et se déplacent avec lui.</translation>
     </message>
     <message>
         <source>Gluing along a path</source>
@@ -2591,11 +2591,11 @@
     </message>
     <message>
         <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
-        <translation>Un cordon autour d’un couvercle aux coins arrondis, lent et en lignes droites. Le raccordement garde la buse en mouvement dans les coins.</translation>
+        <translation>Dépose un cordon autour d’un couvercle aux coins arrondis, lentement et en lignes droites. Les raccordements gardent la buse en mouvement dans les coins.</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation>Ronde de mesure</translation>
+        <translation>Mesure</translation>
     </message>
     <message>
         <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
@@ -2606,11 +2606,11 @@
     <name>SceneActions</name>
     <message>
         <source>Default view, perspective</source>
-        <translation>Regarder du premier côté, en perspective</translation>
+        <translation>Vue par défaut, en perspective</translation>
     </message>
     <message>
         <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>Entre l’avant et le côté, un peu d’en haut, avec tout dans l’image.</translation>
+        <translation>Entre l’avant et le côté, légèrement d’en haut, tout visible.</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -2642,14 +2642,14 @@
     </message>
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
-        <translation>Bras, cible et points de passage dans l’image, du côté actuel.</translation>
+        <translation>Ajuste le bras, la cible et les points de passage à la vue sans changer la direction du regard.</translation>
     </message>
 </context>
 <context>
     <name>SessionRecording</name>
     <message>
         <source>Cannot record: connect to a robot first.</source>
-        <translation>Rien n’est enregistré : connectez-vous d’abord à un robot.</translation>
+        <translation>Enregistrement impossible : connectez-vous d’abord à un robot.</translation>
     </message>
     <message>
         <source>Recording to %1</source>
@@ -2671,11 +2671,11 @@
     </message>
     <message>
         <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>La valeur de &quot;%1&quot; ne peut être celle d’un réglage.</translation>
+        <translation>Valeur non valide pour le réglage &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
-        <translation>Le fichier est trop grand pour des réglages.</translation>
+        <translation>Le fichier est trop grand pour un fichier de réglages.</translation>
     </message>
     <message>
         <source>The file is damaged at byte %1: %2.</source>
@@ -2691,15 +2691,15 @@
     </message>
     <message>
         <source>The file does not state its version.</source>
-        <translation>Le fichier ne dit pas quelle version il a.</translation>
+        <translation>Le fichier n’indique pas sa version.</translation>
     </message>
     <message>
         <source>The list of values is missing or too long.</source>
-        <translation>Le fichier n’a pas de liste de valeurs, ou une trop longue.</translation>
+        <translation>La liste des valeurs manque ou est trop longue.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; n’est pas le nom d’un réglage.</translation>
+        <translation>&quot;%1&quot; n’est pas un nom de réglage valide.</translation>
     </message>
 </context>
 <context>
@@ -2734,7 +2734,7 @@
     </message>
     <message>
         <source>Other</source>
-        <translation>Plus</translation>
+        <translation>Autres</translation>
     </message>
     <message>
         <source>Registers</source>
@@ -2862,11 +2862,11 @@
     </message>
     <message>
         <source>Position deviation, ratio to limit</source>
-        <translation>Écart de position sur sa limite</translation>
+        <translation>Écart de position, rapport à la limite</translation>
     </message>
     <message>
         <source>Collision measure, ratio to limit</source>
-        <translation>Mesure de collision sur sa limite</translation>
+        <translation>Mesure de collision, rapport à la limite</translation>
     </message>
     <message>
         <source>Joint modes</source>
@@ -3105,7 +3105,7 @@
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
-        <translation>Le capuchon bouge et tourne comme l’outil doit le faire.</translation>
+        <translation>L’outil suit le mouvement du capuchon.</translation>
     </message>
 </context>
 <context>
@@ -3120,18 +3120,18 @@
     </message>
     <message>
         <source>Values are missing in this range: select a range without gaps.</source>
-        <translation>Des valeurs manquent dans cette plage : choisissez-en une sans lacune.</translation>
+        <translation>Des valeurs manquent dans cette plage : sélectionnez une plage sans lacunes.</translation>
     </message>
     <message>
         <source>Not enough memory.</source>
-        <translation>La mémoire ne suffit pas.</translation>
+        <translation>Mémoire insuffisante.</translation>
     </message>
 </context>
 <context>
     <name>StartProject</name>
     <message>
         <source>The last project no longer exists: %1</source>
-        <translation>Le dernier projet travaillé n’est plus là : %1</translation>
+        <translation>Le dernier projet n’existe plus : %1</translation>
     </message>
 </context>
 <context>
@@ -3217,31 +3217,31 @@
     <name>Texts</name>
     <message>
         <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
-        <translation>Vérifiez l’adresse : quatre nombres comme 192.168.0.10, ou un nom que le réseau connaît.</translation>
+        <translation>Vérifiez l’adresse : quatre nombres, p. ex. 192.168.0.10, ou un nom d’hôte.</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
-        <translation>Vérifiez que le robot est allumé, le câble branché et ce PC dans le même réseau.</translation>
+        <translation>Vérifiez que le robot est allumé, que le câble est branché et que ce PC est sur le même réseau.</translation>
     </message>
     <message>
         <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>Activez l’interface sur le robot : Réglages, Sécurité, Services. Un robot qui vient de démarrer demande peut-être encore une minute.</translation>
+        <translation>Activez l’interface sur le robot : Réglages, Sécurité, Services. Un robot qui vient de démarrer peut avoir besoin d’une minute de plus.</translation>
     </message>
     <message>
         <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
-        <translation>Le robot a terminé la connexion : il redémarre peut-être, ou est passé de Local à Distant ou inversement.</translation>
+        <translation>Le robot a fermé la connexion : il redémarre peut-être, ou il a été commuté entre Local et À distance.</translation>
     </message>
     <message>
         <source>The robot does not answer. Check the cable and the address.</source>
-        <translation>Le robot ne répond pas. Vérifiez le câble et que l’adresse est bien celle du robot.</translation>
+        <translation>Le robot ne répond pas. Vérifiez le câble et l’adresse.</translation>
     </message>
     <message>
         <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
-        <translation>Les données n’arrivent plus. Vérifiez le câble ; la connexion revient d’elle-même, le mouvement non.</translation>
+        <translation>Plus aucune donnée reçue. Vérifiez le câble. Tiller se reconnecte automatiquement ; le mouvement ne reprend pas.</translation>
     </message>
     <message>
         <source>The answer violates the RTDE protocol. Check address and port.</source>
-        <translation>Ce qui répond là ne parle pas RTDE comme il faut. Vérifiez adresse et port.</translation>
+        <translation>La réponse ne respecte pas le protocole RTDE. Vérifiez l’adresse et le port.</translation>
     </message>
     <message>
         <source>The robot&apos;s software is too old for this.</source>
@@ -3249,11 +3249,11 @@
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
-        <translation>Le logiciel du robot n’a pas cette valeur.</translation>
+        <translation>Le logiciel du robot ne fournit pas cette valeur.</translation>
     </message>
     <message>
         <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
-        <translation>Un autre programme ou un bus de terrain du robot occupe ces registres : fermez l’autre programme, ou désactivez le bus de terrain dans l’installation.</translation>
+        <translation>Un autre programme ou un bus de terrain du robot utilise ces registres : fermez l’autre programme ou désactivez le bus de terrain dans l’installation.</translation>
     </message>
     <message>
         <source>Connect to a robot first.</source>
@@ -3273,27 +3273,27 @@
     </message>
     <message>
         <source>Choose a target within the range of the arm and a speed within the cap.</source>
-        <translation>Choisissez une cible dans la plage du bras et une vitesse sous le plafond.</translation>
+        <translation>Choisissez une cible à la portée du bras et une vitesse sous le plafond.</translation>
     </message>
     <message>
         <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
-        <translation>Le bras ne peut atteindre cette pose : rapprochez le point ou tournez l’outil.</translation>
+        <translation>Le bras ne peut pas atteindre cette pose : rapprochez le point ou tournez l’outil.</translation>
     </message>
     <message>
         <source>The robot could not run the program. See the log for the message of the controller.</source>
-        <translation>Le robot n’a pu exécuter le programme envoyé. Ses propres mots sont dans le journal.</translation>
+        <translation>Le robot n’a pas pu exécuter le programme. Le message du contrôleur figure dans le journal.</translation>
     </message>
     <message>
         <source>Check that the file exists and that you have permission to read it.</source>
-        <translation>Vérifiez que le fichier existe et peut être lu.</translation>
+        <translation>Vérifiez que le fichier existe et que vous avez le droit de le lire.</translation>
     </message>
     <message>
         <source>Choose a folder that you have permission to write to.</source>
-        <translation>Choisissez un dossier où vous pouvez écrire.</translation>
+        <translation>Choisissez un dossier où vous avez le droit d’écrire.</translation>
     </message>
     <message>
         <source>The file was not changed. Open a backup, or repair the reported position.</source>
-        <translation>Le fichier est resté tel quel. Ouvrez une sauvegarde, ou réparez l’endroit nommé.</translation>
+        <translation>Le fichier n’a pas été modifié. Ouvrez une sauvegarde ou réparez l’endroit signalé.</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3317,7 +3317,7 @@
     </message>
     <message>
         <source>Timed out</source>
-        <translation>Pas de réponse à temps</translation>
+        <translation>Délai dépassé</translation>
     </message>
     <message>
         <source>Cancelled</source>
@@ -3329,7 +3329,7 @@
     </message>
     <message>
         <source>Protocol error</source>
-        <translation>Non compris</translation>
+        <translation>Erreur de protocole</translation>
     </message>
     <message>
         <source>Not supported by this robot</source>
@@ -3365,7 +3365,7 @@
     </message>
     <message>
         <source>Invalid value</source>
-        <translation>Valeur non valable</translation>
+        <translation>Valeur non valide</translation>
     </message>
     <message>
         <source>Out of reach</source>
@@ -3465,7 +3465,7 @@
     </message>
     <message>
         <source>input not refreshed in time</source>
-        <translation>pas renouvelé à temps</translation>
+        <translation>entrée non renouvelée à temps</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -3505,23 +3505,23 @@
     </message>
     <message>
         <source>no confirmation that the key is still held</source>
-        <translation>aucun signe d’une touche encore tenue</translation>
+        <translation>pas de confirmation que la touche est encore maintenue</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
-        <translation>tenu le plus longtemps possible ; appuyez de nouveau</translation>
+        <translation>durée maximale de maintien atteinte ; appuyez de nouveau</translation>
     </message>
     <message>
         <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
-        <translation>PolyScope X avant 10.11 n’accepte pas de telles commandes par le réseau : utilisez la tablette.</translation>
+        <translation>PolyScope X avant 10.11 n’accepte pas ces commandes par le réseau : utilisez le pupitre.</translation>
     </message>
     <message>
         <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
-        <translation>PolyScope X n’a pas de commande pour fermer les messages par le réseau : utilisez la tablette.</translation>
+        <translation>PolyScope X ne peut pas fermer les messages par le réseau : utilisez le pupitre.</translation>
     </message>
     <message>
         <source>Monitoring. Take control to move the arm.</source>
-        <translation>Observation seule. Prenez le contrôle pour bouger le bras.</translation>
+        <translation>Observation. Prenez le contrôle pour déplacer le bras.</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -3541,11 +3541,11 @@
     </message>
     <message>
         <source>The connection was lost. Take control again.</source>
-        <translation>La liaison a été perdue. Reprenez le contrôle.</translation>
+        <translation>La connexion a été perdue. Reprenez le contrôle.</translation>
     </message>
     <message>
         <source>Your script is running. Control returns when it ends.</source>
-        <translation>Un script à vous tourne. Le contrôle revient quand il finit.</translation>
+        <translation>Votre script est en cours. Le contrôle revient quand il se termine.</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -3580,11 +3580,11 @@
     </message>
     <message>
         <source>“%1” must be J or L</source>
-        <translation>« %1 » n’est ni J ni L</translation>
+        <translation>« %1 » doit être J ou L</translation>
     </message>
     <message>
         <source>“%1” must be joints or pose</source>
-        <translation>« %1 » n’est ni joints ni pose</translation>
+        <translation>« %1 » doit être joints ou pose</translation>
     </message>
     <message>
         <source>there is no frame “%1” in this project</source>
@@ -3592,7 +3592,7 @@
     </message>
     <message>
         <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
-        <translation>Ceci n’est pas un tableau de points de passage. Copiez-en un de la liste pour voir ses colonnes, ou collez les six nombres d’une pose.</translation>
+        <translation>Ce n’est pas un tableau de points de passage. Copiez un point de la liste pour voir les colonnes, ou collez les six valeurs d’une pose.</translation>
     </message>
     <message>
         <source>“%1” is not a waypoint colour</source>
@@ -3603,7 +3603,7 @@
     <name>WaypointExchange</name>
     <message>
         <source>Line %1: missing closing quotation mark</source>
-        <translation>Ligne %1 : un guillemet n’est pas fermé</translation>
+        <translation>Ligne %1 : guillemet fermant manquant</translation>
     </message>
 </context>
 <context>
@@ -3621,15 +3621,15 @@
     </message>
     <message>
         <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>Faites dans cet ordre quand « Parcourir » y a amené le bras, et seulement tant que la touche est maintenue.</translation>
+        <translation>S’exécute dans cet ordre quand « Parcourir » atteint le point de passage, et seulement tant que sa touche est maintenue.</translation>
     </message>
     <message>
         <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>Ces points ont des actions différentes. « Modifier » leur donne à tous celles ci-dessous.</translation>
+        <translation>Ces points de passage ont des actions différentes. « Changer » les remplace toutes par les actions ci-dessous.</translation>
     </message>
     <message>
         <source>Actions in order</source>
-        <translation>Actions dans leur ordre</translation>
+        <translation>Actions dans l’ordre</translation>
     </message>
     <message>
         <source>Change</source>
@@ -3641,7 +3641,7 @@
     </message>
     <message>
         <source>Add an action after the selected one</source>
-        <translation>Ajouter une action après celle choisie</translation>
+        <translation>Ajouter une action après celle sélectionnée</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3649,7 +3649,7 @@
     </message>
     <message>
         <source>Remove the selected action</source>
-        <translation>Retirer l’action choisie</translation>
+        <translation>Retirer l’action sélectionnée</translation>
     </message>
     <message>
         <source>Up</source>
@@ -3657,7 +3657,7 @@
     </message>
     <message>
         <source>Move the selected action up</source>
-        <translation>Faire plus tôt l’action choisie</translation>
+        <translation>Monter l’action sélectionnée</translation>
     </message>
     <message>
         <source>Down</source>
@@ -3665,15 +3665,15 @@
     </message>
     <message>
         <source>Move the selected action down</source>
-        <translation>Faire plus tard l’action choisie</translation>
+        <translation>Descendre l’action sélectionnée</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation>Ce qui est fait</translation>
+        <translation>Action</translation>
     </message>
     <message>
         <source>Terminal</source>
-        <translation>Quelle borne</translation>
+        <translation>Borne</translation>
     </message>
     <message>
         <source>On or off</source>
@@ -3693,11 +3693,11 @@
     </message>
     <message>
         <source>Timeout in seconds</source>
-        <translation>Au plus, secondes</translation>
+        <translation>Délai maximal en secondes</translation>
     </message>
     <message>
         <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>Alors cela finit et le dit. 0 : tant que la touche est maintenue, une heure au plus</translation>
+        <translation>Après ce délai, l’attente échoue avec un message. 0 : attend tant que la touche est maintenue, une heure au plus</translation>
     </message>
 </context>
 <context>
@@ -3750,7 +3750,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
     </message>
     <message>
         <source>e.g. bar; empty: not scaled</source>
-        <translation>bar ; vide : sans échelle</translation>
+        <translation>p. ex. bar ; vide : sans échelle</translation>
     </message>
     <message>
         <source>At 4 mA or 0 V</source>
@@ -3777,11 +3777,11 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
     </message>
     <message>
         <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
-        <translation>Les flèches déplacent X et Y, PgPréc et PgSuiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − tournent une articulation. Espace et Esc arrêtent. Cliquez, ou attendez une demi-minute : le clavier est désarmé.</translation>
+        <translation>Les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent. Pour désarmer, cliquez ou attendez 30 s.</translation>
     </message>
     <message>
         <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
-        <translation>Ensuite les flèches déplacent le bras tant qu’elles sont tenues ; un cadre entoure la fenêtre.</translation>
+        <translation>Clavier armé, les flèches déplacent le bras tant qu’elles sont maintenues. Un cadre entoure la fenêtre.</translation>
     </message>
 </context>
 <context>
@@ -4073,7 +4073,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>Compare this recording with the arm model, with different limits</source>
-        <translation>Comparer cet enregistrement au modèle de son bras, avec d’autres limites</translation>
+        <translation>Comparer cet enregistrement au modèle du bras, avec d’autres limites</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -4085,11 +4085,11 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>Stop comparing</source>
-        <translation>Ne plus comparer</translation>
+        <translation>Arrêter la comparaison</translation>
     </message>
     <message>
         <source>Place cursor A where arm and model diverge</source>
-        <translation>Placer le curseur A là où le bras et le modèle se séparent</translation>
+        <translation>Placer le curseur A où le bras et le modèle divergent</translation>
     </message>
 </context>
 <context>
@@ -4100,7 +4100,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>Ce qui a été commandé aux articulations est donné au bras simulé, et ce qu’il fait est comparé à l’enregistrement. Rien ne touche le bras simulé, et il ignore le frottement.</translation>
+        <translation>Le bras simulé suit les consignes articulaires enregistrées, et son mouvement est comparé au mouvement enregistré. Le modèle n’a ni contact ni frottement.</translation>
     </message>
     <message>
         <source>Model of the arm</source>
@@ -4136,7 +4136,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>Signals with a limit of 0 are not compared.</source>
-        <translation>Ce dont la limite est 0 n’est pas comparé.</translation>
+        <translation>Les signaux de limite 0 ne sont pas comparés.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -4147,11 +4147,11 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
-        <translation>Déplace le bras (jusqu’à la fin du programme)</translation>
+        <translation>Déplace le bras (jusqu’à la fermeture de Tiller)</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>Seulement l’axe le plus dévié</translation>
+        <translation>Axe dominant seulement</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -4163,7 +4163,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>Direction in which the arm would move</source>
-        <translation>Où irait le bras</translation>
+        <translation>Direction dans laquelle le bras irait</translation>
     </message>
     <message>
         <source>Dead-man</source>
@@ -4175,7 +4175,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>Clavier, tant qu’armé (Ctrl+J) : flèches X et Y, PgPréc et PgSuiv Z, avec Alt elles tournent, 1 à 6 avec + et − une articulation, Origine, Fin aligne, Retour arrière revient, F Freedrive. Ctrl plus lent, Maj plus vite. Espace et Esc arrêtent.</translation>
+        <translation>Clavier, quand il est armé (Ctrl+J) : flèches X et Y, Pg préc et Pg suiv Z, avec Alt rotation, 1 à 6 avec + et − articulations, Début origine, Fin aligner, Retour arrière retour, F Freedrive. Ctrl plus lent, Maj plus rapide. Espace et Échap arrêtent.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4183,7 +4183,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>Il n’y a ni manette ni SpaceMouse. Branchez-en une : elle apparaît d’elle-même.</translation>
+        <translation>Aucune manette ni SpaceMouse trouvée. Branchez-en une ; elle est détectée automatiquement.</translation>
     </message>
     <message>
         <source>● held (%1)</source>
@@ -4202,7 +4202,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     <name>tiller::FigureBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>« %1 » n’a pas été pris : %2 à %3. Rien n’a été changé.</translation>
+        <translation>« %1 » est hors plage (%2 à %3). Rien n’a été modifié.</translation>
     </message>
 </context>
 <context>
@@ -4248,7 +4248,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>La liste ne revient pas d’elle-même. La commande « Premiers pas » la ramène.</translation>
+        <translation>La liste ne réapparaîtra pas. Utilisez la commande « Premiers pas » pour l’afficher.</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -4267,11 +4267,11 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>En Base. Entrée l’applique ; rien ne bouge que le repère.</translation>
+        <translation>Dans Base. Appuyez sur Entrée pour appliquer. Seul le repère change ; le robot ne bouge pas.</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
-        <translation>aucun point de passage ne l’utilise</translation>
+        <translation>utilisé par aucun point de passage</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it</source>
@@ -4289,7 +4289,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     <name>tiller::FrameEditing</name>
     <message>
         <source>No waypoints moved with it.</source>
-        <translation>Aucun point de passage n’a bougé avec lui.</translation>
+        <translation>Aucun point de passage n’a été déplacé avec lui.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints moved with it.</source>
@@ -4301,8 +4301,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     <message numerus="yes">
         <source>%n of them are now out of reach.</source>
         <translation>
-            <numerusform>%n d’entre eux y est hors de portée.</numerusform>
-            <numerusform>%n d’entre eux y sont hors de portée.</numerusform>
+            <numerusform>%n d’entre eux est maintenant hors de portée.</numerusform>
+            <numerusform>%n d’entre eux sont maintenant hors de portée.</numerusform>
         </translation>
     </message>
     <message>
@@ -4315,11 +4315,11 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>The frame moves by %1 (%2, base frame).</source>
-        <translation>Il bouge de %1 (%2, repère de base).</translation>
+        <translation>Le repère se déplace de %1 (%2, repère de base).</translation>
     </message>
     <message>
         <source>No waypoint uses this frame.</source>
-        <translation>Aucun point de passage n’y est donné.</translation>
+        <translation>Aucun point de passage n’utilise ce repère.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it.</source>
@@ -4342,15 +4342,15 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>Touched up “%1”</source>
-        <translation>« %1 » est retouché</translation>
+        <translation>« %1 » retouché</translation>
     </message>
     <message>
         <source>Set the position of “%1”</source>
-        <translation>Régler la place de « %1 »</translation>
+        <translation>Définir la position de « %1 »</translation>
     </message>
     <message>
         <source>“%1” was set numerically. %2</source>
-        <translation>« %1 » est réglé en chiffres. %2</translation>
+        <translation>« %1 » a été défini numériquement. %2</translation>
     </message>
     <message>
         <source>Duplicate “%1”</source>
@@ -4363,8 +4363,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     <message numerus="yes">
         <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
-            <numerusform>%n point de passage y est donné. Il reste où il est, donné en Base.</numerusform>
-            <numerusform>%n points de passage y sont donnés. Ils restent où ils sont, donnés en Base.</numerusform>
+            <numerusform>%n point de passage utilise ce repère. Il garde sa position et est converti en Base.</numerusform>
+            <numerusform>%n points de passage utilisent ce repère. Ils gardent leur position et sont convertis en Base.</numerusform>
         </translation>
     </message>
     <message>
@@ -4392,11 +4392,11 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>« %1 » est un repère que tout robot possède. Choisissez un autre nom.</translation>
+        <translation>« %1 » est un repère prédéfini. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Another frame is named “%1”. Choose another name.</source>
-        <translation>« %1 » est déjà le nom d’un autre repère. Choisissez un autre nom.</translation>
+        <translation>Un autre repère s’appelle « %1 ». Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -4436,7 +4436,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>Waypoints that move with the frame</source>
-        <translation>Points de passage qui bougent avec lui</translation>
+        <translation>Points de passage qui suivent le repère</translation>
     </message>
     <message>
         <source>TCP %1</source>
@@ -4502,11 +4502,11 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the point again.</source>
-        <translation>Le robot n’a pas envoyé de place valable. Reprenez le point.</translation>
+        <translation>Le robot a envoyé une position non valide. Reprenez le point.</translation>
     </message>
     <message>
         <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
-        <translation>Le point sur +X n’est qu’à %1 de l’origine. Reprenez-le à au moins %2 : plus il est loin, plus les axes sont justes.</translation>
+        <translation>Le point sur +X n’est qu’à %1 de l’origine. Reprenez-le à au moins %2. Une plus grande distance donne des axes plus précis.</translation>
     </message>
     <message>
         <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
@@ -4514,23 +4514,23 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
-        <translation>Les trois points sont alignés : le troisième n’est qu’à %1 de l’axe X. Reprenez-le à au moins %2 du côté de +Y.</translation>
+        <translation>Les trois points sont alignés : le troisième n’est qu’à %1 de l’axe X. Reprenez-le à au moins %2 vers +Y.</translation>
     </message>
     <message>
         <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
-        <translation>Prêt : le point sur +X est à %1, le troisième à %2 de l’axe X.</translation>
+        <translation>Prêt : le point sur +X est à %1 de l’origine, le troisième à %2 de l’axe X.</translation>
     </message>
     <message>
         <source>Jog the tip to the origin of the frame and take the point (P).</source>
-        <translation>Amenez la pointe où commence le repère, et prenez-la (P).</translation>
+        <translation>Amenez la pointe à l’origine du repère et prenez le point (P).</translation>
     </message>
     <message>
         <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
-        <translation>Maintenant vers un point sur +X : à %1 de l’origine, %2 est le minimum.</translation>
+        <translation>Allez maintenant à un point sur +X : à %1 de l’origine, minimum %2.</translation>
     </message>
     <message>
         <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
-        <translation>Maintenant du côté de +Y : à %1 de l’axe X, %2 est le minimum.</translation>
+        <translation>Allez maintenant vers +Y : à %1 de l’axe X, minimum %2.</translation>
     </message>
     <message>
         <source>Take  P</source>
@@ -4573,13 +4573,13 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
     <message>
         <source>More frame commands</source>
-        <translation>Plus sur les repères</translation>
+        <translation>Autres commandes de repères</translation>
     </message>
     <message>
         <source>No frames yet.
 Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
         <translation>Pas encore de repères.
-Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 points pour prendre origine, +X et +Y.</translation>
+Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP », ou sur « 3 points » pour prendre l’origine, +X et +Y.</translation>
     </message>
     <message>
         <source>new frame</source>
@@ -4587,7 +4587,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
+        <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -4595,7 +4595,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
-        <translation>Un repère où est le TCP, avec les axes de l’outil (Maj+T)</translation>
+        <translation>Créer un repère au TCP avec les axes de l’outil (Maj+T)</translation>
     </message>
     <message>
         <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
@@ -4603,7 +4603,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
-        <translation>Le repère choisi va où est le TCP (Maj+U)</translation>
+        <translation>Déplacer le repère sélectionné au TCP (Maj+U)</translation>
     </message>
     <message>
         <source>Select a frame to touch up.</source>
@@ -4623,7 +4623,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Create frame from points</source>
-        <translation>Créer le repère des points pris</translation>
+        <translation>Créer le repère à partir des points</translation>
     </message>
     <message>
         <source>Cancel frame teaching</source>
@@ -4647,7 +4647,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Enter frame numerically</source>
-        <translation>Régler le repère en chiffres</translation>
+        <translation>Saisir le repère numériquement</translation>
     </message>
     <message>
         <source>Duplicate frame</source>
@@ -4678,15 +4678,15 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     <name>tiller::GoThrough</name>
     <message>
         <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>Il n’y a pas de points à parcourir. Apprenez-en ou choisissez-les.</translation>
+        <translation>Aucun point de passage à parcourir. Apprenez ou sélectionnez d’abord des points.</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
-        <translation>Il n’y a pas de point avant celui-ci.</translation>
+        <translation>C’est le premier point de passage.</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project.</source>
-        <translation>Un point du parcours n’est plus dans ce projet.</translation>
+        <translation>Un point de l’itinéraire a été supprimé du projet.</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
@@ -4694,7 +4694,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>Une boucle d’un seul point ne mène nulle part. Choisissez d’autres points, ou parcourez sans boucle.</translation>
+        <translation>Une boucle demande au moins deux points de passage. Sélectionnez-en d’autres ou désactivez la boucle.</translation>
     </message>
 </context>
 <context>
@@ -4717,23 +4717,23 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Previous waypoint, hold</source>
-        <translation>Un point en arrière, tenir</translation>
+        <translation>Point précédent, maintenir</translation>
     </message>
     <message>
         <source>Moves to the previous waypoint while the key is held</source>
-        <translation>Revient au point précédent tant que la touche est tenue</translation>
+        <translation>Va au point de passage précédent tant que la touche est maintenue</translation>
     </message>
     <message>
         <source>Next waypoint, hold</source>
-        <translation>Un point en avant, tenir</translation>
+        <translation>Point suivant, maintenir</translation>
     </message>
     <message>
         <source>Moves to the next waypoint while the key is held, and stops there</source>
-        <translation>Va au point suivant tant que la touche est tenue, et s’y arrête</translation>
+        <translation>Va au point de passage suivant tant que la touche est maintenue, et s’y arrête</translation>
     </message>
     <message>
         <source>Waypoints of the route</source>
-        <translation>Quels points parcourir</translation>
+        <translation>Points de l’itinéraire</translation>
     </message>
     <message>
         <source>Waypoints</source>
@@ -4741,7 +4741,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>Quels points parcourir, dans l’ordre de la liste</translation>
+        <translation>Choisit les points de l’itinéraire, dans l’ordre de la liste</translation>
     </message>
     <message>
         <source>From here</source>
@@ -4757,11 +4757,11 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>Après le dernier point revient le premier, tant que la touche est tenue</translation>
+        <translation>Recommence au premier point après le dernier, tant que la touche est maintenue</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+        <translation>Tiller n’a pas le contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -4769,7 +4769,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Next: %1 of %2, %3</source>
-        <translation>Le suivant : %1 sur %2, %3</translation>
+        <translation>Suivant : %1 sur %2, %3</translation>
     </message>
     <message>
         <source>done</source>
@@ -4777,7 +4777,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Done. The next press starts at the first waypoint.</source>
-        <translation>Fini. Le prochain appui commence au premier.</translation>
+        <translation>Terminé. Le prochain appui commence au premier point.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints</source>
@@ -4792,7 +4792,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
-        <translation>Va de point en point tant que la touche est maintenue, pas plus vite que la vitesse de déplacement, et fait à chacun ce qui doit l’être. Relâcher suspend ; l’appui suivant continue vers le point à venir.</translation>
+        <translation>Va de point en point tant que la touche est maintenue, sans dépasser la vitesse de déplacement, et exécute les actions de chaque point. Relâchez pour mettre en pause ; l’appui suivant continue vers le point suivant.</translation>
     </message>
     <message>
         <source>At %1: %2</source>
@@ -4822,11 +4822,11 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Gripper opening</source>
-        <translation>Combien la pince est ouverte</translation>
+        <translation>Ouverture de la pince</translation>
     </message>
     <message>
         <source>Gripped object</source>
-        <translation>Ce que tient la pince</translation>
+        <translation>Objet saisi</translation>
     </message>
     <message>
         <source>Activate</source>
@@ -4878,7 +4878,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Gripper type</source>
-        <translation>Quelle pince</translation>
+        <translation>Type de pince</translation>
     </message>
     <message>
         <source>None</source>
@@ -4906,7 +4906,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Target opening</source>
-        <translation>Ouverture voulue</translation>
+        <translation>Ouverture cible</translation>
     </message>
     <message>
         <source>Finger speed</source>
@@ -4918,7 +4918,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Suggested action</source>
-        <translation>Que faire de la pince</translation>
+        <translation>Action suggérée</translation>
     </message>
     <message>
         <source>Closes</source>
@@ -4954,15 +4954,15 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
-        <translation>Combien les doigts doivent s’ouvrir, 0 à %1. « Bouger » les y envoie.</translation>
+        <translation>Ouverture cible des doigts, 0 à %1. « Déplacer » démarre le mouvement.</translation>
     </message>
     <message>
         <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
-        <translation>Du prochain mouvement. 0 % vaut environ %1, 100 % environ %2.</translation>
+        <translation>Vitesse du prochain mouvement. 0 % correspond à environ %1, 100 % à environ %2.</translation>
     </message>
     <message>
         <source>Force of the next grip. 0 % is about %1, 100 % about %2.</source>
-        <translation>De la prochaine prise. 0 % vaut environ %1, 100 % environ %2.</translation>
+        <translation>Force de la prochaine prise. 0 % correspond à environ %1, 100 % à environ %2.</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -4986,11 +4986,11 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Please wait…</source>
-        <translation>Un instant…</translation>
+        <translation>Veuillez patienter…</translation>
     </message>
     <message>
         <source>Select the mounted gripper. The choice is stored for this robot.</source>
-        <translation>Choisissez ce qui est au poignet. C’est retenu avec ce robot.</translation>
+        <translation>Sélectionnez la pince montée. Le choix est enregistré pour ce robot.</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5018,19 +5018,19 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>active, at standstill</source>
-        <translation>active, immobile</translation>
+        <translation>active, à l’arrêt</translation>
     </message>
     <message>
         <source>unknown while moving</source>
-        <translation>inconnu pendant qu’elle bouge</translation>
+        <translation>inconnu pendant le mouvement</translation>
     </message>
     <message>
         <source>object, outer grip</source>
-        <translation>un objet, de l’extérieur</translation>
+        <translation>objet, prise extérieure</translation>
     </message>
     <message>
         <source>object, inner grip</source>
-        <translation>un objet, de l’intérieur</translation>
+        <translation>objet, prise intérieure</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -5038,7 +5038,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>The gripper cannot be reached with this port offset.</source>
-        <translation>Avec ce décalage de ports aucune pince n’est joignable.</translation>
+        <translation>La pince n’est pas joignable avec ce décalage de port.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5054,27 +5054,27 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
-        <translation>Un arrêt du bras laisse la pince telle quelle : elle continue de tenir.</translation>
+        <translation>L’arrêt du bras ne change pas la pince : elle maintient sa prise.</translation>
     </message>
     <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
-        <translation>Les doigts s’ouvrent et se ferment une fois ; ce qu’ils tiennent tombe. Gardez les doigts hors de la pince.</translation>
+        <translation>Les doigts s’ouvrent et se ferment une fois et lâchent tout objet saisi. Éloignez vos doigts de la pince.</translation>
     </message>
     <message>
         <source>Opens the gripper and releases the object.</source>
-        <translation>Ouvre la pince ; ce qu’elle tient est lâché.</translation>
+        <translation>Ouvre la pince et lâche l’objet.</translation>
     </message>
     <message>
         <source>Closes the gripper. Keep your fingers clear of it.</source>
-        <translation>Ferme la pince. Gardez-en les doigts éloignés.</translation>
+        <translation>Ferme la pince. Éloignez vos doigts.</translation>
     </message>
     <message>
         <source>Moves the fingers to this opening.</source>
-        <translation>Envoie les doigts à cette ouverture.</translation>
+        <translation>Déplace les doigts à cette ouverture.</translation>
     </message>
     <message>
         <source>Speed or force is out of range.</source>
-        <translation>Sa vitesse ou sa force n’est pas une valeur qu’elle accepte.</translation>
+        <translation>La vitesse ou la force est hors plage.</translation>
     </message>
     <message>
         <source>The gripper did not accept the command.</source>
@@ -5129,15 +5129,15 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>LAST STOP · no key check</source>
-        <translation>DERNIER ARRÊT · sans témoin</translation>
+        <translation>DERNIER ARRÊT · sans contrôle</translation>
     </message>
     <message>
         <source>not measured</source>
-        <translation>non vu</translation>
+        <translation>non mesuré</translation>
     </message>
     <message>
         <source>Data stopped while the arm was moving: the stop could not be measured.</source>
-        <translation>Les données ont cessé pendant que le bras bougeait : on ne sait comment il s’est arrêté.</translation>
+        <translation>Les données ont cessé pendant le mouvement du bras : l’arrêt n’a pas pu être mesuré.</translation>
     </message>
     <message>
         <source>%1 ms · %2</source>
@@ -5145,7 +5145,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Measured from stop command to standstill. Cause: %1</source>
-        <translation>De l’arrêt à l’immobilité, mesuré. Cause : %1</translation>
+        <translation>Mesuré de la commande d’arrêt à l’arrêt complet. Cause : %1</translation>
     </message>
     <message>
         <source>No stop measured yet</source>
@@ -5157,7 +5157,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>Le bras peut dépasser %1. Baissez le plafond dans les réglages ; il finit avec le programme.</translation>
+        <translation>Le bras peut aller plus vite que %1. Abaissez le plafond dans les réglages ; il est réinitialisé à la fermeture de Tiller.</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -5172,7 +5172,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Tenez cette touche : elle ne bouge le bras que tant qu’elle est tenue.</translation>
+        <translation>Maintenez cette touche : le bras ne bouge que tant qu’elle est maintenue.</translation>
     </message>
 </context>
 <context>
@@ -5191,11 +5191,11 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>Another key is already held.</source>
-        <translation>Une autre touche est tenue.</translation>
+        <translation>Une autre touche est déjà maintenue.</translation>
     </message>
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>Le serveur d’affichage ne répond pas : personne ne pourrait dire quand la touche est lâchée.</translation>
+        <translation>Le serveur d’affichage ne répond pas : le relâchement de la touche ne pourrait pas être détecté.</translation>
     </message>
 </context>
 <context>
@@ -5226,7 +5226,7 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
-        <translation>Tout depuis %1 s avant est dans %2. Double-cliquez cette ligne pour l’ouvrir.</translation>
+        <translation>L’enregistrement %2 commence %1 s avant l’arrêt. Double-cliquez sur cette entrée pour l’ouvrir.</translation>
     </message>
 </context>
 <context>
@@ -5249,13 +5249,13 @@ Amenez la pointe à un coin du plateau ou de la table. Pressez Du TCP, ou 3 poin
     </message>
     <message>
         <source>%1, outdated</source>
-        <translation>%1, vieilles données</translation>
+        <translation>%1, périmé</translation>
     </message>
     <message>
         <source>
 Cannot be switched while the robot sends no data.</source>
         <translation>
-Ne peut être commutée tant qu’aucune donnée ne vient du robot.</translation>
+Non commutable tant que le robot n’envoie pas de données.</translation>
     </message>
     <message>
         <source>
@@ -5335,7 +5335,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Select a row of the I/O tab with the Tab key first.</source>
-        <translation>Allez d’abord à une ligne de l’onglet E/S avec la touche Tab.</translation>
+        <translation>Sélectionnez d’abord une ligne de l’onglet E/S avec la touche Tab.</translation>
     </message>
     <message>
         <source>The robot did not confirm %1</source>
@@ -5343,7 +5343,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Another program or the installation may control it.</source>
-        <translation>Elle appartient peut-être à un autre programme ou à l’installation.</translation>
+        <translation>Un autre programme ou l’installation la commande peut-être.</translation>
     </message>
     <message>
         <source>Analog</source>
@@ -5359,7 +5359,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Replay is active: return to live data first.</source>
-        <translation>Ceci est une relecture : revenez d’abord au direct.</translation>
+        <translation>La relecture est active : revenez d’abord aux données en direct.</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -5394,7 +5394,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Frame of the displayed pose</source>
-        <translation>Montré sous le pavé</translation>
+        <translation>Repère de la pose affichée</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -5402,7 +5402,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>release and press again</source>
-        <translation>lâchez et appuyez de nouveau</translation>
+        <translation>relâchez et appuyez de nouveau</translation>
     </message>
     <message>
         <source>Freedrive</source>
@@ -5430,7 +5430,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Retraces the last motion while held</source>
-        <translation>Refait en arrière le chemin du bras tant qu’elle est tenue</translation>
+        <translation>Refait le dernier mouvement en sens inverse, tant que maintenu</translation>
     </message>
     <message>
         <source>home</source>
@@ -5446,11 +5446,11 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Another key is already held.</source>
-        <translation>Une autre touche est tenue.</translation>
+        <translation>Une autre touche est déjà maintenue.</translation>
     </message>
     <message>
         <source>Last stop: not measured, data stopped while the arm was moving</source>
-        <translation>Dernier arrêt : non vu, les données ont cessé pendant le mouvement</translation>
+        <translation>Dernier arrêt : non mesuré, les données ont cessé pendant le mouvement</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
@@ -5458,7 +5458,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
-        <translation>Le bras suit la main tant qu’elle est tenue : %1. Clic droit : autres axes</translation>
+        <translation>Déplacez le bras à la main tant que cette touche est maintenue : %1. Clic droit pour choisir les axes</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -5477,7 +5477,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     <name>tiller::JogKey</name>
     <message>
         <source>%1 left in this direction</source>
-        <translation>reste %1 dans ce sens</translation>
+        <translation>reste %1 dans cette direction</translation>
     </message>
 </context>
 <context>
@@ -5535,7 +5535,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Axes of the view: X right, Y away from you, Z up</source>
-        <translation>Axes de l’image : X à droite, Y s’éloigne de vous, Z en haut</translation>
+        <translation>Axes de la vue : X à droite, Y en s’éloignant de vous, Z vers le haut</translation>
     </message>
     <message>
         <source>Needs the 3D view</source>
@@ -5551,7 +5551,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>One rotation step per press, tool or joint: %1</source>
-        <translation>Une rotation par appui, de l’outil ou d’une articulation : %1</translation>
+        <translation>Un pas de rotation par appui, outil ou articulation : %1</translation>
     </message>
     <message>
         <source>≤ %1</source>
@@ -5559,15 +5559,15 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>Lentement jusqu’à ce que l’outil touche avec %1 N, tant que tenue. Cliquez encore pour d’autres pas</translation>
+        <translation>Déplace lentement tant que maintenu, jusqu’à une force de contact de %1 N. Cliquez de nouveau pour d’autres pas</translation>
     </message>
     <message>
         <source>One step per press: %1. Click again for other steps</source>
-        <translation>Un pas par appui : %1. Cliquez encore pour d’autres pas</translation>
+        <translation>Un pas par appui : %1. Cliquez de nouveau pour d’autres pas</translation>
     </message>
     <message>
         <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>Une rotation par appui, de l’outil ou d’une articulation : %1. Cliquez encore pour d’autres rotations</translation>
+        <translation>Un pas de rotation par appui, outil ou articulation : %1. Cliquez de nouveau pour d’autres angles</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -5575,7 +5575,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Other angle…</source>
-        <translation>Autre rotation…</translation>
+        <translation>Autre angle…</translation>
     </message>
     <message>
         <source>Other step…</source>
@@ -5599,7 +5599,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Angle in degrees</source>
-        <translation>Rotation en degrés</translation>
+        <translation>Angle en degrés</translation>
     </message>
     <message>
         <source>TCP speed in %1</source>
@@ -5607,7 +5607,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Contact force that ends the motion, in N</source>
-        <translation>Force qui termine le mouvement, en N</translation>
+        <translation>Force de contact en N qui termine le mouvement</translation>
     </message>
 </context>
 <context>
@@ -5706,7 +5706,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Open the recording at this time</source>
-        <translation>Ouvrir l’enregistrement à cet instant</translation>
+        <translation>Ouvrir l’enregistrement à ce moment</translation>
     </message>
 </context>
 <context>
@@ -5733,7 +5733,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Filter the log by text</source>
-        <translation>Filtrer le journal par mots</translation>
+        <translation>Filtrer le journal par texte</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -5745,7 +5745,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
-        <translation>Copier les lignes choisies, ou toutes celles montrées (Ctrl+C)</translation>
+        <translation>Copier les entrées sélectionnées, ou toutes les entrées visibles (Ctrl+C)</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -5753,11 +5753,11 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Write the visible entries to a file</source>
-        <translation>Écrire dans un fichier les lignes montrées</translation>
+        <translation>Écrire les entrées visibles dans un fichier</translation>
     </message>
     <message>
         <source>Details of the selected entry</source>
-        <translation>La ligne choisie en entier</translation>
+        <translation>Détails de l’entrée sélectionnée</translation>
     </message>
     <message>
         <source>write %1</source>
@@ -5781,50 +5781,50 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>Ouvrir l’enregistrement de la ligne choisie : les incidents en ont un</translation>
+        <translation>Ouvrir l’enregistrement de l’entrée sélectionnée (les incidents en ont un)</translation>
     </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
     <message>
         <source>%1 collides with %2 after %3 of the path</source>
-        <translation>%1 rencontre %2 du bras après %3 du chemin</translation>
+        <translation>%1 entre en collision avec %2 après %3 de la trajectoire</translation>
     </message>
     <message>
         <source>The path enters the wrist singularity after %1 of its length</source>
-        <translation>La ligne entre dans la singularité du poignet après %1 du chemin</translation>
+        <translation>La trajectoire entre dans la singularité du poignet après %1 de sa longueur</translation>
     </message>
     <message>
         <source>Slow near the wrist singularity at %1 of the path</source>
-        <translation>Lent près de la singularité du poignet à %1 du chemin</translation>
+        <translation>Lent près de la singularité du poignet à %1 de la trajectoire</translation>
     </message>
     <message>
         <source>The path enters the elbow singularity after %1 of its length</source>
-        <translation>La ligne arrive au coude tendu après %1 du chemin</translation>
+        <translation>La trajectoire entre dans la singularité du coude après %1 de sa longueur</translation>
     </message>
     <message>
         <source>Slow near the elbow singularity at %1 of the path</source>
-        <translation>Lent près du coude tendu à %1 du chemin</translation>
+        <translation>Lent près de la singularité du coude à %1 de la trajectoire</translation>
     </message>
     <message>
         <source>The path enters the shoulder singularity after %1 of its length</source>
-        <translation>La ligne arrive à l’axe de la base après %1 du chemin</translation>
+        <translation>La trajectoire entre dans la singularité de l’épaule après %1 de sa longueur</translation>
     </message>
     <message>
         <source>Slow near the shoulder singularity at %1 of the path</source>
-        <translation>Lent près de l’axe de la base à %1 du chemin</translation>
+        <translation>Lent près de la singularité de l’épaule à %1 de la trajectoire</translation>
     </message>
     <message>
         <source>A joint would have to jump after %1 of the path</source>
-        <translation>Une articulation devrait tourner d’un coup après %1 du chemin</translation>
+        <translation>Une articulation devrait sauter après %1 de la trajectoire</translation>
     </message>
     <message>
         <source>%1 exceeds its range after %2 of the path</source>
-        <translation>%1 quitte sa plage après %2 du chemin</translation>
+        <translation>%1 dépasse sa course après %2 de la trajectoire</translation>
     </message>
     <message>
         <source>The path leaves the reach of the arm after %1 of its length</source>
-        <translation>La ligne quitte la portée du bras après %1 du chemin</translation>
+        <translation>La trajectoire sort de la portée du bras après %1 de sa longueur</translation>
     </message>
     <message>
         <source>Base</source>
@@ -5953,15 +5953,15 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
-        <translation>L’enregistrement de la trajectoire s’est terminé seul : les données ont cessé, ou il durait dix minutes.</translation>
+        <translation>Enregistrement de la trajectoire arrêté : plus de données, ou limite de dix minutes atteinte.</translation>
     </message>
     <message>
         <source>The path recorded so far is kept.</source>
-        <translation>Ce qui a été enregistré jusque-là est gardé.</translation>
+        <translation>La trajectoire enregistrée jusqu’ici est conservée.</translation>
     </message>
     <message>
         <source>Stop recording path</source>
-        <translation>Terminer l’enregistrement de la trajectoire</translation>
+        <translation>Arrêter l’enregistrement de la trajectoire</translation>
     </message>
     <message>
         <source>Simplifying the path…</source>
@@ -5969,19 +5969,19 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
-        <translation>Aucune donnée ne vient du robot : il n’y a rien à enregistrer.</translation>
+        <translation>Le robot n’envoie pas de données : rien à enregistrer.</translation>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
-        <translation>Termine l’enregistrement et garde la trajectoire en points de passage</translation>
+        <translation>Arrête l’enregistrement et garde la trajectoire comme points de passage</translation>
     </message>
     <message>
         <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>Enregistre où le bras est mené, par Freedrive ou à la main, jusqu’au prochain appui, et garde la trajectoire en points. Cela ne bouge rien.</translation>
+        <translation>Enregistre la trajectoire du bras en Freedrive ou en déplacement manuel jusqu’au prochain appui, et la garde comme points de passage. Le robot ne bouge pas.</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
-        <translation>Choisissez les points de la trajectoire, au moins deux.</translation>
+        <translation>Sélectionnez au moins deux points de la trajectoire.</translation>
     </message>
     <message>
         <source>Export path</source>
@@ -5993,7 +5993,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
-        <translation>La trajectoire n’a pas été écrite.</translation>
+        <translation>La trajectoire n’a pas été exportée.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written as a path to %1</source>
@@ -6015,19 +6015,19 @@ Videz la recherche pour tout voir.</translation>
     <name>tiller::PathRecorder</name>
     <message>
         <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
-        <translation>%1 n’a pas de colonne « %2 ». Il faut timestamp et actual_q_0 à actual_q_5.</translation>
+        <translation>%1 n’a pas de colonne « %2 ». Les colonnes timestamp et actual_q_0 à actual_q_5 sont nécessaires.</translation>
     </message>
     <message>
         <source>The robot sends no data: nothing to record.</source>
-        <translation>Aucune donnée ne vient du robot : il n’y a rien à enregistrer.</translation>
+        <translation>Le robot n’envoie pas de données : rien à enregistrer.</translation>
     </message>
     <message>
         <source>Import refused: a path is being recorded. Stop that recording first.</source>
-        <translation>Rien n’a été lu : une trajectoire s’enregistre. Terminez-la d’abord.</translation>
+        <translation>Importation refusée : une trajectoire est en cours d’enregistrement. Arrêtez d’abord cet enregistrement.</translation>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
-        <translation>La démonstration n’a pu être lue.</translation>
+        <translation>La démonstration n’a pas pu être importée.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6043,22 +6043,22 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
-        <translation>« %1 » : %2 s en %3 points. Chaque place enregistrée en est à moins de %4 et %5.</translation>
+        <translation>« %1 » : %2 s, %3 points de passage. Écart maximal par rapport à l’enregistrement : %4 et %5.</translation>
     </message>
     <message numerus="yes">
         <source>%n packets were lost.</source>
         <translation>
-            <numerusform>%n paquet n’est pas arrivé.</numerusform>
-            <numerusform>%n paquets ne sont pas arrivés.</numerusform>
+            <numerusform>%n paquet a été perdu.</numerusform>
+            <numerusform>%n paquets ont été perdus.</numerusform>
         </translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
-        <translation>Choisissez les points de la trajectoire, au moins deux.</translation>
+        <translation>Sélectionnez au moins deux points de la trajectoire.</translation>
     </message>
     <message>
         <source>“%1” is out of reach. Touch it up, or remove it.</source>
-        <translation>« %1 » est inaccessible. Retouchez-le, ou laissez-le.</translation>
+        <translation>« %1 » est hors de portée. Retouchez-le ou retirez-le.</translation>
     </message>
 </context>
 <context>
@@ -6081,7 +6081,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>First cell</source>
-        <translation>Première place</translation>
+        <translation>Premier emplacement</translation>
     </message>
     <message>
         <source>End of the first row</source>
@@ -6101,7 +6101,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Cells per row</source>
-        <translation>Places par rangée</translation>
+        <translation>Emplacements par rangée</translation>
     </message>
     <message>
         <source>Rows</source>
@@ -6113,11 +6113,11 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Layer height</source>
-        <translation>Hauteur d’une couche</translation>
+        <translation>Hauteur de couche</translation>
     </message>
     <message>
         <source>Distance between layers, opposite to the tool direction.</source>
-        <translation>D’une couche à la suivante, contre la direction de l’outil.</translation>
+        <translation>Distance entre les couches, opposée à la direction de l’outil.</translation>
     </message>
     <message>
         <source>Order</source>
@@ -6145,31 +6145,31 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>A pattern with this name exists. Choose another name.</source>
-        <translation>Un motif porte déjà ce nom. Choisissez-en un autre.</translation>
+        <translation>Un motif de ce nom existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>Choisissez le point de chaque coin. Apprenez d’abord les trois coins s’ils manquent.</translation>
+        <translation>Sélectionnez un point de passage pour chaque coin. Apprenez d’abord les trois coins.</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
-        <translation>Deux coins sont la même place. Choisissez un autre point pour l’un.</translation>
+        <translation>Deux coins sont identiques. Sélectionnez un autre point pour l’un d’eux.</translation>
     </message>
     <message>
         <source>Invalid layer height.</source>
-        <translation>La hauteur d’une couche n’est pas un chiffre possible.</translation>
+        <translation>Hauteur de couche non valide.</translation>
     </message>
     <message>
         <source>Enter a layer height.</source>
-        <translation>Les couches demandent une hauteur.</translation>
+        <translation>Saisissez une hauteur de couche.</translation>
     </message>
     <message>
         <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>%1 places sont plus que les %2 qu’un motif peut avoir.</translation>
+        <translation>Le motif a %1 emplacements ; le maximum est %2.</translation>
     </message>
     <message>
         <source>All cells are excluded.</source>
-        <translation>Toutes les places sont laissées de côté.</translation>
+        <translation>Tous les emplacements sont exclus.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -6180,7 +6180,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>%1 All are within reach.</source>
-        <translation>%1 Tous sont accessibles.</translation>
+        <translation>%1 Tous sont à portée.</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -6189,8 +6189,8 @@ Videz la recherche pour tout voir.</translation>
     <message numerus="yes">
         <source>%n of them are out of reach and marked.</source>
         <translation>
-            <numerusform>%n est hors de portée et marqué.</numerusform>
-            <numerusform>%n sont hors de portée et marqués.</numerusform>
+            <numerusform>%n d’entre eux est hors de portée et marqué.</numerusform>
+            <numerusform>%n d’entre eux sont hors de portée et marqués.</numerusform>
         </translation>
     </message>
 </context>
@@ -6198,11 +6198,11 @@ Videz la recherche pour tout voir.</translation>
     <name>tiller::PatternGrid</name>
     <message>
         <source>Cells of the pattern</source>
-        <translation>Places du motif</translation>
+        <translation>Emplacements du motif</translation>
     </message>
     <message>
         <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>Cliquez une place pour la laisser de côté ou la reprendre. Le premier coin est en bas à gauche.</translation>
+        <translation>Cliquez sur un emplacement pour l’exclure ou l’inclure. Le premier coin est en bas à gauche.</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -6221,11 +6221,11 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Measure payload</source>
-        <translation>Trouver la charge utile</translation>
+        <translation>Mesurer la charge utile</translation>
     </message>
     <message>
         <source>Measure the payload in several poses</source>
-        <translation>Trouver la charge utile en la pesant dans plusieurs poses</translation>
+        <translation>Mesurer la charge utile dans plusieurs poses</translation>
     </message>
     <message>
         <source>Next pose, hold</source>
@@ -6233,7 +6233,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
-        <translation>Tourne le poignet vers la pose suivante tant que la touche est tenue, pas plus vite que la vitesse manuelle. Voyez que l’outil ait la place de tourner.</translation>
+        <translation>Tourne le poignet vers la pose suivante tant que la touche est maintenue, sans dépasser la vitesse de déplacement. Assurez-vous que l’outil a la place de tourner.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6241,49 +6241,49 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Cancel payload measurement</source>
-        <translation>Annuler la recherche de la charge utile</translation>
+        <translation>Annuler la mesure de la charge utile</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+        <translation>Tiller n’a pas le contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
-        <translation>Le bras a bougé. Laissez-le s’immobiliser, ne touchez à rien et reprenez la pose.</translation>
+        <translation>Le bras a bougé. Attendez l’arrêt, gardez l’outil sans contact et reprenez la pose.</translation>
     </message>
     <message>
         <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
-        <translation>Le robot n’envoie pas de forces. Saisissez masse et centre en chiffres.</translation>
+        <translation>Le robot n’envoie pas de forces. Saisissez plutôt la masse et le centre de gravité.</translation>
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
-        <translation>Pesée… que rien ne touche l’outil.</translation>
+        <translation>Mesure de la charge utile… Gardez l’outil sans contact.</translation>
     </message>
     <message>
         <source>%1 kg, centre of gravity at %2 from the flange. The poses agree within %3 and %4.</source>
-        <translation>%1 kg, centre à %2 de la bride. Les poses s’accordent à %3 et %4 près.</translation>
+        <translation>%1 kg, centre de gravité à %2 de la bride. Les poses concordent à %3 et %4 près.</translation>
     </message>
     <message>
         <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
-        <translation>%1 C’est faible : la pose %2 convient le moins. Ôtez-la et prenez-en une autre.</translation>
+        <translation>%1 La précision est faible : la pose %2 s’écarte le plus. Retirez-la et prenez-en une autre.</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
-        <translation>L’outil tourne trop peu entre les poses. Prenez-en une de plus, tournée d’un autre côté.</translation>
+        <translation>Les orientations de l’outil sont trop semblables. Prenez une pose de plus, l’outil tourné dans une autre direction.</translation>
     </message>
     <message>
         <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg : trop léger pour que le capteur dise où est le centre. Saisissez-le en chiffres.</translation>
+        <translation>%1 kg : trop léger pour mesurer le centre de gravité. Saisissez-le.</translation>
     </message>
     <message>
         <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
-        <translation>Laissez le bras s’immobiliser, ne touchez à rien et prenez la pose. Tournez ensuite le poignet, à la main ou avec « Pose suivante », et prenez-en trois de plus.</translation>
+        <translation>Attendez l’arrêt, gardez l’outil sans contact et prenez la pose. Tournez ensuite le poignet, par déplacement ou avec « Pose suivante », et prenez trois autres poses.</translation>
     </message>
     <message numerus="yes">
         <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Tournez le poignet d’un autre côté et prenez la pose. Encore : %n</numerusform>
-            <numerusform>Tournez le poignet d’un autre côté et prenez la pose. Encore : %n</numerusform>
+            <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n</numerusform>
+            <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n</numerusform>
         </translation>
     </message>
     <message>
@@ -6292,11 +6292,11 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Remove least accurate pose</source>
-        <translation>Ôter la pire</translation>
+        <translation>Retirer la pose la moins précise</translation>
     </message>
     <message>
         <source>Remove last pose</source>
-        <translation>Ôter la dernière</translation>
+        <translation>Retirer la dernière pose</translation>
     </message>
     <message>
         <source>Pose %1  %2</source>
@@ -6304,7 +6304,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ convient le moins</translation>
+        <translation>  ◀ la moins précise</translation>
     </message>
 </context>
 <context>
@@ -6335,7 +6335,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Another payload is named “%1”. Choose another name.</source>
-        <translation>« %1 » est déjà le nom d’une autre charge utile. Choisissez un autre nom.</translation>
+        <translation>Une autre charge utile s’appelle « %1 ». Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -6360,8 +6360,8 @@ Videz la recherche pour tout voir.</translation>
     <message>
         <source>No payloads yet.
 Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
-        <translation>Pas encore de charge utile.
-Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras.</translation>
+        <translation>Pas encore de charges utiles.
+Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer… » pour la mesurer avec le bras.</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -6397,7 +6397,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
-        <translation>Entrée l’applique au projet ; le robot garde le sien.</translation>
+        <translation>Appuyez sur Entrée pour appliquer au projet. La charge utile du robot ne change pas.</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -6409,27 +6409,27 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Measure…</source>
-        <translation>Peser…</translation>
+        <translation>Mesurer…</translation>
     </message>
     <message>
         <source>Measure the payload with the arm</source>
-        <translation>Trouver la charge utile avec le bras</translation>
+        <translation>Mesurer la charge utile avec le bras</translation>
     </message>
     <message>
         <source>Verify</source>
-        <translation>Est-elle juste ?</translation>
+        <translation>Vérifier</translation>
     </message>
     <message>
         <source>Verify the payload</source>
-        <translation>Vérifier si la charge utile est juste</translation>
+        <translation>Vérifier la charge utile</translation>
     </message>
     <message>
         <source>Store the active payload of the robot</source>
-        <translation>Garder la charge utile du robot</translation>
+        <translation>Garder la charge utile active du robot</translation>
     </message>
     <message>
         <source>Enter new payload</source>
-        <translation>Nouvelle charge utile en chiffres</translation>
+        <translation>Saisir une nouvelle charge utile</translation>
     </message>
     <message>
         <source>payload</source>
@@ -6465,7 +6465,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Select the payload to set.</source>
-        <translation>Choisissez une charge utile à régler.</translation>
+        <translation>Sélectionnez la charge utile à régler.</translation>
     </message>
     <message>
         <source>Use the payload “%1”</source>
@@ -6473,7 +6473,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+        <translation>Tiller n’a pas le contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
         <source>Delete the payload “%1”</source>
@@ -6481,19 +6481,19 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
-        <translation>Pesée… que rien ne touche l’outil.</translation>
+        <translation>Mesure de la charge utile… Gardez l’outil sans contact.</translation>
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
-        <translation>Le bras a bougé. Laissez-le s’immobiliser, ne touchez à rien et vérifiez encore.</translation>
+        <translation>Le bras a bougé. Attendez l’arrêt, gardez l’outil sans contact et vérifiez de nouveau.</translation>
     </message>
     <message>
         <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>Le robot n’envoie pas de forces : sa charge utile ne peut être vérifiée.</translation>
+        <translation>Le robot n’envoie pas de forces : la charge utile ne peut pas être vérifiée.</translation>
     </message>
     <message>
         <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>Avec %1 kg le bras sent au repos %2 et %3.</translation>
+        <translation>Avec %1 kg, le bras mesure %2 et %3 à l’arrêt.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -6505,39 +6505,39 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
-        <translation>Environ %1 kg de plus y pendent qu’il ne le sait.</translation>
+        <translation>La charge est plus lourde d’environ %1 kg que la charge utile configurée.</translation>
     </message>
     <message>
         <source>The load is about %1 kg lighter than the configured payload.</source>
-        <translation>Environ %1 kg de moins y pendent qu’il ne le sait.</translation>
+        <translation>La charge est plus légère d’environ %1 kg que la charge utile configurée.</translation>
     </message>
     <message>
         <source>The centre of gravity differs, or something is touching the tool.</source>
-        <translation>Son centre est ailleurs, ou quelque chose touche l’outil.</translation>
+        <translation>Le centre de gravité diffère, ou quelque chose touche l’outil.</translation>
     </message>
     <message>
         <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
-        <translation>%1 %2 Pesez-la, ou choisissez une autre charge utile. Mettre à zéro le capteur de force cache une charge fausse jusqu’à ce que l’outil tourne.</translation>
+        <translation>%1 %2 Mesurez-la ou sélectionnez une autre charge utile. La mise à zéro du capteur de force masque une charge utile erronée jusqu’à ce que l’outil tourne.</translation>
     </message>
     <message>
         <source>The payload is wrong. %1 %2</source>
-        <translation>La charge utile n’est pas juste. %1 %2</translation>
+        <translation>La charge utile est erronée. %1 %2</translation>
     </message>
     <message>
         <source>The payload is wrong</source>
-        <translation>La charge utile n’est pas juste</translation>
+        <translation>La charge utile est erronée</translation>
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1, comme sur le robot</translation>
+        <translation>%1, actif sur le robot</translation>
     </message>
     <message>
         <source>%1; the robot has %2 kg, centre of gravity %3</source>
-        <translation>%1 ; le robot connaît %2 kg, centre %3</translation>
+        <translation>%1 ; le robot a %2 kg, centre de gravité %3</translation>
     </message>
     <message>
         <source>The robot&apos;s payload differs from “%1”</source>
-        <translation>Le robot a une autre charge utile que « %1 »</translation>
+        <translation>La charge utile du robot diffère de « %1 »</translation>
     </message>
     <message>
         <source>On the robot: %1 kg, centre of gravity %2. In the project: %3 kg, centre of gravity %4. Nothing was changed.</source>
@@ -6576,11 +6576,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>X-axis signal</source>
-        <translation>Selon ce signal</translation>
+        <translation>Signal de l’axe X</translation>
     </message>
     <message>
         <source>Add a signal to the plots first.</source>
-        <translation>Placez d’abord un signal sur les tracés.</translation>
+        <translation>Ajoutez d’abord un signal aux tracés.</translation>
     </message>
     <message>
         <source>There are no samples in this range.</source>
@@ -6592,7 +6592,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
-        <translation>Fenêtre de Hann de %1 échantillons · %2 Hz par raie · moyenne de %3 · %4 … %5 s</translation>
+        <translation>Fenêtre de Hann de %1 échantillons · résolution %2 Hz · moyenne de %3 · %4 … %5 s</translation>
     </message>
     <message>
         <source>Frequency [Hz]</source>
@@ -6612,8 +6612,8 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     <message numerus="yes">
         <source>%n sample(s), every %1th shown</source>
         <translation>
-            <numerusform>%n échantillon, un sur %1</numerusform>
-            <numerusform>%n échantillons, un sur %1</numerusform>
+            <numerusform>%n échantillon, 1 sur %1 affiché</numerusform>
+            <numerusform>%n échantillons, 1 sur %1 affiché</numerusform>
         </translation>
     </message>
     <message>
@@ -6622,7 +6622,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
-        <translation>Ces deux signaux ne viennent pas du même enregistrement : placez les curseurs A et B autour d’une plage plus courte.</translation>
+        <translation>Ces signaux proviennent d’enregistrements différents : placez les curseurs A et B autour d’une plage plus courte.</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -6633,11 +6633,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     <name>tiller::PlotComparison</name>
     <message>
         <source>Not compared with the arm model: the recording does not state the robot model.</source>
-        <translation>Pas comparé au modèle du bras : on ne sait pas de quel bras il s’agit.</translation>
+        <translation>Non comparé au modèle du bras : l’enregistrement n’indique pas le modèle de robot.</translation>
     </message>
     <message>
         <source>Arm and model diverge: %1</source>
-        <translation>Le bras et le modèle se séparent : %1</translation>
+        <translation>Le bras et le modèle divergent : %1</translation>
     </message>
     <message>
         <source>Comparing the arm with its model: %1</source>
@@ -6680,7 +6680,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
-        <translation>Cliquez dans les tracés pour poser les curseurs A et B ; tirez-les, ou utilisez les touches A, B et les flèches. Cliquez un nom de légende pour cacher sa courbe, avec Ctrl pour lire ce signal.</translation>
+        <translation>Cliquez dans les tracés pour placer les curseurs A et B ; faites-les glisser ou utilisez A, B et les flèches. Cliquez sur une entrée de légende pour masquer sa courbe ; Ctrl+clic pour lire ce signal aux curseurs.</translation>
     </message>
     <message>
         <source>Time window</source>
@@ -6688,7 +6688,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
-        <translation>Combien de temps montrent les tracés. La molette sur les tracés zoome ; sur les valeurs à gauche, ou avec Ctrl, elle zoome celles-ci, et un double clic y laisse à nouveau décider les courbes.</translation>
+        <translation>Plage de temps des tracés. La molette zoome l’axe du temps ; sur l’axe des valeurs ou avec Ctrl, elle zoome les valeurs. Double-cliquez sur l’axe des valeurs pour l’échelle automatique.</translation>
     </message>
     <message>
         <source>Pause the plots</source>
@@ -6704,7 +6704,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Export the visible range</source>
-        <translation>Exporter la plage montrée</translation>
+        <translation>Exporter la plage visible</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6712,7 +6712,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Save the visible range as an image (PNG) or as values (CSV)</source>
-        <translation>Enregistrer ce qui est montré en image (PNG) ou en valeurs (CSV)</translation>
+        <translation>Enregistrer la plage visible comme image (PNG) ou comme valeurs (CSV)</translation>
     </message>
     <message>
         <source>Record to a CSV file</source>
@@ -6720,11 +6720,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>Enregistrer dans un fichier CSV ce que le robot envoie ; la touche à côté dit quoi et où</translation>
+        <translation>Enregistrer les données du robot dans un fichier CSV. La flèche définit signaux et dossier</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>La force n’a pas été mise à zéro : les tracés ne montrent pas de valeurs. Connectez-vous à un robot, ou allez à un temps avec des valeurs.</translation>
+        <translation>Mise à zéro de la force impossible : les tracés n’affichent aucun échantillon. Connectez-vous à un robot ou allez à un moment avec des échantillons.</translation>
     </message>
     <message>
         <source>Paused · %1 s back</source>
@@ -6752,7 +6752,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Freeze the plots; data and recording continue</source>
-        <translation>Figer les tracés ; données et enregistrement continuent</translation>
+        <translation>Figer les tracés ; les données et l’enregistrement continuent</translation>
     </message>
     <message>
         <source>Back to the newest samples</source>
@@ -6760,11 +6760,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Show the force as measured by the robot. %1</source>
-        <translation>Montrer de nouveau la force comme le robot la mesure. %1</translation>
+        <translation>Afficher la force mesurée par le robot. %1</translation>
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
-        <translation>Compter la force à partir de ce qu’elle est maintenant. Seulement ce que montrent les tracés : robot, enregistrements et valeurs exportées gardent ce qui a été mesuré.</translation>
+        <translation>Soustraire la force actuelle dans les tracés. Le robot, les enregistrements et les valeurs exportées ne changent pas.</translation>
     </message>
     <message>
         <source>● REC %1</source>
@@ -6788,11 +6788,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>Rien n’a été exporté : les tracés ne montrent pas de valeurs. Connectez-vous à un robot, ou allez à un temps avec des valeurs.</translation>
+        <translation>Exportation impossible : les tracés n’affichent aucun échantillon. Connectez-vous à un robot ou allez à un moment avec des échantillons.</translation>
     </message>
     <message>
         <source>Exported the visible range to %1</source>
-        <translation>Plage montrée exportée dans %1</translation>
+        <translation>Plage visible exportée vers %1</translation>
     </message>
     <message>
         <source>Picture (*.png)</source>
@@ -6812,7 +6812,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Recording options</source>
-        <translation>Ce qui est enregistré</translation>
+        <translation>Options d’enregistrement</translation>
     </message>
     <message>
         <source>Rows, signals, folder and file name of the next recording</source>
@@ -6820,12 +6820,12 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>One row per packet</source>
-        <translation>Une ligne pour chaque paquet</translation>
+        <translation>Une ligne par paquet</translation>
     </message>
     <message numerus="yes">
         <source>One row every %n packet(s)</source>
         <translation>
-            <numerusform>Une ligne pour chaque paquet</numerusform>
+            <numerusform>Une ligne tous les %n paquet</numerusform>
             <numerusform>Une ligne tous les %n paquets</numerusform>
         </translation>
     </message>
@@ -6850,7 +6850,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Open folder</source>
-        <translation>Montrer le dossier</translation>
+        <translation>Ouvrir le dossier</translation>
     </message>
     <message>
         <source>Folder for recordings</source>
@@ -6866,11 +6866,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>nommez le fichier .png, .svg ou .pdf pour une image, .csv pour des valeurs</translation>
+        <translation>utilisez le suffixe .png, .svg ou .pdf pour une image, ou .csv pour des valeurs</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
-        <translation>%1, à %2 s du temps des tracés</translation>
+        <translation>%1, à %2 s sur l’axe du temps</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -6886,7 +6886,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>The plots were copied to the clipboard as an image.</source>
-        <translation>Les tracés sont dans le presse-papiers en image.</translation>
+        <translation>Les tracés ont été copiés comme image dans le presse-papiers.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -6918,11 +6918,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Copy plots as image</source>
-        <translation>Copier les tracés en image</translation>
+        <translation>Copier les tracés comme image</translation>
     </message>
     <message>
         <source>Save layout…</source>
-        <translation>Enregistrer cette disposition…</translation>
+        <translation>Enregistrer la disposition…</translation>
     </message>
     <message>
         <source>Open layout…</source>
@@ -6954,7 +6954,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Plot layouts (*.json)</source>
-        <translation>Disposition de tracés (*.json)</translation>
+        <translation>Dispositions de tracés (*.json)</translation>
     </message>
     <message>
         <source>Open plot layout</source>
@@ -6974,7 +6974,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>Tout ce que dit le robot : tirez-le sur un tracé, sur son bord pour un tracé à part, ou double clic</translation>
+        <translation>Tous les signaux du robot : faites glisser un signal sur un tracé, ou sur son bord pour un nouveau tracé, ou double-cliquez dessus</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -6986,7 +6986,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
-        <translation>Ce que vaut chaque signal aux curseurs A et B, et ce qu’il y a entre : plus petit, plus grand, moyenne, RMS, écart, pente</translation>
+        <translation>Valeurs aux curseurs A et B et statistiques entre eux : minimum, maximum, moyenne, RMS, écart type, pente</translation>
     </message>
     <message>
         <source>Pages and layout of the plots</source>
@@ -7006,7 +7006,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Export the visible range…</source>
-        <translation>Exporter la plage affichée…</translation>
+        <translation>Exporter la plage visible…</translation>
     </message>
     <message>
         <source>Time axis</source>
@@ -7014,7 +7014,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Relative to the newest sample</source>
-        <translation>Avant le dernier échantillon</translation>
+        <translation>Par rapport au dernier échantillon</translation>
     </message>
     <message>
         <source>Controller time</source>
@@ -7026,7 +7026,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>The maximum number of plot pages is reached: remove a page first.</source>
-        <translation>Il y a autant de pages de tracés que possible : retirez-en d’abord une.</translation>
+        <translation>Le nombre maximal de pages de tracés est atteint : retirez d’abord une page.</translation>
     </message>
     <message>
         <source>Record to an MCAP file</source>
@@ -7034,7 +7034,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>Enregistre ce que le robot envoie dans un fichier MCAP ; la touche à côté dit quoi et où</translation>
+        <translation>Enregistrer les données du robot dans un fichier MCAP. La flèche définit signaux et dossier</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7087,7 +7087,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Double-click to rename</source>
-        <translation>Double clic : autre nom</translation>
+        <translation>Double-cliquez pour renommer</translation>
     </message>
 </context>
 <context>
@@ -7150,7 +7150,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>Cliquez dans les tracés pour poser A, puis B : ce qu’il y a entre est résumé ici.</translation>
+        <translation>Cliquez dans les tracés pour placer A, puis B. Les statistiques de la plage entre eux s’affichent ici.</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -7158,7 +7158,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Statistics are incomplete: %1</source>
-        <translation>La plage n’a pas pu être résumée en entier : %1</translation>
+        <translation>Les statistiques sont incomplètes : %1</translation>
     </message>
 </context>
 <context>
@@ -7185,7 +7185,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Fixed scale · double-click the axis to scale automatically</source>
-        <translation>Échelle tenue · double clic sur l’axe pour la libérer</translation>
+        <translation>Échelle fixe · double-cliquez sur l’axe pour l’échelle automatique</translation>
     </message>
     <message>
         <source>No samples yet: connect to a robot</source>
@@ -7193,7 +7193,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Zeroed (offset %1 %2)</source>
-        <translation>À zéro : %1 %2 ôtés</translation>
+        <translation>Mis à zéro (décalage %1 %2)</translation>
     </message>
     <message>
         <source>Plots over time</source>
@@ -7201,7 +7201,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A et B posent les curseurs, les flèches les déplacent, haut et bas choisissent le signal qu’ils lisent ; H cache sa courbe, Ctrl+Suppr l’ôte ; plus et moins changent la fenêtre de temps, avec Ctrl l’échelle des valeurs, Ctrl+0 laisse à nouveau décider les courbes ; N écrit une note ; F montre tout ; Fin revient aux valeurs les plus récentes</translation>
+        <translation>A et B placent les curseurs, gauche et droite les déplacent, haut et bas choisissent le signal lu. H masque sa courbe, Ctrl+Suppr la retire. Plus et moins changent la plage de temps, avec Ctrl l’échelle des valeurs ; Ctrl+0 pour l’échelle automatique. N ajoute une note, F affiche toutes les données, Fin revient aux derniers échantillons</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -7263,11 +7263,11 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>orientation selon les réglages. Δ₀ : chemin depuis zéro. Clic : chemin depuis l’appui</translation>
+        <translation>orientation selon les réglages. Δ₀ : déplacement depuis zéro. Clic : déplacement depuis l’appui</translation>
     </message>
     <message>
         <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>orientation selon les réglages. Δ : chemin depuis l’appui. Clic : zéro ici</translation>
+        <translation>orientation selon les réglages. Δ : déplacement depuis l’appui. Clic : zéro ici</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -7290,7 +7290,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
     </message>
     <message>
         <source>Another position is named “%1”. Choose another name.</source>
-        <translation>« %1 » est déjà le nom d’une autre position. Choisissez un autre nom.</translation>
+        <translation>Une autre position s’appelle « %1 ». Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -7304,7 +7304,7 @@ Pressez Du robot pour garder la sienne, ou Peser… pour la trouver avec le bras
         <source>No positions yet.
 Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>Pas encore de positions.
-Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation>
+Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ici ».</translation>
     </message>
     <message>
         <source>Safe height</source>
@@ -7312,11 +7312,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
-        <translation>%1. Entrée l’applique ; rien ne bouge que la position.</translation>
+        <translation>%1. Appuyez sur Entrée pour appliquer. Seule la position enregistrée change ; le robot ne bouge pas.</translation>
     </message>
     <message>
         <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
-        <translation>Au-dessus, dans le repère de base, il n’y a rien : là le TCP peut aller de côté.</translation>
+        <translation>Hauteur dans le repère de base au-dessus de laquelle il n’y a pas d’obstacles : au-dessus, le TCP peut se déplacer latéralement.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -7324,7 +7324,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>Set the safe height to the current TCP height</source>
-        <translation>La hauteur sûre est là où est le TCP maintenant</translation>
+        <translation>Régler la hauteur sûre à la hauteur actuelle du TCP</translation>
     </message>
     <message>
         <source>Set home here</source>
@@ -7336,7 +7336,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>Store the current position of the arm</source>
-        <translation>Garder la position du bras</translation>
+        <translation>Garder la position actuelle du bras</translation>
     </message>
     <message>
         <source>Use as home</source>
@@ -7352,7 +7352,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>Reset to default home</source>
-        <translation>Reprendre l’origine habituelle</translation>
+        <translation>Rétablir l’origine par défaut</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -7364,7 +7364,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
+        <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -7372,11 +7372,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>Set “%1” to the current position of the arm?</source>
-        <translation>Mettre « %1 » là où est le bras ?</translation>
+        <translation>Définir « %1 » à la position actuelle du bras ?</translation>
     </message>
     <message>
         <source>The Home key will move the arm there.</source>
-        <translation>La touche Origine y va désormais.</translation>
+        <translation>La touche Origine y amènera le bras.</translation>
     </message>
     <message>
         <source>Set home</source>
@@ -7436,11 +7436,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>La touche Origine va à l’origine habituelle : dressé, dégagé de lui-même.</translation>
+        <translation>La touche Origine va à la position par défaut : bras vertical, sans collision avec lui-même.</translation>
     </message>
     <message>
         <source>%1: target of the Home key</source>
-        <translation>%1 : la touche Origine y va</translation>
+        <translation>%1 : cible de la touche Origine</translation>
     </message>
     <message>
         <source>%1 · %2 %3 from here</source>
@@ -7451,7 +7451,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     <name>tiller::Practice</name>
     <message>
         <source>Start the simulated robot first (robot menu).</source>
-        <translation>Démarrez d’abord le robot simulé : il est dans le menu Robot.</translation>
+        <translation>Démarrez d’abord le robot simulé (menu Robot).</translation>
     </message>
     <message>
         <source>Power the arm on and release the brakes first.</source>
@@ -7459,11 +7459,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>Le bras est en arrêt. Rétablissez-le d’abord.</translation>
+        <translation>Le système de sécurité a arrêté le bras. Rétablissez-le d’abord.</translation>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
-        <translation>Fait. Démarrer recommence.</translation>
+        <translation>Terminé. Appuyez sur Démarrer pour répéter l’exercice.</translation>
     </message>
     <message>
         <source>Press Start.</source>
@@ -7490,7 +7490,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>enter value, press Return</source>
-        <translation>chiffre, puis Entrée</translation>
+        <translation>saisissez la valeur, appuyez sur Entrée</translation>
     </message>
     <message>
         <source>Fz [N]</source>
@@ -7510,15 +7510,15 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>Starts or restarts the task</source>
-        <translation>Commence l’exercice, ou le recommence</translation>
+        <translation>Démarre ou redémarre l’exercice</translation>
     </message>
     <message>
         <source>Continues with the next task</source>
-        <translation>Passe à l’exercice suivant</translation>
+        <translation>Continue avec l’exercice suivant</translation>
     </message>
     <message>
         <source>Available after the check above has passed</source>
-        <translation>Possible dès que le contrôle ci-dessus le dit</translation>
+        <translation>Disponible une fois la vérification ci-dessus réussie</translation>
     </message>
 </context>
 <context>
@@ -7529,11 +7529,11 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>Check</source>
-        <translation>À voir</translation>
+        <translation>Vérifier</translation>
     </message>
     <message>
         <source>Failed</source>
-        <translation>Mauvais</translation>
+        <translation>Échec</translation>
     </message>
     <message>
         <source>Not checked</source>
@@ -7549,7 +7549,7 @@ Amenez le bras à une place et pressez Origine ici, ou Ajouter ici.</translation
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>Connectée malgré tout, la fenêtre montre les données qu’il y a. Ce qui est rouge ci-dessus peut empêcher de prendre le contrôle, ou terminer un mouvement en cours.</translation>
+        <translation>Si vous vous connectez malgré tout, la fenêtre affiche les données disponibles. Les points rouges ci-dessus peuvent empêcher la prise de contrôle ou arrêter un mouvement en cours.</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -7569,11 +7569,11 @@ Keep the emergency stop at hand: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
 Watch the arm, not the screen, while you hold a key.
 Release the key to stop the arm.</source>
-        <translation>Gardez tout le monde hors de portée du bras.
-Gardez l’arrêt d’urgence sous la main : STOP dans cette fenêtre est un arrêt logiciel.
-Commencez lentement : la première vitesse est %1.
-Regardez le bras, pas l’écran, tant qu’une touche est tenue.
-Lâchez la touche et le bras s’arrête.</translation>
+        <translation>Tenez tout le monde hors de portée du bras.
+Gardez l’arrêt d’urgence à portée de main : STOP dans cette fenêtre est un arrêt logiciel.
+Commencez lentement : la vitesse initiale est %1.
+Regardez le bras, pas l’écran, quand vous maintenez une touche.
+Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>Checking %1…</source>
@@ -7581,7 +7581,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>Problems found</source>
-        <translation>Quelque chose l’empêche</translation>
+        <translation>Problèmes détectés</translation>
     </message>
     <message>
         <source>Ready, with warnings</source>
@@ -7626,7 +7626,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>%1. Update Tiller to open it. The file was not changed.</source>
-        <translation>%1. Mettez Tiller à jour pour l’ouvrir. Le fichier est resté tel quel.</translation>
+        <translation>%1. Mettez Tiller à jour pour l’ouvrir. Le fichier n’a pas été modifié.</translation>
     </message>
     <message>
         <source>Open project</source>
@@ -7650,7 +7650,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>“%1” is a copy with unsaved changes.</source>
-        <translation>« %1 » est une copie et a des changements qui ne sont dans aucun fichier.</translation>
+        <translation>« %1 » est une copie avec des modifications non enregistrées.</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -7949,7 +7949,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>Suspected joint: %1 (largest deviation from its target current).</source>
-        <translation>Articulation suspecte : %1, dont le courant s’est le plus écarté de sa cible.</translation>
+        <translation>Articulation suspecte : %1 (plus grand écart par rapport à son courant de consigne).</translation>
     </message>
     <message>
         <source> (%1 s)</source>
@@ -7957,7 +7957,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>Tick the items that you have checked.</source>
-        <translation>Cochez ce que vous avez regardé.</translation>
+        <translation>Cochez les points que vous avez vérifiés.</translation>
     </message>
     <message>
         <source>Requested; waiting for the robot…</source>
@@ -8019,7 +8019,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>Montrer ce que le robot fait maintenant ; un enregistrement reste ouvert dans les tracés</translation>
+        <translation>Afficher l’état actuel du robot. L’enregistrement reste ouvert dans les tracés</translation>
     </message>
 </context>
 <context>
@@ -8042,7 +8042,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>The popup could not be closed from here: close it on the teach pendant.</source>
-        <translation>Il n’a pu être fermé d’ici : fermez-le sur le pupitre.</translation>
+        <translation>Le message n’a pas pu être fermé d’ici : fermez-le sur le pupitre.</translation>
     </message>
     <message>
         <source>No data from the robot: close it on the teach pendant.</source>
@@ -8057,7 +8057,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>A waiting program continues when the popup is closed: keep clear of the arm.</source>
-        <translation>Un programme qui l’attend continue après sa fermeture : restez à l’écart du bras.</translation>
+        <translation>Un programme en attente continue à la fermeture du message : restez à distance du bras.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8096,7 +8096,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>Taking control was cancelled by a stop</source>
-        <translation>Un arrêt a mis fin à la prise de contrôle</translation>
+        <translation>La prise de contrôle a été annulée par un arrêt</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -8136,7 +8136,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>No data from the robot. Reconnecting automatically; motion does not resume.</source>
-        <translation>Pas de données du robot. Reconnexion automatique ; le mouvement ne reprend pas.</translation>
+        <translation>Aucune donnée du robot. Reconnexion automatique ; le mouvement ne reprend pas.</translation>
     </message>
     <message>
         <source>Robot data are late.</source>
@@ -8182,7 +8182,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
-        <translation>La pince ne donne pas de valeurs. Mettez le bras sous tension ; si cela reste, vérifiez le câble de la pince au poignet.</translation>
+        <translation>La pince n’envoie aucune valeur. Mettez le bras sous tension ; si le problème persiste, vérifiez le câble de la pince au poignet.</translation>
     </message>
     <message>
         <source>The gripper answers again</source>
@@ -8194,7 +8194,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
-        <translation>La pince n’est pas devenue active. Voyez que rien ne bloque ses doigts, puis pressez de nouveau Activer.</translation>
+        <translation>La pince n’a pas été activée. Vérifiez que rien ne bloque ses doigts, puis appuyez de nouveau sur Activer.</translation>
     </message>
     <message>
         <source>The gripper holds an object (%1 open)</source>
@@ -8214,27 +8214,27 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
-        <translation>Personne ne répond pour la pince à %1:%2. Installez l’URCap de Robotiq sur le robot et choisissez la pince dans son Installation.</translation>
+        <translation>Aucun service de pince ne répond à %1:%2. Installez l’URCap de Robotiq sur le robot et sélectionnez la pince dans son installation.</translation>
     </message>
     <message>
         <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>La pince ne répond pas. Vérifiez son câble au poignet et sa page dans l’Installation du robot ; si cela reste, redémarrez le robot.</translation>
+        <translation>La pince ne répond pas. Vérifiez son câble au poignet et sa page dans l’installation du robot ; si le problème persiste, redémarrez le robot.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
-        <translation>Le robot a terminé la connexion à la pince ; il redémarre peut-être. Elle revient d’elle-même ; la pince continue de tenir.</translation>
+        <translation>Le robot a fermé la connexion à la pince et redémarre peut-être. Tiller se reconnecte automatiquement ; la pince maintient sa prise.</translation>
     </message>
     <message>
         <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
-        <translation>La pince ne l’a pas accepté. Activez-la ; si elle est active, voyez sa page dans l’Installation du robot.</translation>
+        <translation>La pince n’a pas accepté la commande. Activez-la ; si elle est active, vérifiez sa page dans l’installation du robot.</translation>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
-        <translation>La pince s’active : ce qui a été demandé se fait ensuite.</translation>
+        <translation>La pince s’active ; la commande est exécutée ensuite.</translation>
     </message>
     <message>
         <source>The gripper received a motion command before it was active. Press Activate.</source>
-        <translation>La pince a été envoyée quelque part avant d’être active. Pressez Activer.</translation>
+        <translation>La pince a reçu une commande de mouvement avant d’être active. Appuyez sur Activer.</translation>
     </message>
     <message>
         <source>The gripper is too hot. Let it cool down, then press Activate.</source>
@@ -8242,35 +8242,35 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
-        <translation>La pince n’a rien entendu pendant une seconde. Vérifiez son câble au poignet, puis pressez Activer.</translation>
+        <translation>La pince n’a reçu aucune commande pendant une seconde. Vérifiez son câble au poignet, puis appuyez sur Activer.</translation>
     </message>
     <message>
         <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
-        <translation>La pince a trop peu de tension. Réglez la tension de l’outil à 24 V, puis pressez Activer.</translation>
+        <translation>La tension d’alimentation de la pince est trop basse. Réglez la tension de l’outil à 24 V, puis appuyez sur Activer.</translation>
     </message>
     <message>
         <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
-        <translation>Le relâchement automatique de la pince est en cours. Attendez qu’il finisse, puis pressez Activer.</translation>
+        <translation>L’ouverture automatique de la pince est en cours. Attendez la fin, puis appuyez sur Activer.</translation>
     </message>
     <message>
         <source>The automatic release of the gripper is complete. Press Activate.</source>
-        <translation>Le relâchement automatique de la pince est fini. Pressez Activer.</translation>
+        <translation>L’ouverture automatique de la pince est terminée. Appuyez sur Activer.</translation>
     </message>
     <message>
         <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
-        <translation>La pince a un défaut interne. Pressez Activer ; s’il revient, demandez à Robotiq.</translation>
+        <translation>La pince a un défaut interne. Appuyez sur Activer ; si le défaut revient, contactez Robotiq.</translation>
     </message>
     <message>
         <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
-        <translation>L’activation a échoué. Voyez que rien ne bloque les doigts, puis pressez Activer.</translation>
+        <translation>L’activation a échoué. Vérifiez que rien ne bloque les doigts, puis appuyez sur Activer.</translation>
     </message>
     <message>
         <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
-        <translation>La pince tire trop de courant. Voyez que rien ne bloque les doigts, puis pressez Activer.</translation>
+        <translation>La pince consomme trop de courant. Vérifiez que rien ne bloque les doigts, puis appuyez sur Activer.</translation>
     </message>
     <message>
         <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
-        <translation>La pince signale le défaut %1. Pressez Activer ; s’il revient, voyez son manuel.</translation>
+        <translation>La pince signale le défaut %1. Appuyez sur Activer ; si le défaut revient, consultez son manuel.</translation>
     </message>
 </context>
 <context>
@@ -8288,7 +8288,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>Default view, perspective</source>
-        <translation>Regarder du premier côté, en perspective</translation>
+        <translation>Vue par défaut, en perspective</translation>
     </message>
     <message>
         <source>Front</source>
@@ -8320,7 +8320,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>Fit the arm, target and waypoints in the view</source>
-        <translation>Bras, cible et points de passage dans l’image</translation>
+        <translation>Ajuster bras, cible et points de passage à la vue</translation>
     </message>
 </context>
 <context>
@@ -8331,7 +8331,7 @@ Lâchez la touche et le bras s’arrête.</translation>
     </message>
     <message>
         <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
-        <translation>Tirez ou utilisez les flèches pour regarder d’un autre côté, avec Maj ou le bouton droit pour déplacer l’image, la molette ou plus et moins pour s’approcher, double clic ou Origine pour la première vue. Rien ici ne bouge le robot.</translation>
+        <translation>Glissez ou utilisez les flèches pour tourner la vue ; avec Maj ou le bouton droit pour la déplacer. Zoomez avec la molette ou avec plus et moins. Double-cliquez ou appuyez sur Début pour la vue par défaut. Rien ici ne déplace le robot.</translation>
     </message>
     <message>
         <source>NO DATA</source>
@@ -8668,7 +8668,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+        <translation>Tiller n’a pas le contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
         <source>Delete the TCP “%1”</source>
@@ -8680,7 +8680,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1, comme sur le robot</translation>
+        <translation>%1, actif sur le robot</translation>
     </message>
     <message>
         <source>%1, %2 from the robot&apos;s TCP</source>
@@ -8798,27 +8798,27 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
-        <translation>La bride a tourné de %1 en chemin, surtout à la pose %2. Reprenez les trois sans tourner l’outil.</translation>
+        <translation>La bride a tourné de %1 au plus (pose %2). Reprenez les trois poses sans tourner l’outil.</translation>
     </message>
     <message>
         <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>Le chemin selon +Z n’est que de %1. Reprenez les trois, distantes d’au moins %2.</translation>
+        <translation>La distance selon +Z n’est que de %1. Reprenez les trois poses, espacées d’au moins %2.</translation>
     </message>
     <message>
         <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>Le chemin vers +X n’est que de %1. Reprenez les trois, distantes d’au moins %2.</translation>
+        <translation>La distance selon +X n’est que de %1. Reprenez les trois poses, espacées d’au moins %2.</translation>
     </message>
     <message>
         <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
-        <translation>Les trois poses sont alignées : la troisième n’est qu’à %1. Reprenez les trois.</translation>
+        <translation>Les trois poses sont alignées : la troisième n’est qu’à %1 de la droite. Reprenez les trois poses.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the three poses again.</source>
-        <translation>Le robot n’a pas envoyé de place valable. Reprenez les trois.</translation>
+        <translation>Le robot a envoyé une position non valide. Reprenez les trois poses.</translation>
     </message>
     <message>
         <source>Retake last pose</source>
-        <translation>Reprendre la dernière</translation>
+        <translation>Reprendre la dernière pose</translation>
     </message>
     <message>
         <source>Take pose %1</source>
@@ -8830,11 +8830,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ convient le moins</translation>
+        <translation>  ◀ la moins précise</translation>
     </message>
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
-        <translation>Les poses se prennent tant que le robot envoie des données.</translation>
+        <translation>Les poses ne peuvent être prises que lorsque le robot envoie des données.</translation>
     </message>
 </context>
 <context>
@@ -8879,11 +8879,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     <name>tiller::TravelWatch</name>
     <message>
         <source>%1: %2 left to the limit of %3</source>
-        <translation>%1 : reste %2, puis %3 est à sa limite</translation>
+        <translation>%1 : reste %2 jusqu’à la limite de %3</translation>
     </message>
     <message>
         <source>%1: %2 left to the end of reach or a singularity</source>
-        <translation>%1 : reste %2, puis la fin de la portée ou une singularité</translation>
+        <translation>%1 : reste %2 jusqu’à la fin de la portée ou une singularité</translation>
     </message>
     <message>
         <source>%1: %2 left, then %3 is %4 from %5</source>
@@ -8924,7 +8924,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
-        <translation>Dans le repère du point. Entrée l’applique ; rien ne bouge que le point.</translation>
+        <translation>Dans le repère du point. Appuyez sur Entrée pour appliquer. Seul le point de passage change ; le robot ne bouge pas.</translation>
     </message>
     <message>
         <source>Selected waypoint</source>
@@ -8940,7 +8940,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>Le repère où il est donné et avec lequel il bouge. La place reste où elle est. — : les articulations priment</translation>
+        <translation>Repère de référence du point de passage. La position dans l’espace ne change pas. — : les articulations ont priorité</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -8955,15 +8955,15 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>joints have priority</source>
-        <translation>les articulations priment</translation>
+        <translation>priorité aux articulations</translation>
     </message>
     <message>
         <source>pose has priority</source>
-        <translation>la pose prime</translation>
+        <translation>priorité à la pose</translation>
     </message>
     <message>
         <source>cell of “%1”</source>
-        <translation>place de « %1 »</translation>
+        <translation>emplacement de « %1 »</translation>
     </message>
     <message>
         <source>corner of “%1”</source>
@@ -8983,15 +8983,15 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Shows the Go through controls instead of the values.</source>
-        <translation>Affiche les touches de Parcourir à la place des chiffres.</translation>
+        <translation>Affiche les commandes de Parcourir au lieu des valeurs.</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation>Chiffres</translation>
+        <translation>Valeurs</translation>
     </message>
     <message>
         <source>Shows the values instead of the Go through controls.</source>
-        <translation>Affiche les chiffres à la place des touches de Parcourir.</translation>
+        <translation>Affiche les valeurs au lieu des commandes de Parcourir.</translation>
     </message>
 </context>
 <context>
@@ -9032,11 +9032,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Convert the pattern “%1” to waypoints</source>
-        <translation>Dissoudre le motif « %1 »</translation>
+        <translation>Convertir le motif « %1 » en points de passage</translation>
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
-        <translation>Choisissez une place d’un motif.</translation>
+        <translation>Sélectionnez un emplacement d’un motif.</translation>
     </message>
     <message>
         <source>Delete the pattern “%1”</source>
@@ -9048,11 +9048,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>Le repère où il était donné alors n’est plus dans le projet.</translation>
+        <translation>Le repère de la version antérieure a été supprimé du projet.</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
-        <translation>Reprendre un « %1 » antérieur</translation>
+        <translation>Restaurer une version antérieure de « %1 »</translation>
     </message>
     <message>
         <source>Import waypoints</source>
@@ -9072,11 +9072,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Import failed</source>
-        <translation>Rien n’a été importé</translation>
+        <translation>Échec de l’importation</translation>
     </message>
     <message>
         <source>%1 is too large for a waypoint file.</source>
-        <translation>%1 est trop grand pour une liste de points.</translation>
+        <translation>%1 est trop grand pour un fichier de points de passage.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -9103,7 +9103,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Export failed</source>
-        <translation>Rien n’a été exporté</translation>
+        <translation>Échec de l’exportation</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written to %1</source>
@@ -9114,7 +9114,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Select the waypoints to add actions to.</source>
-        <translation>Sélectionnez des points où quelque chose est à faire.</translation>
+        <translation>Sélectionnez les points de passage auxquels ajouter des actions.</translation>
     </message>
     <message numerus="yes">
         <source>Change the actions at %n waypoints</source>
@@ -9139,7 +9139,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Paste failed</source>
-        <translation>Rien n’a été collé</translation>
+        <translation>Échec du collage</translation>
     </message>
     <message>
         <source>There are no waypoints on the clipboard.</source>
@@ -9177,7 +9177,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Restore the version before this change</source>
-        <translation>Revenir avant ceci</translation>
+        <translation>Restaurer la version d’avant cette modification</translation>
     </message>
     <message>
         <source>Name: “%1”, now “%2”</source>
@@ -9185,15 +9185,15 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
-        <translation>Place : elle a bougé de %1 (%2, repère de base)</translation>
+        <translation>Position : déplacée de %1 (%2, repère de base)</translation>
     </message>
     <message>
         <source>Joints: largest change %2 (%1)</source>
-        <translation>Articulations : %1 a le plus tourné, de %2</translation>
+        <translation>Articulations : plus grand changement %2 (%1)</translation>
     </message>
     <message>
         <source>joints have priority</source>
-        <translation>les articulations priment</translation>
+        <translation>priorité aux articulations</translation>
     </message>
     <message>
         <source>Base</source>
@@ -9201,7 +9201,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>a deleted frame</source>
-        <translation>un repère qui n’est plus</translation>
+        <translation>un repère supprimé</translation>
     </message>
     <message>
         <source>Frame: %1, now %2</source>
@@ -9245,19 +9245,19 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Actions: changed</source>
-        <translation>Actions : autres que maintenant</translation>
+        <translation>Actions : modifiées</translation>
     </message>
     <message>
         <source>Not changed since it was taught.</source>
-        <translation>Il n’a pas changé depuis qu’il a été appris.</translation>
+        <translation>Non modifié depuis son apprentissage.</translation>
     </message>
     <message>
         <source>The version before this change equals the current version.</source>
-        <translation>Avant cela il était comme maintenant.</translation>
+        <translation>La version d’avant cette modification est identique à l’actuelle.</translation>
     </message>
     <message>
         <source>Before this change:</source>
-        <translation>Avant cela il était :</translation>
+        <translation>Avant cette modification :</translation>
     </message>
 </context>
 <context>
@@ -9280,7 +9280,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
-        <translation>Une articulation quitterait sa plage. Retouchez le point depuis une autre posture du bras.</translation>
+        <translation>Une articulation dépasserait sa course. Retouchez le point avec une autre configuration du bras.</translation>
     </message>
     <message>
         <source>Its frame is not in this project. Choose another frame.</source>
@@ -9288,11 +9288,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>La ligne droite depuis ici quitte la portée du bras. Utilisez MoveJ, ou partez d’ailleurs.</translation>
+        <translation>La ligne droite depuis la position actuelle sort de la portée du bras. Utilisez MoveJ ou partez d’une autre position.</translation>
     </message>
     <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
-        <translation>Hors de portée. Retouchez-le plus près de la base.</translation>
+        <translation>Hors de portée. Retouchez le point plus près de la base.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -9308,19 +9308,19 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>MoveL: the TCP moves along a straight line</source>
-        <translation>MoveL : le TCP suit une ligne droite</translation>
+        <translation>MoveL : le TCP se déplace en ligne droite</translation>
     </message>
     <message>
         <source>Joints have priority: the arm returns to the same configuration</source>
-        <translation>Les articulations priment : le bras revient dans la même posture</translation>
+        <translation>Priorité aux articulations : le bras revient dans la même configuration</translation>
     </message>
     <message>
         <source>The pose has priority: the waypoint moves with its frame</source>
-        <translation>La pose prime : il bouge avec son repère</translation>
+        <translation>Priorité à la pose : le point se déplace avec son repère</translation>
     </message>
     <message>
         <source>Within reach</source>
-        <translation>Accessible</translation>
+        <translation>À portée</translation>
     </message>
     <message>
         <source>Name</source>
@@ -9352,7 +9352,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Waypoint %2 is named “%1”. Choose another name.</source>
-        <translation>« %1 » est le nom du point %2. Choisissez un autre nom.</translation>
+        <translation>Le point %2 s’appelle déjà « %1 ». Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -9368,7 +9368,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>Le bras ne peut y aller. « %1 » est resté tel quel.</translation>
+        <translation>Le bras ne peut pas atteindre cette pose. « %1 » n’a pas été modifié.</translation>
     </message>
     <message>
         <source>Change the pose of “%1”</source>
@@ -9384,7 +9384,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
-        <translation>Donner « %1 » en %2</translation>
+        <translation>Changer le repère de « %1 » en %2</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -9412,11 +9412,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Name %1, next waypoint</source>
-        <translation>Nom %1, le suivant</translation>
+        <translation>Nom %1, point suivant</translation>
     </message>
     <message>
         <source>Actions: %1</source>
-        <translation>Fait à cet endroit : %1</translation>
+        <translation>Actions : %1</translation>
     </message>
     <message>
         <source>Name %1</source>
@@ -9474,7 +9474,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Only the selected properties are changed.</source>
-        <translation>Seul ce qui est coché change.</translation>
+        <translation>Seules les propriétés sélectionnées sont modifiées.</translation>
     </message>
     <message>
         <source>Properties of “%1”</source>
@@ -9585,7 +9585,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Tool of each waypoint</source>
-        <translation>Outil, chacun le sien</translation>
+        <translation>Outil de chaque point de passage</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -9605,7 +9605,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Axis of rotation or mirroring</source>
-        <translation>Autour ou le long de</translation>
+        <translation>Axe de rotation ou de symétrie</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9613,7 +9613,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>Le bras ne peut y aller : %1. Rien ne serait déplacé.</translation>
+        <translation>Le bras ne peut pas atteindre ces poses : %1. Rien ne sera déplacé.</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another one.</source>
@@ -9622,13 +9622,13 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     <message numerus="yes">
         <source>%n of them would be out of reach. They are kept and marked.</source>
         <translation>
-            <numerusform>%n serait hors de portée ; il est gardé et marqué.</numerusform>
-            <numerusform>%n seraient hors de portée ; ils sont gardés et marqués.</numerusform>
+            <numerusform>%n d’entre eux serait hors de portée. Il est conservé et marqué.</numerusform>
+            <numerusform>%n d’entre eux seraient hors de portée. Ils sont conservés et marqués.</numerusform>
         </translation>
     </message>
     <message>
         <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
-        <translation>En miroir par le plan à l’origine perpendiculaire à l’axe. L’outil approche du côté opposé.</translation>
+        <translation>Symétrie par rapport au plan passant par l’origine et perpendiculaire à l’axe. L’outil approche du côté symétrique.</translation>
     </message>
     <message>
         <source>All remain within reach.</source>
@@ -9672,11 +9672,11 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <source>No waypoints yet.
 Jog the arm to a position and press Teach here (T).</source>
         <translation>Pas encore de points de passage.
-Amenez le bras à une place et pressez Apprendre ici (T).</translation>
+Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translation>
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Les données du robot sont vieilles. Attendez qu’elles reviennent.</translation>
+        <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -9688,15 +9688,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>Le bras n’est pas sous contrôle. Prenez d’abord le contrôle.</translation>
+        <translation>Tiller n’a pas le contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
         <source>Add the current position after the selection (T)</source>
-        <translation>Ajouter la place où est le bras, après la sélection (T)</translation>
+        <translation>Ajouter la position actuelle après la sélection (T)</translation>
     </message>
     <message>
         <source>Replace the selected waypoint with the current position (U)</source>
-        <translation>Remplacer la place choisie par celle où est le bras (U)</translation>
+        <translation>Remplacer le point sélectionné par la position actuelle (U)</translation>
     </message>
     <message>
         <source>Select a waypoint to touch up.</source>
@@ -9752,7 +9752,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
-        <translation>La place actuelle est à %1 (%2, repère de base). Plus grand changement articulaire : %3 %4.</translation>
+        <translation>La position actuelle est à %1 (%2, repère de base). Plus grand changement articulaire : %3 %4.</translation>
     </message>
     <message>
         <source>Touch up “%1”?</source>
@@ -9796,7 +9796,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Convert pattern to waypoints</source>
-        <translation>Faire des places du motif des points ordinaires</translation>
+        <translation>Convertir le motif en points de passage</translation>
     </message>
     <message>
         <source>Delete the pattern and its waypoints</source>
@@ -9804,7 +9804,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Actions…</source>
-        <translation>Actions à cet endroit…</translation>
+        <translation>Actions…</translation>
     </message>
     <message>
         <source>Import and export</source>
@@ -9831,11 +9831,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Search commands</source>
-        <translation>Chercher une commande</translation>
+        <translation>Rechercher des commandes</translation>
     </message>
     <message>
         <source>Type a command or keyword</source>
-        <translation>Tapez ce que vous voulez faire</translation>
+        <translation>Saisissez une commande ou un mot-clé</translation>
     </message>
     <message>
         <source>Commands found</source>
@@ -9843,7 +9843,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>not available now</source>
-        <translation>impossible maintenant</translation>
+        <translation>indisponible pour l’instant</translation>
     </message>
 </context>
 <context>
@@ -9854,11 +9854,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
-        <translation>Une adresse a quatre nombres de 0 à 255, comme 192.168.0.10.</translation>
+        <translation>Une adresse comporte quatre nombres de 0 à 255, p. ex. 192.168.0.10.</translation>
     </message>
     <message>
         <source>A host name contains only letters, digits, dots and hyphens.</source>
-        <translation>Un nom d’hôte n’a que lettres, chiffres, points et traits d’union.</translation>
+        <translation>Un nom d’hôte ne contient que des lettres, des chiffres, des points et des traits d’union.</translation>
     </message>
     <message>
         <source>Forget</source>
@@ -9878,7 +9878,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
-        <translation>Avant de bouger un bras réel : gardez tout le monde hors de sa portée, ayez l’arrêt d’urgence sous la main, vérifiez charge utile et TCP, commencez lentement. Le STOP de cette fenêtre n’est pas un arrêt d’urgence.</translation>
+        <translation>Avant de déplacer un bras réel : tenez tout le monde hors de sa portée, gardez l’arrêt d’urgence à portée de main, vérifiez la charge utile et le TCP, et commencez lentement. STOP dans cette fenêtre n’est pas un arrêt d’urgence.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -9890,7 +9890,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>Des points de passage d’un fichier, sans robot : tout marche sauf bouger.</translation>
+        <translation>Points de passage d’un fichier, sans robot : tout fonctionne sauf le mouvement.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -9898,11 +9898,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>Un UR5e simulé dans ce programme. Tout marche, rien ne peut être blessé.</translation>
+        <translation>Un UR5e simulé dans ce programme. Toutes les fonctions sont disponibles sans risque.</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
-        <translation>Démarre le robot simulé et ouvre un projet déjà appris.</translation>
+        <translation>Démarre le robot simulé et ouvre un projet avec des points de passage appris.</translation>
     </message>
     <message>
         <source>Connect a robot</source>
@@ -9934,14 +9934,14 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
-        <translation>Ôte le robot choisi de cette liste (Suppr). Rien ne change sur le robot.</translation>
+        <translation>Retire le robot sélectionné de cette liste (Suppr). Le robot ne change pas.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
         <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>créer le dossier %1 : choisissez-en un où l’on peut écrire</translation>
+        <translation>créer le dossier %1 : choisissez un dossier où vous avez le droit d’écrire</translation>
     </message>
     <message>
         <source>connect</source>
@@ -10013,11 +10013,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>the robot reported no reason</source>
-        <translation>le robot ne donne pas de raison</translation>
+        <translation>le robot n’a indiqué aucune raison</translation>
     </message>
     <message>
         <source>pressed again        %1 times: the motion had stopped before the key was released</source>
-        <translation>appuyé de nouveau    %1 fois : le mouvement s’était arrêté avant le lâcher</translation>
+        <translation>nouvel appui         %1 fois : le mouvement s’était arrêté avant le relâchement de la touche</translation>
     </message>
     <message>
         <source>jogged               </source>
@@ -10074,7 +10074,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>Ce que dit chaque périphérique maintenant et où il ira.</translation>
+        <translation>Affiche les valeurs actuelles de chaque appareil et la direction dans laquelle le bras irait.</translation>
     </message>
     <message>
         <source>Moves the arm</source>
@@ -10098,7 +10098,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Deflection below which the device does not move the arm.</source>
-        <translation>Jusque-là un stick peut être dévié sans rien bouger.</translation>
+        <translation>Déviation en dessous de laquelle l’appareil ne déplace pas le bras.</translation>
     </message>
     <message>
         <source>Curve of the %1</source>
@@ -10110,15 +10110,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
-        <translation>1 : égale. Plus : douce près du milieu, rapide en fin de course.</translation>
+        <translation>1 : linéaire. Plus haut : plus fin près du centre, plus rapide en fin de course.</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>Seulement l’axe le plus dévié</translation>
+        <translation>Axe dominant seulement</translation>
     </message>
     <message>
         <source>%1: dominant axis only</source>
-        <translation>%1 : seulement l’axe le plus dévié</translation>
+        <translation>%1 : axe dominant seulement</translation>
     </message>
     <message>
         <source>Dead zone</source>
@@ -10134,18 +10134,18 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>Il n’y a ni manette ni SpaceMouse. Branchez-en une : elle apparaît d’elle-même.</translation>
+        <translation>Aucune manette ni SpaceMouse trouvée. Branchez-en une ; elle est détectée automatiquement.</translation>
     </message>
     <message>
         <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
-        <translation>Seulement tant que son homme mort est tenu. Ce n’est pas retenu : après un démarrage aucun périphérique ne bouge le bras.</translation>
+        <translation>Déplace le bras seulement tant que l’homme mort est maintenu. Non enregistré : après un redémarrage, aucun appareil ne déplace le bras.</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
         <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
-        <translation>Il n’y a pas de panneau ici. Choisissez une perspective en bas à droite, ou montrez un panneau par le menu Vue.</translation>
+        <translation>Aucun panneau n’est affiché. Choisissez une perspective en bas à droite, ou affichez un panneau par le menu Vue.</translation>
     </message>
 </context>
 <context>
@@ -10191,11 +10191,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Speed cap and maximum hold time</source>
-        <translation>Plafond de vitesse et plus longue tenue</translation>
+        <translation>Plafond de vitesse et durée maximale de maintien</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>Touches des commandes</translation>
+        <translation>Raccourcis clavier</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -10239,15 +10239,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1:</source>
-        <translation>Ce qui est coché est remplacé par ce que contient %1 :</translation>
+        <translation>Les réglages sélectionnés sont remplacés par ceux de %1 :</translation>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
-        <translation>Ce qui est coché est remplacé par ce que contient %1, écrit par Tiller %2 :</translation>
+        <translation>Les réglages sélectionnés sont remplacés par ceux de %1 (écrit par Tiller %2) :</translation>
     </message>
     <message>
         <source>%1: identical</source>
-        <translation>%1 : déjà pareil</translation>
+        <translation>%1 : identique</translation>
     </message>
     <message>
         <source>%1: not in the file</source>
@@ -10259,11 +10259,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
-        <translation>Ce qui est remplacé est gardé dans un fichier à part, qui peut être importé de nouveau.</translation>
+        <translation>Les réglages remplacés sont enregistrés dans un fichier à part, qui peut être réimporté.</translation>
     </message>
     <message>
         <source>All settings in the file match the current settings.</source>
-        <translation>Le fichier ne contient rien qui ne soit déjà ici.</translation>
+        <translation>Tous les réglages du fichier correspondent aux réglages actuels.</translation>
     </message>
 </context>
 <context>
@@ -10274,7 +10274,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Une liste dans la vue : de la mise sous tension à un enregistrement.</translation>
+        <translation>Affiche dans la vue une liste de contrôle, de la mise sous tension à un enregistrement.</translation>
     </message>
     <message>
         <source>Practice tasks</source>
@@ -10286,7 +10286,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Les exercices sont réservés au robot simulé de ce programme. Celui-ci est « %1 ».</translation>
+        <translation>Les exercices ne fonctionnent qu’avec le robot simulé intégré. Le robot actuel est « %1 ».</translation>
     </message>
     <message>
         <source>Practice: place “%1”</source>
@@ -10301,7 +10301,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>Clavier armé : les flèches déplacent X et Y, PgPréc et PgSuiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − tournent une articulation. Espace et Esc arrêtent.</translation>
+        <translation>Clavier armé : les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent.</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -10341,7 +10341,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
-        <translation>%1 s’est tu pendant qu’il bougeait le bras, qui a été arrêté. Lâchez-le ; s’il reste muet, rebranchez-le.</translation>
+        <translation>%1 a cessé d’envoyer des données pendant le mouvement du bras. Le bras a été arrêté. Lâchez l’appareil ; si le problème persiste, rebranchez-le.</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -10365,7 +10365,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>Une copie de l’un de trois projets, à essayer sur le robot simulé.</translation>
+        <translation>Ouvre une copie de l’un des trois projets à essayer sur le robot simulé.</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -10373,7 +10373,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Saves to this file now and saves all further changes automatically.</source>
-        <translation>Enregistre dans ce fichier maintenant, et chaque changement ensuite.</translation>
+        <translation>Enregistre maintenant dans ce fichier, puis chaque modification automatiquement.</translation>
     </message>
     <message>
         <source>Show waypoints</source>
@@ -10393,7 +10393,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Shows this tab.</source>
-        <translation>Amène cet onglet devant.</translation>
+        <translation>Affiche cet onglet.</translation>
     </message>
     <message>
         <source>Show gripper</source>
@@ -10401,7 +10401,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Shows the Gripper page of the I/O tab.</source>
-        <translation>Amène devant la page de la pince dans E/S.</translation>
+        <translation>Affiche la page Pince de l’onglet E/S.</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -10409,7 +10409,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Restores the panel layout of the current perspective.</source>
-        <translation>Tous les panneaux là où la perspective actuelle les a.</translation>
+        <translation>Rétablit la disposition des panneaux de la perspective actuelle.</translation>
     </message>
     <message>
         <source>Light colours</source>
@@ -10421,7 +10421,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Changes the colour theme now and for the next start.</source>
-        <translation>Change aussitôt les couleurs et le retient.</translation>
+        <translation>Change le thème de couleurs maintenant et pour le prochain démarrage.</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -10429,7 +10429,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
-        <translation>Compte la force TCP à partir de ce qu’elle est ; encore une fois : comme le robot la mesure.</translation>
+        <translation>Soustrait la force TCP actuelle dans les tracés. Appuyez de nouveau pour afficher la force mesurée.</translation>
     </message>
     <message>
         <source>Commands…</source>
@@ -10445,7 +10445,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
-        <translation>Couleurs, tailles, unités, plafond de vitesse, périphériques et touche de chaque commande.</translation>
+        <translation>Thème, tailles, unités, plafond de vitesse, appareils et raccourcis clavier.</translation>
     </message>
     <message>
         <source>Export settings…</source>
@@ -10453,7 +10453,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Saves all settings to one file, for another computer or as a backup.</source>
-        <translation>Un fichier avec tout ce qui est retenu, pour un autre ordinateur ou comme copie.</translation>
+        <translation>Enregistre tous les réglages dans un fichier, pour un autre ordinateur ou comme sauvegarde.</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -10461,7 +10461,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>Reprend ce que contient un tel fichier ; dit d’abord ce qu’il remplace.</translation>
+        <translation>Importe les réglages d’un fichier après avoir montré ce qui sera remplacé.</translation>
     </message>
     <message>
         <source>Help</source>
@@ -10485,11 +10485,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
-        <translation>En fait une fenêtre à part, pour un second écran, ou la remet.</translation>
+        <translation>Place le panneau dans une fenêtre séparée, p. ex. pour un second écran, ou le remet en place.</translation>
     </message>
     <message>
         <source>Moves this panel to that side of the main window.</source>
-        <translation>Déplace ce panneau de ce côté des autres.</translation>
+        <translation>Déplace ce panneau de ce côté de la fenêtre principale.</translation>
     </message>
     <message>
         <source>%1 to the left</source>
@@ -10513,11 +10513,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Name of the program on the robot, as shown on the teach pendant</source>
-        <translation>Nom du programme sur le robot, comme la tablette le montre</translation>
+        <translation>Nom du programme sur le robot, tel qu’affiché sur le pupitre</translation>
     </message>
     <message>
         <source>Name of the program on the robot, e.g. pick.urp</source>
-        <translation>Nom du programme sur le robot, comme pick.urp</translation>
+        <translation>Nom du programme sur le robot, p. ex. pick.urp</translation>
     </message>
     <message>
         <source>Speed cap %1</source>
@@ -10525,7 +10525,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
-        <translation>Un enregistrement est en cours. Terminez-le d’abord : rien ne doit y manquer.</translation>
+        <translation>Un enregistrement est en cours. Arrêtez-le d’abord.</translation>
     </message>
     <message>
         <source>Waypoints, Frames, Tools, I/O, Log</source>
@@ -10538,8 +10538,8 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     <message numerus="yes">
         <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
-            <numerusform>Le robot simulé ne connaît pas %n boîte ou plan de la cellule : il n’a pas de place pour plus.</numerusform>
-            <numerusform>Le robot simulé ne connaît pas %n boîtes ou plans de la cellule : il n’a pas de place pour plus.</numerusform>
+            <numerusform>%n boîte ou plan de la cellule dépasse la limite du robot simulé, qui l’ignore.</numerusform>
+            <numerusform>%n boîtes ou plans de la cellule dépassent la limite du robot simulé, qui les ignore.</numerusform>
         </translation>
     </message>
     <message>
@@ -10548,7 +10548,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>Un fichier avec versions, journal et réglages pour qui vous aide ; montre d’abord son contenu.</translation>
+        <translation>Enregistre versions, journal et réglages dans un fichier pour l’assistance, après avoir montré son contenu.</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -10556,15 +10556,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Tiller closed unexpectedly</source>
-        <translation>Tiller s’est arrêté de façon inattendue la dernière fois</translation>
+        <translation>Tiller s’est fermé de façon inattendue</translation>
     </message>
     <message>
         <source>Tiller saved a crash log. You can attach it to a problem report.</source>
-        <translation>Ce qu’il faisait alors a été gardé. Enregistrez-le comme rapport pour qui vous aide.</translation>
+        <translation>Tiller a enregistré un journal de plantage. Vous pouvez le joindre à un rapport de problème.</translation>
     </message>
     <message>
         <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
-        <translation>Le manuel à la page de ce qui a le focus, toutes les commandes avec leurs touches et les règles du déplacement.</translation>
+        <translation>Ouvre la page du manuel de l’élément actif, la liste des commandes et raccourcis, et les règles du déplacement manuel.</translation>
     </message>
     <message>
         <source>The settings could not be saved. %1</source>
@@ -10623,11 +10623,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     <name>tiller::app::PanelDock</name>
     <message>
         <source>Dock</source>
-        <translation>Remettre</translation>
+        <translation>Ancrer</translation>
     </message>
     <message>
         <source>Move the panel back to the main window</source>
-        <translation>De retour dans la fenêtre principale</translation>
+        <translation>Remettre le panneau dans la fenêtre principale</translation>
     </message>
     <message>
         <source>Close</source>
@@ -10635,7 +10635,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Closes this panel. Use the View menu to show it again.</source>
-        <translation>Ferme ce panneau. Le menu Vue le ramène.</translation>
+        <translation>Ferme ce panneau. Utilisez le menu Vue pour l’afficher de nouveau.</translation>
     </message>
     <message>
         <source>Move, float or close %1</source>
@@ -10643,7 +10643,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Click to move, float or close this panel. Drag to move it.</source>
-        <translation>Clic : déplacer, détacher ou fermer ce panneau. Tirer : le porter ailleurs.</translation>
+        <translation>Cliquez pour déplacer, détacher ou fermer ce panneau. Glissez pour le déplacer.</translation>
     </message>
 </context>
 <context>
@@ -10654,11 +10654,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
-        <translation>Les panneaux tels qu’ils sont, dans la perspective actuelle.</translation>
+        <translation>Enregistre la disposition actuelle des panneaux dans la perspective actuelle.</translation>
     </message>
     <message>
         <source>This perspective is built in. Save it under another name.</source>
-        <translation>Cette perspective est intégrée. Enregistrez-la sous un nom à vous.</translation>
+        <translation>Cette perspective est prédéfinie. Enregistrez-la sous un autre nom.</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -10666,7 +10666,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Saves the current panel layout under a new name.</source>
-        <translation>Les panneaux tels qu’ils sont, sous un nom à vous.</translation>
+        <translation>Enregistre la disposition actuelle des panneaux sous un nouveau nom.</translation>
     </message>
     <message>
         <source>Save perspective as</source>
@@ -10678,7 +10678,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Renames the current perspective.</source>
-        <translation>Donne un autre nom à la perspective actuelle.</translation>
+        <translation>Renomme la perspective actuelle.</translation>
     </message>
     <message>
         <source>Rename perspective</source>
@@ -10686,7 +10686,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>This perspective is built in and cannot be renamed.</source>
-        <translation>Cette perspective est intégrée et garde son nom.</translation>
+        <translation>Cette perspective est prédéfinie et ne peut pas être renommée.</translation>
     </message>
     <message>
         <source>Delete perspective…</source>
@@ -10694,11 +10694,11 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Deletes the current perspective. The panel layout does not change.</source>
-        <translation>Oublie la perspective actuelle. Les panneaux restent tels quels.</translation>
+        <translation>Supprime la perspective actuelle. La disposition des panneaux ne change pas.</translation>
     </message>
     <message>
         <source>This perspective is built in and cannot be deleted.</source>
-        <translation>Cette perspective est intégrée et reste.</translation>
+        <translation>Cette perspective est prédéfinie et ne peut pas être supprimée.</translation>
     </message>
     <message>
         <source>Perspective %1</source>
@@ -10706,7 +10706,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Perspective %1. Select a panel layout, or save the current one.</source>
-        <translation>Perspective %1. Choisissez comment sont les panneaux, ou enregistrez comment ils sont.</translation>
+        <translation>Perspective %1. Sélectionnez une disposition de panneaux ou enregistrez l’actuelle.</translation>
     </message>
     <message>
         <source>Name of the perspective</source>
@@ -10765,7 +10765,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Shows only the plots, as large as possible.</source>
-        <translation>Montre les tracés seuls, aussi grands que la fenêtre le permet.</translation>
+        <translation>Affiche seulement les tracés, aussi grands que possible.</translation>
     </message>
     <message>
         <source>Shows the panels as you saved them.</source>
@@ -10773,7 +10773,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
-        <translation>La perspective « %1 » ne peut être montrée : sa disposition dans les réglages est endommagée. Disposez les panneaux et enregistrez-la de nouveau.</translation>
+        <translation>La perspective « %1 » ne peut pas être affichée : sa disposition enregistrée est endommagée. Disposez les panneaux et enregistrez-la de nouveau.</translation>
     </message>
     <message>
         <source>Type a name.</source>
@@ -10785,19 +10785,19 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
-        <translation>Il y a autant de perspectives qu’on peut en garder. Supprimez-en d’abord une.</translation>
+        <translation>Le nombre maximal de perspectives est atteint. Supprimez-en d’abord une.</translation>
     </message>
     <message>
         <source>A perspective with this name exists. Choose another name.</source>
-        <translation>Une perspective porte déjà ce nom. Choisissez un autre nom.</translation>
+        <translation>Une perspective de ce nom existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>Les panneaux sont comme dans la perspective « %1 » : la disposition de la version précédente ne va pas à celle-ci. Disposez-les de nouveau ; c’est retenu.</translation>
+        <translation>La disposition des panneaux a été réinitialisée à la perspective « %1 » : celle de la version antérieure n’est pas compatible. Disposez de nouveau les panneaux ; la disposition est enregistrée.</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>Les panneaux sont comme dans la perspective « %1 » : la disposition dans les réglages est endommagée ou d’une autre version. Disposez-les de nouveau ; c’est retenu.</translation>
+        <translation>La disposition des panneaux a été réinitialisée à la perspective « %1 » : la disposition enregistrée est endommagée ou vient d’une autre version. Disposez de nouveau les panneaux ; la disposition est enregistrée.</translation>
     </message>
 </context>
 <context>
@@ -10816,15 +10816,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>File name pattern</source>
-        <translation>Modèle du nom de fichier</translation>
+        <translation>Modèle de nom de fichier</translation>
     </message>
     <message>
         <source>{date}, {time}, {robot} and {number} are replaced when a recording starts.</source>
-        <translation>{date}, {time}, {robot} et {number} sont remplis quand un enregistrement commence.</translation>
+        <translation>{date}, {time}, {robot} et {number} sont remplacés au début d’un enregistrement.</translation>
     </message>
     <message>
         <source>Packets per row</source>
-        <translation>Une ligne tous les tant de paquets</translation>
+        <translation>Paquets par ligne</translation>
     </message>
     <message>
         <source>Search signals</source>
@@ -10864,7 +10864,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
-        <translation>Par exemple %1. {date}, {time}, {robot} et {number} sont remplis ; un fichier existant n’est jamais remplacé.</translation>
+        <translation>Par exemple %1. {date}, {time}, {robot} et {number} sont remplacés. Les fichiers existants ne sont jamais écrasés.</translation>
     </message>
     <message numerus="yes">
         <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
@@ -10875,7 +10875,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Recording format</source>
-        <translation>Format d’un enregistrement</translation>
+        <translation>Format d’enregistrement</translation>
     </message>
     <message>
         <source>CSV: text, for pandas and spreadsheets</source>
@@ -10887,7 +10887,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Free disk space to keep, in megabytes</source>
-        <translation>Mégaoctets du disque qui restent libres</translation>
+        <translation>Espace disque libre à conserver, en mégaoctets</translation>
     </message>
     <message>
         <source> MB</source>
@@ -10895,7 +10895,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>A recording stops and is completed before the free disk space falls below this value.</source>
-        <translation>Un enregistrement se termine en ordre, complet, avant que le disque n’ait moins de libre.</translation>
+        <translation>Un enregistrement s’arrête et se termine avant que l’espace libre passe sous cette valeur.</translation>
     </message>
     <message>
         <source>Format</source>
@@ -10930,7 +10930,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Content of this file</source>
-        <translation>Ce que dit ce fichier</translation>
+        <translation>Contenu de ce fichier</translation>
     </message>
     <message>
         <source>Save report…</source>
@@ -10942,7 +10942,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
-        <translation>Un fichier avec ce que doit savoir qui vous aide. Tout ce qu’il contiendra est ci-dessous. Il est enregistré où vous voulez ; Tiller ne l’envoie nulle part.</translation>
+        <translation>Un fichier avec les informations utiles à l’assistance. Son contenu complet figure ci-dessous. Le fichier est enregistré où vous voulez ; Tiller ne l’envoie pas.</translation>
     </message>
     <message>
         <source>Tiller report %1.zip</source>
@@ -10965,7 +10965,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>Chacun est appris pour un UR5e et peut être parcouru avec le robot simulé. Vous travaillez sur une copie : enregistrer demande un fichier à vous.</translation>
+        <translation>Chaque projet est appris pour un UR5e et fonctionne sur le robot simulé. Vous travaillez sur une copie : l’enregistrement demande un nouveau fichier.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -10996,7 +10996,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation>Touches</translation>
+        <translation>Raccourcis</translation>
     </message>
     <message>
         <source>Close</source>
@@ -11008,7 +11008,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Save all settings to one file, for another computer or as a backup</source>
-        <translation>Un fichier avec tout ce qui est retenu, pour un autre ordinateur ou comme copie</translation>
+        <translation>Enregistrer tous les réglages dans un fichier, pour un autre ordinateur ou comme sauvegarde</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -11016,7 +11016,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Import settings from a file after showing what will be replaced</source>
-        <translation>Reprend ce que contient un tel fichier ; dit d’abord ce qu’il remplace</translation>
+        <translation>Importer les réglages d’un fichier après avoir montré ce qui sera remplacé</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -11032,7 +11032,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Size of controls</source>
-        <translation>Taille des touches et lignes</translation>
+        <translation>Taille des commandes</translation>
     </message>
     <message>
         <source>Compact</source>
@@ -11052,7 +11052,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Interface size</source>
-        <translation>Taille de tout</translation>
+        <translation>Taille de l’interface</translation>
     </message>
     <message>
         <source>Lengths</source>
@@ -11084,7 +11084,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Maximum hold time</source>
-        <translation>Plus longue tenue</translation>
+        <translation>Durée maximale de maintien</translation>
     </message>
     <message>
         <source> s</source>
@@ -11092,15 +11092,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
-        <translation>Après ce temps un déplacement finit et sa touche doit être pressée de nouveau. Freedrive a cinq minutes, un mouvement vers une place sa durée et 5 s.</translation>
+        <translation>Après cette durée, un déplacement s’arrête et la touche doit être pressée de nouveau. Freedrive : cinq minutes. Aller à une position : sa durée plus 5 s.</translation>
     </message>
     <message>
         <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
-        <translation>Tactile : aussi haut qu’un doigt le demande. Dans une fenêtre de moins de %1 px, les touches des articulations, onglets et barres de titre restent plus petites.</translation>
+        <translation>Tactile : assez grand pour les doigts. Dans les fenêtres de moins de %1 px de haut, les touches d’articulation, onglets et barres de titre restent plus petits.</translation>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>Comment longueurs, vitesses du TCP et orientations sont montrées et saisies. Tracés et fichiers gardent mètres, millimètres et degrés.</translation>
+        <translation>Unités d’affichage et de saisie des longueurs, vitesses TCP et orientations. Les tracés et fichiers utilisent toujours mètres, millimètres et degrés.</translation>
     </message>
     <message>
         <source>Speed cap</source>
@@ -11108,27 +11108,27 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Scales text, controls, plots and the view.</source>
-        <translation>Texte, touches, lignes, tracés et la vue, tout pareil.</translation>
+        <translation>Met à l’échelle textes, commandes, tracés et vue.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>Vaut dès le prochain démarrage de Tiller. L’écran n’a de place que pour %1 %, qu’il aura alors.</translation>
+        <translation>Prend effet au prochain démarrage de Tiller. Cet écran accepte au plus %1 %, valeur qui sera utilisée.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
-        <translation>Vaut dès le prochain démarrage de Tiller.</translation>
+        <translation>Prend effet au prochain démarrage de Tiller.</translation>
     </message>
     <message>
         <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Au-dessus de %1. Rien d’autre ne limite un déplacement depuis un PC : ni le mode manuel ni le dispositif de validation du pupitre. L’en-tête le dit, et cela finit avec le programme.</translation>
+        <translation>▲ Au-dessus de %1. Aucune autre limite ne s’applique au déplacement depuis un PC : ni le mode manuel ni le dispositif de validation du pupitre. L’en-tête affiche un avertissement. Le plafond est réinitialisé à la fermeture de Tiller.</translation>
     </message>
     <message>
         <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>Aucun mouvement de ce programme ne le dépasse, au TCP et au coude. Il vaut aussitôt et arrête ce qui bouge.</translation>
+        <translation>Vitesse maximale du TCP et du coude pour tout mouvement de Tiller. Prend effet aussitôt et arrête le mouvement en cours.</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>Touches des commandes</translation>
+        <translation>Raccourcis clavier</translation>
     </message>
     <message>
         <source>Command</source>
@@ -11136,7 +11136,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Shortcut</source>
-        <translation>Touche</translation>
+        <translation>Raccourci</translation>
     </message>
     <message>
         <source>Restore default shortcuts</source>
@@ -11144,15 +11144,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Shortcut for %1</source>
-        <translation>Touche pour %1</translation>
+        <translation>Raccourci de %1</translation>
     </message>
     <message>
         <source>%1 is reserved for stopping the arm.</source>
-        <translation>%1 arrête le bras et rien d’autre.</translation>
+        <translation>%1 est réservée à l’arrêt du bras.</translation>
     </message>
     <message>
         <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 appartient à &quot;%2&quot;. Ôtez-la d’abord là.</translation>
+        <translation>%1 est attribuée à &quot;%2&quot;. Retirez-la d’abord de là.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11160,7 +11160,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>System language: %1</source>
-        <translation>Comme le système : %1</translation>
+        <translation>Langue du système : %1</translation>
     </message>
     <message>
         <source>Reopen window</source>
@@ -11168,15 +11168,15 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
-        <translation>Arrête le bras, rend le contrôle et se reconnecte ; ce que montrent les tracés recommence. Le projet est enregistré.</translation>
+        <translation>Arrête le bras, rend le contrôle et se reconnecte. Les tracés recommencent. Le projet est enregistré.</translation>
     </message>
     <message>
         <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>De la fenêtre et des vérifications. Fichiers et scripts sont les mêmes dans toutes.</translation>
+        <translation>Langue de la fenêtre et de la vérification de connexion. Les fichiers et scripts n’en dépendent pas.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
-        <translation>Vaut dès le prochain démarrage de Tiller, ou dès que la fenêtre est rouverte.</translation>
+        <translation>Prend effet au prochain démarrage de Tiller ou à la réouverture de la fenêtre.</translation>
     </message>
     <message>
         <source>Monitor only</source>
@@ -11223,7 +11223,7 @@ Amenez le bras à une place et pressez Apprendre ici (T).</translation>
     </message>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
-        <translation>Réglages importés de %1. Ce qui était ici avant est dans %2</translation>
+        <translation>Réglages importés de %1. Les réglages précédents ont été enregistrés dans %2</translation>
     </message>
 </context>
 </TS>
