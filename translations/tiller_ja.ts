@@ -151,14 +151,14 @@
     </message>
     <message>
         <source>Wait</source>
-        <translation>一定時間待つ</translation>
+        <translation>待機</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
         <source>go back: no recorded motion left</source>
-        <translation>戻る：元に戻す動きはもうありません</translation>
+        <translation>戻る：記録された動作は残っていません</translation>
     </message>
 </context>
 <context>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>unexpected argument &quot;%1&quot;</source>
-        <translation>&quot;%1&quot; は予期されていません</translation>
+        <translation>予期しない引数 &quot;%1&quot;</translation>
     </message>
     <message>
         <source>--theme takes light or dark, not &quot;%1&quot;</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>The arm moved as the model of a %1 does</source>
-        <translation>アームは %1 のモデルと同じ動きをしました</translation>
+        <translation>アームは %1 のモデルどおりに動きました</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
@@ -364,7 +364,7 @@
     </message>
     <message>
         <source>The arm is not at the commanded position.</source>
-        <translation>アームがコントローラーの指令した位置にありません。</translation>
+        <translation>アームが指令された位置にありません。</translation>
     </message>
     <message>
         <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
@@ -456,7 +456,7 @@
     </message>
     <message>
         <source>A program commanded a step in position.</source>
-        <translation>プログラムが位置の飛びを要求しました。</translation>
+        <translation>プログラムが不連続な位置を指令しました。</translation>
     </message>
     <message>
         <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
@@ -468,7 +468,7 @@
     </message>
     <message>
         <source>A program commanded a step in speed.</source>
-        <translation>プログラムが速度の飛びを要求しました。</translation>
+        <translation>プログラムが不連続な速度を指令しました。</translation>
     </message>
     <message>
         <source>Reduce the acceleration, or smooth the path.</source>
@@ -480,7 +480,7 @@
     </message>
     <message>
         <source>The running program requested the stop.</source>
-        <translation>実行中のプログラム自身が停止を要求しました。</translation>
+        <translation>実行中のプログラムが停止を要求しました。</translation>
     </message>
     <message>
         <source>See the messages of the program before this one.</source>
@@ -523,11 +523,11 @@
     </message>
     <message>
         <source>The expression contains no signal.</source>
-        <translation>信号が含まれていません。</translation>
+        <translation>式に信号が含まれていません。</translation>
     </message>
     <message>
         <source>The expression contains too many signals.</source>
-        <translation>信号が多すぎます。</translation>
+        <translation>式の信号が多すぎます。</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
@@ -589,7 +589,7 @@
     </message>
     <message>
         <source>the service on port %1 does not use RTDE</source>
-        <translation>ポート %1 の相手は RTDE を話しません</translation>
+        <translation>ポート %1 のサービスは RTDE ではありません</translation>
     </message>
     <message>
         <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
@@ -621,7 +621,7 @@
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
-        <translation>24〜47 は空いています</translation>
+        <translation>レジスター 24〜47 は空いています</translation>
     </message>
     <message>
         <source>a fieldbus adapter or another program uses %1</source>
@@ -633,7 +633,7 @@
     </message>
     <message>
         <source>registers 0 to 23 are free</source>
-        <translation>0〜23 は空いています</translation>
+        <translation>レジスター 0〜23 は空いています</translation>
     </message>
     <message>
         <source>the robot accepts the subscription but sends no data</source>
@@ -825,7 +825,7 @@
     </message>
     <message>
         <source>RTDE protocol</source>
-        <translation>RTDE の理解</translation>
+        <translation>RTDE プロトコル</translation>
     </message>
     <message>
         <source>Controller software</source>
@@ -853,7 +853,7 @@
     </message>
     <message>
         <source>No fieldbus uses registers</source>
-        <translation>フィールドバスによるレジスター使用なし</translation>
+        <translation>レジスターを使用するフィールドバスなし</translation>
     </message>
     <message>
         <source>Data rate</source>
@@ -861,11 +861,11 @@
     </message>
     <message>
         <source>Real-time priority on this PC</source>
-        <translation>この PC のリアルタイム権限</translation>
+        <translation>この PC のリアルタイム優先度</translation>
     </message>
     <message>
         <source>Timer wake-ups of this PC</source>
-        <translation>この PC の速い起床</translation>
+        <translation>この PC のタイマー応答</translation>
     </message>
     <message>
         <source>TCP and payload</source>
@@ -933,7 +933,7 @@
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
-        <translation>この画面は画素が細かいです。設定の「全体の大きさ」で文字、キー、グラフを大きくできます。</translation>
+        <translation>この画面は高解像度です。設定の「画面要素のサイズ」を大きくすると、文字、キー、グラフが拡大されます。</translation>
     </message>
 </context>
 <context>
@@ -980,11 +980,11 @@
     </message>
     <message>
         <source>Moves by this distance at each press.</source>
-        <translation>押すたびにこの量動きます。</translation>
+        <translation>押すたびにこの距離を動きます。</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
-        <translation>接触までジョグ、%1 N</translation>
+        <translation>接触までジョグ（%1 N）</translation>
     </message>
     <message>
         <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
@@ -1141,7 +1141,7 @@
     </message>
     <message>
         <source>change the cap in Settings</source>
-        <translation>上限は設定にあります</translation>
+        <translation>設定で上限を変更</translation>
     </message>
     <message>
         <source>Elbow at the speed cap of %1</source>
@@ -1195,7 +1195,7 @@
     </message>
     <message>
         <source>The arm can be moved by hand.</source>
-        <translation>アームは動かす手に従います。</translation>
+        <translation>アームを手で動かせます。</translation>
     </message>
     <message>
         <source>MOVING</source>
@@ -1414,7 +1414,7 @@
     </message>
     <message>
         <source>The arm is powered off. Power it on.</source>
-        <translation>アームの電源が切れています。入れてください。</translation>
+        <translation>アームの電源がオフです。電源を入れてください。</translation>
     </message>
     <message>
         <source>Power on</source>
@@ -1470,7 +1470,7 @@
     </message>
     <message>
         <source>The reduced safety limits are active.</source>
-        <translation>ロボットは低減された限界を守っています。</translation>
+        <translation>低減された安全限界が有効です。</translation>
     </message>
     <message>
         <source>Protective stop</source>
@@ -1662,7 +1662,7 @@
     </message>
     <message>
         <source>The program is pausing.</source>
-        <translation>プログラムが止まるところです。</translation>
+        <translation>プログラムを一時停止しています。</translation>
     </message>
     <message>
         <source>Program paused</source>
@@ -1717,11 +1717,11 @@
     </message>
     <message>
         <source>open requested</source>
-        <translation>開く指令</translation>
+        <translation>開指令中</translation>
     </message>
     <message>
         <source>close requested</source>
-        <translation>閉じる指令</translation>
+        <translation>閉指令中</translation>
     </message>
     <message>
         <source>both outputs off</source>
@@ -1764,7 +1764,7 @@
     </message>
     <message>
         <source>No recording is running.</source>
-        <translation>何も記録していません。</translation>
+        <translation>記録は実行されていません。</translation>
     </message>
     <message>
         <source>Pause or resume the plots</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
-        <translation>グラフが表示する時間。</translation>
+        <translation>グラフの時間範囲を設定します。</translation>
     </message>
     <message>
         <source>Search inputs and outputs</source>
@@ -1844,7 +1844,7 @@
     </message>
     <message>
         <source>Selects which log entries are shown.</source>
-        <translation>ログのどの行を表示するかを選びます。</translation>
+        <translation>表示するログ項目を選びます。</translation>
     </message>
     <message>
         <source>Copy the log</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>Writes the visible entries to a file.</source>
-        <translation>表示中の行をファイルに書きます。</translation>
+        <translation>表示中の項目をファイルに書き出します。</translation>
     </message>
     <message>
         <source>Search signals for the plots</source>
@@ -1880,7 +1880,7 @@
     </message>
     <message>
         <source>Show the entire history</source>
-        <translation>グラフの全履歴を表示</translation>
+        <translation>全履歴を表示</translation>
     </message>
     <message>
         <source>Shows all data in memory and scales each plot automatically.</source>
@@ -1891,11 +1891,11 @@
     <name>PlotMenu</name>
     <message>
         <source>Remove lane %1</source>
-        <translation>レーン %1 を外す</translation>
+        <translation>レーン %1 を削除</translation>
     </message>
     <message>
         <source>Add note here…</source>
-        <translation>ここにメモ…</translation>
+        <translation>ここにメモを追加…</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -1907,7 +1907,7 @@
     </message>
     <message>
         <source>Read %1 at the cursors</source>
-        <translation>カーソルで %1 を読む</translation>
+        <translation>カーソル位置の %1 を表示</translation>
     </message>
     <message>
         <source>Move %1 to a plot of its own</source>
@@ -1915,15 +1915,15 @@
     </message>
     <message>
         <source>Remove %1</source>
-        <translation>%1 を外す</translation>
+        <translation>%1 を削除</translation>
     </message>
     <message>
         <source>Warn when %1</source>
-        <translation>%1 のとき警報</translation>
+        <translation>%1 のとき警告</translation>
     </message>
     <message>
         <source>Do not warn when %1</source>
-        <translation>%1 のとき警報しない</translation>
+        <translation>%1 のとき警告しない</translation>
     </message>
     <message>
         <source>Rate of change of %1</source>
@@ -1947,15 +1947,15 @@
     </message>
     <message>
         <source>New plot to the right</source>
-        <translation>隣に新しいグラフ</translation>
+        <translation>右に新しいグラフ</translation>
     </message>
     <message>
         <source>Remove this plot</source>
-        <translation>このグラフを外す</translation>
+        <translation>このグラフを削除</translation>
     </message>
     <message>
         <source>Scale to the curves</source>
-        <translation>目盛りを曲線に任せる</translation>
+        <translation>曲線に合わせる</translation>
     </message>
     <message>
         <source>Show all</source>
@@ -1990,7 +1990,7 @@
     </message>
     <message>
         <source>“%1” meets the requirements.</source>
-        <translation>「%1」は求められた位置にあります。</translation>
+        <translation>「%1」は条件を満たしています。</translation>
     </message>
     <message>
         <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
@@ -2006,7 +2006,7 @@
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>ウェイポイントがもうありません。開始で新しく置きます。</translation>
+        <translation>ウェイポイントは削除されました。「開始」で新しく追加します。</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
@@ -2030,7 +2030,7 @@
     </message>
     <message>
         <source>Slowed down to %1. Continue.</source>
-        <translation>%1 に減速。続けてください。</translation>
+        <translation>%1 まで減速しました。続けてください。</translation>
     </message>
     <message>
         <source>No limit reached yet. The line below the pad will name it.</source>
@@ -2038,7 +2038,7 @@
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
-        <translation>それが限界です。戻ってください：%2 のうち %1。</translation>
+        <translation>限界に達しました。戻ってください：%2 のうち %1。</translation>
     </message>
     <message>
         <source>You reached the limit and moved out of it again.</source>
@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>No recording yet. Press Record above the plots.</source>
-        <translation>まだ記録がありません。「記録」はグラフの上にあります。</translation>
+        <translation>まだ記録がありません。グラフの上の「記録」を押してください。</translation>
     </message>
     <message>
         <source>Recorded. Enter the force that the plot shows.</source>
@@ -2213,7 +2213,7 @@
     </message>
     <message>
         <source>Payload and TCP match the mounted tool.</source>
-        <translation>ペイロードと TCP は取り付けたツールのものである。</translation>
+        <translation>ペイロードと TCP は取り付けたツールと一致している。</translation>
     </message>
     <message>
         <source>Possible in %1 s</source>
@@ -2229,7 +2229,7 @@
     </message>
     <message>
         <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>ここで押すものはありません：原因がなくなれば終わります。</translation>
+        <translation>ここでの操作は不要です：原因が取り除かれると、この状態は終わります。</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -2291,7 +2291,7 @@
     </message>
     <message>
         <source>A program is already running.</source>
-        <translation>すでにプログラムが動いています。</translation>
+        <translation>すでにプログラムが実行中です。</translation>
     </message>
     <message>
         <source>Connect…</source>
@@ -2339,7 +2339,7 @@
     </message>
     <message>
         <source>The arm is powered on or powering on.</source>
-        <translation>アームには電源が入っているか、入るところです。</translation>
+        <translation>アームの電源は入っているか、投入中です。</translation>
     </message>
     <message>
         <source>The arm may sag by a few millimetres. Keep clear.</source>
@@ -2351,7 +2351,7 @@
     </message>
     <message>
         <source>The arm is powered off.</source>
-        <translation>アームの電源は切れています。</translation>
+        <translation>アームの電源はオフです。</translation>
     </message>
     <message>
         <source>Recover…</source>
@@ -2359,11 +2359,11 @@
     </message>
     <message>
         <source>Shows what stopped the arm and the recovery steps.</source>
-        <translation>アームを止めた原因と戻り方を示します。</translation>
+        <translation>アームを停止させた原因と復旧の手順を表示します。</translation>
     </message>
     <message>
         <source>The safety system reports no stop.</source>
-        <translation>安全システムによる停止はありません。</translation>
+        <translation>安全システムは停止を報告していません。</translation>
     </message>
     <message>
         <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
@@ -2423,7 +2423,7 @@
     </message>
     <message>
         <source>Stops the program on the robot.</source>
-        <translation>ロボット自身のプログラムを停止します。</translation>
+        <translation>ロボットのプログラムを停止します。</translation>
     </message>
     <message>
         <source>Starts the control program on the robot. Asks before it stops another program.</source>
@@ -2595,7 +2595,7 @@
     </message>
     <message>
         <source>Measuring</source>
-        <translation>計測巡回</translation>
+        <translation>計測</translation>
     </message>
     <message>
         <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
@@ -2606,7 +2606,7 @@
     <name>SceneActions</name>
     <message>
         <source>Default view, perspective</source>
-        <translation>最初の向きから透視で見る</translation>
+        <translation>標準の視点、透視</translation>
     </message>
     <message>
         <source>From between front and side, slightly above, with everything visible.</source>
@@ -2649,7 +2649,7 @@
     <name>SessionRecording</name>
     <message>
         <source>Cannot record: connect to a robot first.</source>
-        <translation>記録していません：先にロボットに接続してください。</translation>
+        <translation>記録できません：先にロボットに接続してください。</translation>
     </message>
     <message>
         <source>Recording to %1</source>
@@ -2670,7 +2670,7 @@
     </message>
     <message>
         <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>&quot;%1&quot; の値は設定にありえないものです。</translation>
+        <translation>設定 &quot;%1&quot; の値が無効です。</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
@@ -2698,7 +2698,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; は設定の名前ではありません。</translation>
+        <translation>&quot;%1&quot; は有効な設定名ではありません。</translation>
     </message>
 </context>
 <context>
@@ -3104,7 +3104,7 @@
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
-        <translation>ツールが動くべきようにキャップを動かし回します。</translation>
+        <translation>ツールはキャップの動きに従います。</translation>
     </message>
 </context>
 <context>
@@ -3130,7 +3130,7 @@
     <name>StartProject</name>
     <message>
         <source>The last project no longer exists: %1</source>
-        <translation>最後に作業したプロジェクトがもうありません：%1</translation>
+        <translation>前回のプロジェクトがありません：%1</translation>
     </message>
 </context>
 <context>
@@ -3240,7 +3240,7 @@
     </message>
     <message>
         <source>The answer violates the RTDE protocol. Check address and port.</source>
-        <translation>そこで応答するものは RTDE を正しく話しません。アドレスとポートを確認してください。</translation>
+        <translation>応答が RTDE プロトコルに違反しています。アドレスとポートを確認してください。</translation>
     </message>
     <message>
         <source>The robot&apos;s software is too old for this.</source>
@@ -3292,7 +3292,7 @@
     </message>
     <message>
         <source>The file was not changed. Open a backup, or repair the reported position.</source>
-        <translation>ファイルはそのままです。バックアップを開くか、示された箇所を直してください。</translation>
+        <translation>ファイルは変更されていません。バックアップを開くか、示された箇所を修正してください。</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3316,7 +3316,7 @@
     </message>
     <message>
         <source>Timed out</source>
-        <translation>時間内に応答なし</translation>
+        <translation>タイムアウト</translation>
     </message>
     <message>
         <source>Cancelled</source>
@@ -3324,11 +3324,11 @@
     </message>
     <message>
         <source>Connection lost</source>
-        <translation>リンク切れ</translation>
+        <translation>接続が切れました</translation>
     </message>
     <message>
         <source>Protocol error</source>
-        <translation>理解できません</translation>
+        <translation>プロトコルエラー</translation>
     </message>
     <message>
         <source>Not supported by this robot</source>
@@ -3364,7 +3364,7 @@
     </message>
     <message>
         <source>Invalid value</source>
-        <translation>有効な値ではありません</translation>
+        <translation>無効な値</translation>
     </message>
     <message>
         <source>Out of reach</source>
@@ -3464,7 +3464,7 @@
     </message>
     <message>
         <source>input not refreshed in time</source>
-        <translation>時間内に更新されなかった</translation>
+        <translation>入力が時間内に更新されませんでした</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -3472,7 +3472,7 @@
     </message>
     <message>
         <source>connection lost</source>
-        <translation>リンク切れ</translation>
+        <translation>接続切断</translation>
     </message>
     <message>
         <source>limit reached</source>
@@ -3508,7 +3508,7 @@
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
-        <translation>最長時間押された。もう一度押してください</translation>
+        <translation>最大保持時間に達しました。もう一度押してください</translation>
     </message>
     <message>
         <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
@@ -3544,7 +3544,7 @@
     </message>
     <message>
         <source>Your script is running. Control returns when it ends.</source>
-        <translation>あなたのスクリプトが動いています。終わると制御が戻ります。</translation>
+        <translation>スクリプトが実行中です。終了すると制御が戻ります。</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -3579,11 +3579,11 @@
     </message>
     <message>
         <source>“%1” must be J or L</source>
-        <translation>「%1」は J でも L でもありません</translation>
+        <translation>「%1」は J または L でなければなりません</translation>
     </message>
     <message>
         <source>“%1” must be joints or pose</source>
-        <translation>「%1」は joints でも pose でもありません</translation>
+        <translation>「%1」は joints または pose でなければなりません</translation>
     </message>
     <message>
         <source>there is no frame “%1” in this project</source>
@@ -3602,7 +3602,7 @@
     <name>WaypointExchange</name>
     <message>
         <source>Line %1: missing closing quotation mark</source>
-        <translation>行 %1：引用符が閉じていません</translation>
+        <translation>行 %1：閉じ引用符がありません</translation>
     </message>
 </context>
 <context>
@@ -3655,7 +3655,7 @@
     </message>
     <message>
         <source>Move the selected action up</source>
-        <translation>選んだ動作を先に行う</translation>
+        <translation>選んだ動作を上へ移動</translation>
     </message>
     <message>
         <source>Down</source>
@@ -3663,15 +3663,15 @@
     </message>
     <message>
         <source>Move the selected action down</source>
-        <translation>選んだ動作を後に行う</translation>
+        <translation>選んだ動作を下へ移動</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation>何を行うか</translation>
+        <translation>動作</translation>
     </message>
     <message>
         <source>Terminal</source>
-        <translation>どの端子か</translation>
+        <translation>端子</translation>
     </message>
     <message>
         <source>On or off</source>
@@ -3691,7 +3691,7 @@
     </message>
     <message>
         <source>Timeout in seconds</source>
-        <translation>最大、秒</translation>
+        <translation>タイムアウト（秒）</translation>
     </message>
     <message>
         <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
@@ -3748,7 +3748,7 @@ Right click or F2 to rename and scale.</source>
     </message>
     <message>
         <source>e.g. bar; empty: not scaled</source>
-        <translation>bar。空：スケールなし</translation>
+        <translation>例：bar。空：換算なし</translation>
     </message>
     <message>
         <source>At 4 mA or 0 V</source>
@@ -4083,7 +4083,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>Stop comparing</source>
-        <translation>比較を中止します</translation>
+        <translation>比較を終了</translation>
     </message>
     <message>
         <source>Place cursor A where arm and model diverge</source>
@@ -4145,11 +4145,11 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
-        <translation>アームを動かす（プログラム終了まで）</translation>
+        <translation>アームを動かす（Tiller を閉じるまで）</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>最も大きく倒した軸だけ</translation>
+        <translation>主軸のみ</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -4161,7 +4161,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>Direction in which the arm would move</source>
-        <translation>アームが動く向き</translation>
+        <translation>アームが動く方向</translation>
     </message>
     <message>
         <source>Dead-man</source>
@@ -4269,7 +4269,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>not used by any waypoint</source>
-        <translation>使うウェイポイントなし</translation>
+        <translation>使用しているウェイポイントなし</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it</source>
@@ -4297,7 +4297,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     <message numerus="yes">
         <source>%n of them are now out of reach.</source>
         <translation>
-            <numerusform>そのうち %n 個はそこでは到達不可です。</numerusform>
+            <numerusform>そのうち %n 個が到達不可になりました。</numerusform>
         </translation>
     </message>
     <message>
@@ -4310,11 +4310,11 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>The frame moves by %1 (%2, base frame).</source>
-        <translation>%1 動きます（%2、ベース座標系）。</translation>
+        <translation>座標系が %1 移動します（%2、ベース座標系）。</translation>
     </message>
     <message>
         <source>No waypoint uses this frame.</source>
-        <translation>これで与えられたウェイポイントはありません。</translation>
+        <translation>この座標系を使うウェイポイントはありません。</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it.</source>
@@ -4429,7 +4429,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>Waypoints that move with the frame</source>
-        <translation>一緒に動くウェイポイント</translation>
+        <translation>座標系とともに動くウェイポイント</translation>
     </message>
     <message>
         <source>TCP %1</source>
@@ -4566,7 +4566,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>More frame commands</source>
-        <translation>座標系の他の操作</translation>
+        <translation>座標系のその他のコマンド</translation>
     </message>
     <message>
         <source>No frames yet.
@@ -4616,7 +4616,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Create frame from points</source>
-        <translation>取った点から座標系を作成</translation>
+        <translation>点から座標系を作成</translation>
     </message>
     <message>
         <source>Cancel frame teaching</source>
@@ -4640,7 +4640,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Enter frame numerically</source>
-        <translation>座標系を数値で設定</translation>
+        <translation>座標系を数値で入力</translation>
     </message>
     <message>
         <source>Duplicate frame</source>
@@ -4675,7 +4675,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>This is the first waypoint.</source>
-        <translation>これより前のウェイポイントはありません。</translation>
+        <translation>最初のウェイポイントです。</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project.</source>
@@ -4710,7 +4710,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Previous waypoint, hold</source>
-        <translation>一つ前のウェイポイントへ、押し続ける</translation>
+        <translation>前のウェイポイント、押し続ける</translation>
     </message>
     <message>
         <source>Moves to the previous waypoint while the key is held</source>
@@ -4718,7 +4718,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Next waypoint, hold</source>
-        <translation>一つ次のウェイポイントへ、押し続ける</translation>
+        <translation>次のウェイポイント、押し続ける</translation>
     </message>
     <message>
         <source>Moves to the next waypoint while the key is held, and stops there</source>
@@ -4726,7 +4726,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Waypoints of the route</source>
-        <translation>巡るウェイポイント</translation>
+        <translation>ルートのウェイポイント</translation>
     </message>
     <message>
         <source>Waypoints</source>
@@ -4818,7 +4818,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Gripped object</source>
-        <translation>グリッパーがつかむもの</translation>
+        <translation>把持している物体</translation>
     </message>
     <message>
         <source>Activate</source>
@@ -4898,7 +4898,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Target opening</source>
-        <translation>目標の開き</translation>
+        <translation>目標開度</translation>
     </message>
     <message>
         <source>Finger speed</source>
@@ -4910,7 +4910,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Suggested action</source>
-        <translation>グリッパーについてすべきこと</translation>
+        <translation>推奨される対処</translation>
     </message>
     <message>
         <source>Closes</source>
@@ -5018,11 +5018,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>object, outer grip</source>
-        <translation>物体、外側から</translation>
+        <translation>物体、外側把持</translation>
     </message>
     <message>
         <source>object, inner grip</source>
-        <translation>物体、内側から</translation>
+        <translation>物体、内側把持</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -5054,7 +5054,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Opens the gripper and releases the object.</source>
-        <translation>グリッパーを開きます。つかんだものは放されます。</translation>
+        <translation>グリッパーを開いて物体を放します。</translation>
     </message>
     <message>
         <source>Closes the gripper. Keep your fingers clear of it.</source>
@@ -5062,11 +5062,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Moves the fingers to this opening.</source>
-        <translation>指をこの開きへ送ります。</translation>
+        <translation>指をこの開度へ動かします。</translation>
     </message>
     <message>
         <source>Speed or force is out of range.</source>
-        <translation>速度または力が受け付けられる値ではありません。</translation>
+        <translation>速度または力が範囲外です。</translation>
     </message>
     <message>
         <source>The gripper did not accept the command.</source>
@@ -5121,11 +5121,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>LAST STOP · no key check</source>
-        <translation>最後の停止 · 証人なし</translation>
+        <translation>最後の停止 · キー確認なし</translation>
     </message>
     <message>
         <source>not measured</source>
-        <translation>見えず</translation>
+        <translation>未測定</translation>
     </message>
     <message>
         <source>Data stopped while the arm was moving: the stop could not be measured.</source>
@@ -5149,7 +5149,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>アームは %1 より速くなることがあります。設定で下げてください。プログラム終了で終わります。</translation>
+        <translation>アームが %1 より速く動くことがあります。設定で上限を下げてください。Tiller を閉じると元に戻ります。</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -5241,7 +5241,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>%1, outdated</source>
-        <translation>%1、古いデータ</translation>
+        <translation>%1、更新なし</translation>
     </message>
     <message>
         <source>
@@ -5386,7 +5386,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Frame of the displayed pose</source>
-        <translation>パッドの下に表示</translation>
+        <translation>表示中の姿勢の座標系</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -5422,7 +5422,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Retraces the last motion while held</source>
-        <translation>押している間、来た道を戻ります</translation>
+        <translation>押している間、直前の動作を逆にたどります</translation>
     </message>
     <message>
         <source>home</source>
@@ -5450,7 +5450,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
-        <translation>押している間アームが手に従います：%1。右クリック：他の軸</translation>
+        <translation>このキーを押している間、アームを手で動かせます：%1。右クリックで軸を選択</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -5539,7 +5539,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>One step per press: %1</source>
-        <translation>押すたびに一ステップ：%1</translation>
+        <translation>押すたびに1ステップ：%1</translation>
     </message>
     <message>
         <source>One rotation step per press, tool or joint: %1</source>
@@ -5567,7 +5567,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Other angle…</source>
-        <translation>他の回転…</translation>
+        <translation>他の角度…</translation>
     </message>
     <message>
         <source>Other step…</source>
@@ -5591,7 +5591,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Angle in degrees</source>
-        <translation>回転（度）</translation>
+        <translation>角度（度）</translation>
     </message>
     <message>
         <source>TCP speed in %1</source>
@@ -5599,7 +5599,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Contact force that ends the motion, in N</source>
-        <translation>動作を終える力（N）</translation>
+        <translation>動作を終える接触力（N）</translation>
     </message>
 </context>
 <context>
@@ -5725,7 +5725,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Filter the log by text</source>
-        <translation>ログを語で絞り込む</translation>
+        <translation>ログを文字列で絞り込む</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -5745,11 +5745,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Write the visible entries to a file</source>
-        <translation>表示中の行をファイルに書く</translation>
+        <translation>表示中の項目をファイルに書き出す</translation>
     </message>
     <message>
         <source>Details of the selected entry</source>
-        <translation>選択した行の全文</translation>
+        <translation>選択した項目の詳細</translation>
     </message>
     <message>
         <source>write %1</source>
@@ -5780,7 +5780,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <name>tiller::MoveWords</name>
     <message>
         <source>%1 collides with %2 after %3 of the path</source>
-        <translation>%1 は経路の %3 でアームの%2に当たります</translation>
+        <translation>%1 が経路の %3 で %2 に衝突します</translation>
     </message>
     <message>
         <source>The path enters the wrist singularity after %1 of its length</source>
@@ -5812,7 +5812,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>%1 exceeds its range after %2 of the path</source>
-        <translation>%1 は経路の %2 で可動範囲を出ます</translation>
+        <translation>%1 が経路の %2 で可動範囲を超えます</translation>
     </message>
     <message>
         <source>The path leaves the reach of the arm after %1 of its length</source>
@@ -5953,7 +5953,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Stop recording path</source>
-        <translation>経路の記録を終える</translation>
+        <translation>経路の記録を停止</translation>
     </message>
     <message>
         <source>Simplifying the path…</source>
@@ -5985,7 +5985,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The path was not exported.</source>
-        <translation>経路は書き込まれませんでした。</translation>
+        <translation>経路はエクスポートされませんでした。</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written as a path to %1</source>
@@ -6018,7 +6018,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
-        <translation>実演を読めませんでした。</translation>
+        <translation>デモンストレーションをインポートできませんでした。</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6026,7 +6026,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The arm did not move: no path was stored.</source>
-        <translation>アームが動きませんでした：経路は残しませんでした。</translation>
+        <translation>アームが動きませんでした：経路は保存されていません。</translation>
     </message>
     <message>
         <source>Record “%1”</source>
@@ -6039,7 +6039,7 @@ Clear the search to see everything.</source>
     <message numerus="yes">
         <source>%n packets were lost.</source>
         <translation>
-            <numerusform>%n パケットが届きませんでした。</numerusform>
+            <numerusform>%n パケットが失われました。</numerusform>
         </translation>
     </message>
     <message>
@@ -6071,7 +6071,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>First cell</source>
-        <translation>最初の場所</translation>
+        <translation>最初のセル</translation>
     </message>
     <message>
         <source>End of the first row</source>
@@ -6079,7 +6079,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Start of the last row</source>
-        <translation>最後の行の始め</translation>
+        <translation>最後の行の先頭</translation>
     </message>
     <message>
         <source>select a waypoint</source>
@@ -6091,7 +6091,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Cells per row</source>
-        <translation>一行の場所数</translation>
+        <translation>1 行のセル数</translation>
     </message>
     <message>
         <source>Rows</source>
@@ -6103,7 +6103,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Layer height</source>
-        <translation>一層の高さ</translation>
+        <translation>層の高さ</translation>
     </message>
     <message>
         <source>Distance between layers, opposite to the tool direction.</source>
@@ -6147,11 +6147,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Invalid layer height.</source>
-        <translation>層の高さがありえない値です。</translation>
+        <translation>層の高さが無効です。</translation>
     </message>
     <message>
         <source>Enter a layer height.</source>
-        <translation>層には高さが必要です。</translation>
+        <translation>層の高さを入力してください。</translation>
     </message>
     <message>
         <source>The pattern has %1 cells; the maximum is %2.</source>
@@ -6159,7 +6159,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>All cells are excluded.</source>
-        <translation>すべての場所が除かれています。</translation>
+        <translation>すべてのセルが除外されています。</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -6186,7 +6186,7 @@ Clear the search to see everything.</source>
     <name>tiller::PatternGrid</name>
     <message>
         <source>Cells of the pattern</source>
-        <translation>パターンの場所</translation>
+        <translation>パターンのセル</translation>
     </message>
     <message>
         <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
@@ -6209,11 +6209,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Measure payload</source>
-        <translation>ペイロードを求める</translation>
+        <translation>ペイロードを測定</translation>
     </message>
     <message>
         <source>Measure the payload in several poses</source>
-        <translation>いくつかの姿勢で量ってペイロードを求める</translation>
+        <translation>複数の姿勢でペイロードを測定</translation>
     </message>
     <message>
         <source>Next pose, hold</source>
@@ -6229,7 +6229,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Cancel payload measurement</source>
-        <translation>ペイロードを求めるのを取り消す</translation>
+        <translation>ペイロードの測定を取り消す</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
@@ -6279,11 +6279,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Remove least accurate pose</source>
-        <translation>最悪のものを除く</translation>
+        <translation>最も不正確な姿勢を削除</translation>
     </message>
     <message>
         <source>Remove last pose</source>
-        <translation>最後のものを除く</translation>
+        <translation>最後の姿勢を削除</translation>
     </message>
     <message>
         <source>Pose %1  %2</source>
@@ -6291,7 +6291,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ 最も合わない</translation>
+        <translation>  ◀ 最も不正確</translation>
     </message>
 </context>
 <context>
@@ -6396,27 +6396,27 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Measure…</source>
-        <translation>計量…</translation>
+        <translation>測定…</translation>
     </message>
     <message>
         <source>Measure the payload with the arm</source>
-        <translation>アームでペイロードを求める</translation>
+        <translation>アームでペイロードを測定</translation>
     </message>
     <message>
         <source>Verify</source>
-        <translation>正しいか？</translation>
+        <translation>検証</translation>
     </message>
     <message>
         <source>Verify the payload</source>
-        <translation>ペイロードが正しいか確認する</translation>
+        <translation>ペイロードを検証</translation>
     </message>
     <message>
         <source>Store the active payload of the robot</source>
-        <translation>ロボットのペイロードを採用</translation>
+        <translation>ロボットの有効なペイロードを保存</translation>
     </message>
     <message>
         <source>Enter new payload</source>
-        <translation>数値で新しいペイロード</translation>
+        <translation>新しいペイロードを入力</translation>
     </message>
     <message>
         <source>payload</source>
@@ -6516,7 +6516,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1、ロボットと同じ</translation>
+        <translation>%1、ロボットで有効</translation>
     </message>
     <message>
         <source>%1; the robot has %2 kg, centre of gravity %3</source>
@@ -6563,11 +6563,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>X-axis signal</source>
-        <translation>この信号に対して</translation>
+        <translation>X 軸の信号</translation>
     </message>
     <message>
         <source>Add a signal to the plots first.</source>
-        <translation>まずグラフに信号を置いてください。</translation>
+        <translation>先にグラフに信号を追加してください。</translation>
     </message>
     <message>
         <source>There are no samples in this range.</source>
@@ -6622,7 +6622,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Arm and model diverge: %1</source>
-        <translation>アームとモデルが分かれます：%1</translation>
+        <translation>アームとモデルの差が限界を超えました：%1</translation>
     </message>
     <message>
         <source>Comparing the arm with its model: %1</source>
@@ -6797,7 +6797,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Recording options</source>
-        <translation>記録するもの</translation>
+        <translation>記録の設定</translation>
     </message>
     <message>
         <source>Rows, signals, folder and file name of the next recording</source>
@@ -6805,12 +6805,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>One row per packet</source>
-        <translation>全パケットに一行</translation>
+        <translation>パケットごとに 1 行</translation>
     </message>
     <message numerus="yes">
         <source>One row every %n packet(s)</source>
         <translation>
-            <numerusform>%n パケットごとに一行</numerusform>
+            <numerusform>%n パケットごとに 1 行</numerusform>
         </translation>
     </message>
     <message>
@@ -6833,7 +6833,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Open folder</source>
-        <translation>フォルダーを表示</translation>
+        <translation>フォルダーを開く</translation>
     </message>
     <message>
         <source>Folder for recordings</source>
@@ -6853,7 +6853,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
-        <translation>%1、グラフ時刻 %2 s</translation>
+        <translation>%1、時間軸 %2 s</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -6885,7 +6885,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Remove this page</source>
-        <translation>このページを外す</translation>
+        <translation>このページを削除</translation>
     </message>
     <message>
         <source>Standard plots</source>
@@ -6905,7 +6905,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Save layout…</source>
-        <translation>この配置を保存…</translation>
+        <translation>配置を保存…</translation>
     </message>
     <message>
         <source>Open layout…</source>
@@ -6997,7 +6997,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Relative to the newest sample</source>
-        <translation>最新サンプルからの時間</translation>
+        <translation>最新サンプル基準</translation>
     </message>
     <message>
         <source>Controller time</source>
@@ -7069,7 +7069,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Double-click to rename</source>
-        <translation>ダブルクリック：別の名前</translation>
+        <translation>ダブルクリックで名前を変更</translation>
     </message>
 </context>
 <context>
@@ -7136,11 +7136,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>%1 · calculating: %2</source>
-        <translation>%1 · 集計中: %2</translation>
+        <translation>%1 · 計算中：%2</translation>
     </message>
     <message>
         <source>Statistics are incomplete: %1</source>
-        <translation>範囲の一部を集計できませんでした: %1</translation>
+        <translation>統計が不完全です：%1</translation>
     </message>
 </context>
 <context>
@@ -7175,7 +7175,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Zeroed (offset %1 %2)</source>
-        <translation>ゼロ：%1 %2 を差し引き</translation>
+        <translation>ゼロ設定済み（オフセット %1 %2）</translation>
     </message>
     <message>
         <source>Plots over time</source>
@@ -7318,7 +7318,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Store the current position of the arm</source>
-        <translation>アームの位置を採用</translation>
+        <translation>アームの現在位置を保存</translation>
     </message>
     <message>
         <source>Use as home</source>
@@ -7334,7 +7334,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Reset to default home</source>
-        <translation>通常のホームに戻す</translation>
+        <translation>既定のホームに戻す</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -7358,7 +7358,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>The Home key will move the arm there.</source>
-        <translation>今後ホームキーはそこへ動きます。</translation>
+        <translation>ホームキーでアームがそこへ動きます。</translation>
     </message>
     <message>
         <source>Set home</source>
@@ -7422,7 +7422,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>%1: target of the Home key</source>
-        <translation>%1：ホームキーはそこへ動きます</translation>
+        <translation>%1：ホームキーの目標</translation>
     </message>
     <message>
         <source>%1 · %2 %3 from here</source>
@@ -7445,7 +7445,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
-        <translation>完了。開始でもう一度行えます。</translation>
+        <translation>完了。「開始」を押すと課題を繰り返せます。</translation>
     </message>
     <message>
         <source>Press Start.</source>
@@ -7472,7 +7472,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>enter value, press Return</source>
-        <translation>数値、次に Return</translation>
+        <translation>値を入力して Return</translation>
     </message>
     <message>
         <source>Fz [N]</source>
@@ -7492,7 +7492,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Starts or restarts the task</source>
-        <translation>課題を始める、または始め直す</translation>
+        <translation>課題を開始または再開始します</translation>
     </message>
     <message>
         <source>Continues with the next task</source>
@@ -7515,7 +7515,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Failed</source>
-        <translation>不良</translation>
+        <translation>失敗</translation>
     </message>
     <message>
         <source>Not checked</source>
@@ -7563,7 +7563,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Problems found</source>
-        <translation>妨げがあります</translation>
+        <translation>問題が見つかりました</translation>
     </message>
     <message>
         <source>Ready, with warnings</source>
@@ -7631,7 +7631,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>“%1” is a copy with unsaved changes.</source>
-        <translation>「%1」は写しで、どのファイルにもない変更があります。</translation>
+        <translation>「%1」は未保存の変更があるコピーです。</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -8074,7 +8074,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Taking control was cancelled by a stop</source>
-        <translation>停止により制御の取得が終わりました</translation>
+        <translation>停止により制御の取得が取り消されました</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -8265,7 +8265,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Default view, perspective</source>
-        <translation>最初の向きから透視で見る</translation>
+        <translation>標準の視点、透視</translation>
     </message>
     <message>
         <source>Front</source>
@@ -8580,7 +8580,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Store the active TCP of the robot</source>
-        <translation>ロボットの TCP を採用</translation>
+        <translation>ロボットの有効な TCP を保存</translation>
     </message>
     <message>
         <source>Teach the selected TCP again…</source>
@@ -8588,7 +8588,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Enter new TCP</source>
-        <translation>数値で新しい TCP</translation>
+        <translation>新しい TCP を入力</translation>
     </message>
     <message>
         <source>tool</source>
@@ -8624,7 +8624,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>“%1” is the active TCP of the robot.</source>
-        <translation>「%1」はロボットの TCP です。</translation>
+        <translation>「%1」はロボットで有効な TCP です。</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -8656,7 +8656,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1、ロボットと同じ</translation>
+        <translation>%1、ロボットで有効</translation>
     </message>
     <message>
         <source>%1, %2 from the robot&apos;s TCP</source>
@@ -8683,7 +8683,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Retake least accurate pose</source>
-        <translation>最悪のものを取り直す</translation>
+        <translation>最も不正確な姿勢を取り直す</translation>
     </message>
     <message>
         <source>Take</source>
@@ -8707,7 +8707,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Keep current rotation</source>
-        <translation>回転はそのまま</translation>
+        <translation>現在の回転を保持</translation>
     </message>
     <message>
         <source>Rotation from one pose: tool straight down</source>
@@ -8745,7 +8745,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The tool keeps its current rotation.</source>
-        <translation>ツールは今の回転を保ちます。</translation>
+        <translation>ツールは現在の回転を保ちます。</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
@@ -8793,7 +8793,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Retake last pose</source>
-        <translation>最後のものを取り直す</translation>
+        <translation>最後の姿勢を取り直す</translation>
     </message>
     <message>
         <source>Take pose %1</source>
@@ -8805,7 +8805,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ 最も合わない</translation>
+        <translation>  ◀ 最も不正確</translation>
     </message>
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
@@ -8854,7 +8854,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     <name>tiller::TravelWatch</name>
     <message>
         <source>%1: %2 left to the limit of %3</source>
-        <translation>%1：残り %2、その先は %3 が限界</translation>
+        <translation>%1：%3 の限界まで残り %2</translation>
     </message>
     <message>
         <source>%1: %2 left to the end of reach or a singularity</source>
@@ -8937,7 +8937,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>cell of “%1”</source>
-        <translation>「%1」の場所</translation>
+        <translation>「%1」のセル</translation>
     </message>
     <message>
         <source>corner of “%1”</source>
@@ -8961,7 +8961,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Values</source>
-        <translation>数値</translation>
+        <translation>値</translation>
     </message>
     <message>
         <source>Shows the values instead of the Go through controls.</source>
@@ -9766,7 +9766,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Actions…</source>
-        <translation>そこでの動作…</translation>
+        <translation>動作…</translation>
     </message>
     <message>
         <source>Import and export</source>
@@ -10076,7 +10076,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>最も大きく倒した軸だけ</translation>
+        <translation>主軸のみ</translation>
     </message>
     <message>
         <source>%1: dominant axis only</source>
@@ -10157,7 +10157,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>コマンドのキー</translation>
+        <translation>キーボードショートカット</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -10517,11 +10517,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Tiller closed unexpectedly</source>
-        <translation>前回、Tillerが予期せず終了しました</translation>
+        <translation>Tiller が予期せず終了しました</translation>
     </message>
     <message>
         <source>Tiller saved a crash log. You can attach it to a problem report.</source>
-        <translation>そのときの内容は残されています。助けてくれる人のためにレポートとして保存してください。</translation>
+        <translation>Tiller はクラッシュログを保存しました。問題の報告に添付できます。</translation>
     </message>
     <message>
         <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
@@ -10584,7 +10584,7 @@ Jog the arm to a position and press Teach here (T).</source>
     <name>tiller::app::PanelDock</name>
     <message>
         <source>Dock</source>
-        <translation>戻す</translation>
+        <translation>ドッキング</translation>
     </message>
     <message>
         <source>Move the panel back to the main window</source>
@@ -10956,7 +10956,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation>キー</translation>
+        <translation>ショートカット</translation>
     </message>
     <message>
         <source>Close</source>
@@ -11012,7 +11012,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Interface size</source>
-        <translation>全体の大きさ</translation>
+        <translation>画面要素のサイズ</translation>
     </message>
     <message>
         <source>Lengths</source>
@@ -11044,7 +11044,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Maximum hold time</source>
-        <translation>最長の押下</translation>
+        <translation>最大保持時間</translation>
     </message>
     <message>
         <source> s</source>
@@ -11088,7 +11088,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>コマンドのキー</translation>
+        <translation>キーボードショートカット</translation>
     </message>
     <message>
         <source>Command</source>
@@ -11096,7 +11096,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shortcut</source>
-        <translation>キー</translation>
+        <translation>ショートカット</translation>
     </message>
     <message>
         <source>Restore default shortcuts</source>

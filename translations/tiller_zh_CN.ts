@@ -151,14 +151,14 @@
     </message>
     <message>
         <source>Wait</source>
-        <translation>等待一段时间</translation>
+        <translation>等待</translation>
     </message>
 </context>
 <context>
     <name>BackTrack</name>
     <message>
         <source>go back: no recorded motion left</source>
-        <translation>返回：没有可撤销的动作了</translation>
+        <translation>返回：没有剩余的已记录运动</translation>
     </message>
 </context>
 <context>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>unexpected argument &quot;%1&quot;</source>
-        <translation>未预期 &quot;%1&quot;</translation>
+        <translation>意外的参数 &quot;%1&quot;</translation>
     </message>
     <message>
         <source>--theme takes light or dark, not &quot;%1&quot;</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>The arm moved as the model of a %1 does</source>
-        <translation>机械臂的表现与 %1 的模型一致</translation>
+        <translation>机械臂的运动与 %1 的模型一致</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
@@ -364,7 +364,7 @@
     </message>
     <message>
         <source>The arm is not at the commanded position.</source>
-        <translation>机械臂不在控制器指令的位置。</translation>
+        <translation>机械臂不在指令位置。</translation>
     </message>
     <message>
         <source>Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.</source>
@@ -456,7 +456,7 @@
     </message>
     <message>
         <source>A program commanded a step in position.</source>
-        <translation>某个程序要求位置跳变。</translation>
+        <translation>程序指令了位置跳变。</translation>
     </message>
     <message>
         <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
@@ -468,7 +468,7 @@
     </message>
     <message>
         <source>A program commanded a step in speed.</source>
-        <translation>某个程序要求速度跳变。</translation>
+        <translation>程序指令了速度跳变。</translation>
     </message>
     <message>
         <source>Reduce the acceleration, or smooth the path.</source>
@@ -480,7 +480,7 @@
     </message>
     <message>
         <source>The running program requested the stop.</source>
-        <translation>正在运行的程序自己要求停止。</translation>
+        <translation>正在运行的程序请求了停止。</translation>
     </message>
     <message>
         <source>See the messages of the program before this one.</source>
@@ -523,11 +523,11 @@
     </message>
     <message>
         <source>The expression contains no signal.</source>
-        <translation>其中没有信号。</translation>
+        <translation>表达式中没有信号。</translation>
     </message>
     <message>
         <source>The expression contains too many signals.</source>
-        <translation>其中信号太多。</translation>
+        <translation>表达式中信号太多。</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
@@ -589,7 +589,7 @@
     </message>
     <message>
         <source>the service on port %1 does not use RTDE</source>
-        <translation>端口 %1 上应答的不是 RTDE</translation>
+        <translation>端口 %1 上的服务不使用 RTDE</translation>
     </message>
     <message>
         <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
@@ -605,7 +605,7 @@
     </message>
     <message>
         <source>another program uses %1</source>
-        <translation>另一个程序占用 %1</translation>
+        <translation>另一个程序正在使用 %1</translation>
     </message>
     <message>
         <source>Close the other program that controls this robot (another Tiller window, ROS, ur_rtde).</source>
@@ -621,7 +621,7 @@
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
-        <translation>24 至 47 空闲</translation>
+        <translation>寄存器 24 至 47 空闲</translation>
     </message>
     <message>
         <source>a fieldbus adapter or another program uses %1</source>
@@ -633,7 +633,7 @@
     </message>
     <message>
         <source>registers 0 to 23 are free</source>
-        <translation>0 至 23 空闲</translation>
+        <translation>寄存器 0 至 23 空闲</translation>
     </message>
     <message>
         <source>the robot accepts the subscription but sends no data</source>
@@ -825,7 +825,7 @@
     </message>
     <message>
         <source>RTDE protocol</source>
-        <translation>能理解 RTDE</translation>
+        <translation>RTDE 协议</translation>
     </message>
     <message>
         <source>Controller software</source>
@@ -853,7 +853,7 @@
     </message>
     <message>
         <source>No fieldbus uses registers</source>
-        <translation>没有现场总线占用寄存器</translation>
+        <translation>没有现场总线使用寄存器</translation>
     </message>
     <message>
         <source>Data rate</source>
@@ -861,11 +861,11 @@
     </message>
     <message>
         <source>Real-time priority on this PC</source>
-        <translation>本 PC 的实时权限</translation>
+        <translation>本 PC 的实时优先级</translation>
     </message>
     <message>
         <source>Timer wake-ups of this PC</source>
-        <translation>本 PC 的快速唤醒</translation>
+        <translation>本 PC 的定时器唤醒</translation>
     </message>
     <message>
         <source>TCP and payload</source>
@@ -933,7 +933,7 @@
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
-        <translation>此屏幕像素很小。设置中的“整体大小”可放大文字、按键和曲线图。</translation>
+        <translation>此屏幕分辨率较高。增大设置中的“界面大小”可放大文字、按键和曲线图。</translation>
     </message>
 </context>
 <context>
@@ -980,11 +980,11 @@
     </message>
     <message>
         <source>Moves by this distance at each press.</source>
-        <translation>每次按下移动这么多。</translation>
+        <translation>每次按下移动此距离。</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
-        <translation>点动直到接触，%1 N</translation>
+        <translation>点动直到接触（%1 N）</translation>
     </message>
     <message>
         <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
@@ -1141,7 +1141,7 @@
     </message>
     <message>
         <source>change the cap in Settings</source>
-        <translation>上限在设置中</translation>
+        <translation>请在设置中更改上限</translation>
     </message>
     <message>
         <source>Elbow at the speed cap of %1</source>
@@ -1195,7 +1195,7 @@
     </message>
     <message>
         <source>The arm can be moved by hand.</source>
-        <translation>机械臂跟随移动它的手。</translation>
+        <translation>可以用手移动机械臂。</translation>
     </message>
     <message>
         <source>MOVING</source>
@@ -1263,7 +1263,7 @@
     </message>
     <message>
         <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
-        <translation>数据包迟到或没有到：点动可能自行停止，曲线图会有空缺。使用网线而不是无线，并关闭其他程序。</translation>
+        <translation>数据包延迟或丢失：点动可能停止，曲线图会有空缺。请使用网线代替无线连接，并关闭其他程序。</translation>
     </message>
     <message>
         <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
@@ -1386,7 +1386,7 @@
     </message>
     <message>
         <source>Arm disconnected</source>
-        <translation>机械臂离线</translation>
+        <translation>机械臂未连接</translation>
     </message>
     <message>
         <source>The controller has no connection to the arm. See the teach pendant.</source>
@@ -1438,7 +1438,7 @@
     </message>
     <message>
         <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
-        <translation>机械臂正被手推过制动器。松开自由驱动按钮。</translation>
+        <translation>制动器已松开，正在用手移动机械臂。请松开自由驱动按钮。</translation>
     </message>
     <message>
         <source>Running</source>
@@ -1470,7 +1470,7 @@
     </message>
     <message>
         <source>The reduced safety limits are active.</source>
-        <translation>机器人遵守缩减的极限。</translation>
+        <translation>缩减的安全极限已生效。</translation>
     </message>
     <message>
         <source>Protective stop</source>
@@ -1662,7 +1662,7 @@
     </message>
     <message>
         <source>The program is pausing.</source>
-        <translation>程序正在停下。</translation>
+        <translation>程序正在暂停。</translation>
     </message>
     <message>
         <source>Program paused</source>
@@ -1717,11 +1717,11 @@
     </message>
     <message>
         <source>open requested</source>
-        <translation>已指令打开</translation>
+        <translation>已请求打开</translation>
     </message>
     <message>
         <source>close requested</source>
-        <translation>已指令关闭</translation>
+        <translation>已请求关闭</translation>
     </message>
     <message>
         <source>both outputs off</source>
@@ -1748,7 +1748,7 @@
     </message>
     <message>
         <source>A recording is already running.</source>
-        <translation>已在录制。</translation>
+        <translation>录制已在进行。</translation>
     </message>
     <message>
         <source>Connect to a robot first.</source>
@@ -1764,7 +1764,7 @@
     </message>
     <message>
         <source>No recording is running.</source>
-        <translation>没有录制。</translation>
+        <translation>没有正在进行的录制。</translation>
     </message>
     <message>
         <source>Pause or resume the plots</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
-        <translation>曲线图显示多长时间。</translation>
+        <translation>设置曲线图的时间范围。</translation>
     </message>
     <message>
         <source>Search inputs and outputs</source>
@@ -1844,7 +1844,7 @@
     </message>
     <message>
         <source>Selects which log entries are shown.</source>
-        <translation>选择显示日志的哪些行。</translation>
+        <translation>选择显示哪些日志条目。</translation>
     </message>
     <message>
         <source>Copy the log</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>Writes the visible entries to a file.</source>
-        <translation>把显示的行写入文件。</translation>
+        <translation>将可见条目写入文件。</translation>
     </message>
     <message>
         <source>Search signals for the plots</source>
@@ -1880,7 +1880,7 @@
     </message>
     <message>
         <source>Show the entire history</source>
-        <translation>显示曲线图的全部历史</translation>
+        <translation>显示全部历史</translation>
     </message>
     <message>
         <source>Shows all data in memory and scales each plot automatically.</source>
@@ -1891,11 +1891,11 @@
     <name>PlotMenu</name>
     <message>
         <source>Remove lane %1</source>
-        <translation>去除通道 %1</translation>
+        <translation>移除通道 %1</translation>
     </message>
     <message>
         <source>Add note here…</source>
-        <translation>在此记录…</translation>
+        <translation>在此添加备注…</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -1907,7 +1907,7 @@
     </message>
     <message>
         <source>Read %1 at the cursors</source>
-        <translation>让游标读取 %1</translation>
+        <translation>在游标处读取 %1</translation>
     </message>
     <message>
         <source>Move %1 to a plot of its own</source>
@@ -1915,15 +1915,15 @@
     </message>
     <message>
         <source>Remove %1</source>
-        <translation>去除 %1</translation>
+        <translation>移除 %1</translation>
     </message>
     <message>
         <source>Warn when %1</source>
-        <translation>当 %1 时报警</translation>
+        <translation>当 %1 时警告</translation>
     </message>
     <message>
         <source>Do not warn when %1</source>
-        <translation>当 %1 时不报警</translation>
+        <translation>当 %1 时不警告</translation>
     </message>
     <message>
         <source>Rate of change of %1</source>
@@ -1931,7 +1931,7 @@
     </message>
     <message>
         <source>Moving mean of %1 over 0.5 s</source>
-        <translation>%1 的半秒滑动平均</translation>
+        <translation>%1 的 0.5 秒移动平均</translation>
     </message>
     <message>
         <source>Mean %1</source>
@@ -1947,15 +1947,15 @@
     </message>
     <message>
         <source>New plot to the right</source>
-        <translation>在旁边新建图</translation>
+        <translation>在右侧新建曲线图</translation>
     </message>
     <message>
         <source>Remove this plot</source>
-        <translation>去除此图</translation>
+        <translation>移除此曲线图</translation>
     </message>
     <message>
         <source>Scale to the curves</source>
-        <translation>由曲线决定刻度</translation>
+        <translation>按曲线缩放</translation>
     </message>
     <message>
         <source>Show all</source>
@@ -1990,7 +1990,7 @@
     </message>
     <message>
         <source>“%1” meets the requirements.</source>
-        <translation>“%1”的位置符合要求。</translation>
+        <translation>“%1”符合要求。</translation>
     </message>
     <message>
         <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
@@ -2006,7 +2006,7 @@
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>路点已不存在。“开始”会放置一个新的。</translation>
+        <translation>路点已删除。“开始”会添加一个新的。</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
@@ -2038,7 +2038,7 @@
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
-        <translation>这就是极限。现在返回：%1 / %2。</translation>
+        <translation>已到达极限。现在点动返回：%1 / %2。</translation>
     </message>
     <message>
         <source>You reached the limit and moved out of it again.</source>
@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>No recording yet. Press Record above the plots.</source>
-        <translation>还没有录制。“录制”在曲线图上方。</translation>
+        <translation>还没有录制。请按曲线图上方的“录制”。</translation>
     </message>
     <message>
         <source>Recorded. Enter the force that the plot shows.</source>
@@ -2229,7 +2229,7 @@
     </message>
     <message>
         <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>这里无需按任何键：原因消失后即结束。</translation>
+        <translation>此处无需操作：原因消除后此状态即结束。</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -2359,11 +2359,11 @@
     </message>
     <message>
         <source>Shows what stopped the arm and the recovery steps.</source>
-        <translation>显示是什么停止了机械臂，以及返回的方法。</translation>
+        <translation>显示机械臂停止的原因和恢复步骤。</translation>
     </message>
     <message>
         <source>The safety system reports no stop.</source>
-        <translation>没有安全系统的停止。</translation>
+        <translation>安全系统没有报告停止。</translation>
     </message>
     <message>
         <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
@@ -2383,7 +2383,7 @@
     </message>
     <message>
         <source>Already in control.</source>
-        <translation>已在控制中。</translation>
+        <translation>已获取控制。</translation>
     </message>
     <message>
         <source>Give control back</source>
@@ -2423,7 +2423,7 @@
     </message>
     <message>
         <source>Stops the program on the robot.</source>
-        <translation>停止机器人自己的程序。</translation>
+        <translation>停止机器人上的程序。</translation>
     </message>
     <message>
         <source>Starts the control program on the robot. Asks before it stops another program.</source>
@@ -2545,7 +2545,7 @@
     </message>
     <message>
         <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
-        <translation>机器人上的程序没有停止：请在示教器上停止。%1</translation>
+        <translation>无法停止机器人上的程序：请在示教器上停止。%1</translation>
     </message>
     <message>
         <source>The robot was switched to Local control: the motion was stopped and control was given back. Switch the robot to Remote control on the teach pendant, then take control again.</source>
@@ -2595,7 +2595,7 @@
     </message>
     <message>
         <source>Measuring</source>
-        <translation>测量巡回</translation>
+        <translation>测量</translation>
     </message>
     <message>
         <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
@@ -2606,7 +2606,7 @@
     <name>SceneActions</name>
     <message>
         <source>Default view, perspective</source>
-        <translation>从第一侧面透视观察</translation>
+        <translation>默认视图，透视</translation>
     </message>
     <message>
         <source>From between front and side, slightly above, with everything visible.</source>
@@ -2649,7 +2649,7 @@
     <name>SessionRecording</name>
     <message>
         <source>Cannot record: connect to a robot first.</source>
-        <translation>没有录制：请先连接机器人。</translation>
+        <translation>无法录制：请先连接机器人。</translation>
     </message>
     <message>
         <source>Recording to %1</source>
@@ -2670,7 +2670,7 @@
     </message>
     <message>
         <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>&quot;%1&quot; 的值不可能是设置的值。</translation>
+        <translation>设置 &quot;%1&quot; 的值无效。</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
@@ -2682,7 +2682,7 @@
     </message>
     <message>
         <source>The file contains no Tiller settings.</source>
-        <translation>文件中没有 Tiller 的设置。</translation>
+        <translation>文件中没有 Tiller 设置。</translation>
     </message>
     <message>
         <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
@@ -2690,7 +2690,7 @@
     </message>
     <message>
         <source>The file does not state its version.</source>
-        <translation>文件没有说明其版本。</translation>
+        <translation>文件未注明其版本。</translation>
     </message>
     <message>
         <source>The list of values is missing or too long.</source>
@@ -2698,7 +2698,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; 不是设置的名称。</translation>
+        <translation>&quot;%1&quot; 不是有效的设置名称。</translation>
     </message>
 </context>
 <context>
@@ -2733,7 +2733,7 @@
     </message>
     <message>
         <source>Other</source>
-        <translation>更多</translation>
+        <translation>其他</translation>
     </message>
     <message>
         <source>Registers</source>
@@ -3104,7 +3104,7 @@
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
-        <translation>帽盖按工具应有的方式移动和转动。</translation>
+        <translation>工具跟随帽盖的运动。</translation>
     </message>
 </context>
 <context>
@@ -3130,7 +3130,7 @@
     <name>StartProject</name>
     <message>
         <source>The last project no longer exists: %1</source>
-        <translation>上次使用的项目已不存在：%1</translation>
+        <translation>上次的项目已不存在：%1</translation>
     </message>
 </context>
 <context>
@@ -3240,7 +3240,7 @@
     </message>
     <message>
         <source>The answer violates the RTDE protocol. Check address and port.</source>
-        <translation>那里应答的不符合 RTDE。检查地址和端口。</translation>
+        <translation>应答不符合 RTDE 协议。请检查地址和端口。</translation>
     </message>
     <message>
         <source>The robot&apos;s software is too old for this.</source>
@@ -3292,7 +3292,7 @@
     </message>
     <message>
         <source>The file was not changed. Open a backup, or repair the reported position.</source>
-        <translation>文件保持原样。打开备份，或修复指出的位置。</translation>
+        <translation>文件未更改。请打开备份，或修复报告的位置。</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3312,11 +3312,11 @@
     </message>
     <message>
         <source>Connection closed by the robot</source>
-        <translation>机器人结束了连接</translation>
+        <translation>机器人关闭了连接</translation>
     </message>
     <message>
         <source>Timed out</source>
-        <translation>未及时应答</translation>
+        <translation>超时</translation>
     </message>
     <message>
         <source>Cancelled</source>
@@ -3324,11 +3324,11 @@
     </message>
     <message>
         <source>Connection lost</source>
-        <translation>链路中断</translation>
+        <translation>连接中断</translation>
     </message>
     <message>
         <source>Protocol error</source>
-        <translation>无法理解</translation>
+        <translation>协议错误</translation>
     </message>
     <message>
         <source>Not supported by this robot</source>
@@ -3364,7 +3364,7 @@
     </message>
     <message>
         <source>Invalid value</source>
-        <translation>不是有效数值</translation>
+        <translation>无效值</translation>
     </message>
     <message>
         <source>Out of reach</source>
@@ -3384,11 +3384,11 @@
     </message>
     <message>
         <source>Cannot read the file</source>
-        <translation>文件无法读取</translation>
+        <translation>无法读取文件</translation>
     </message>
     <message>
         <source>Cannot write the file</source>
-        <translation>文件无法写入</translation>
+        <translation>无法写入文件</translation>
     </message>
     <message>
         <source>File is damaged</source>
@@ -3464,7 +3464,7 @@
     </message>
     <message>
         <source>input not refreshed in time</source>
-        <translation>未及时刷新</translation>
+        <translation>输入未及时刷新</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -3472,7 +3472,7 @@
     </message>
     <message>
         <source>connection lost</source>
-        <translation>链路中断</translation>
+        <translation>连接中断</translation>
     </message>
     <message>
         <source>limit reached</source>
@@ -3508,7 +3508,7 @@
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
-        <translation>已按住最长时间；请重新按下</translation>
+        <translation>已达到最长按住时间；请重新按下</translation>
     </message>
     <message>
         <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
@@ -3544,7 +3544,7 @@
     </message>
     <message>
         <source>Your script is running. Control returns when it ends.</source>
-        <translation>您自己的脚本在运行。结束后控制会恢复。</translation>
+        <translation>您的脚本正在运行。结束后恢复控制。</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -3579,11 +3579,11 @@
     </message>
     <message>
         <source>“%1” must be J or L</source>
-        <translation>“%1”既不是 J 也不是 L</translation>
+        <translation>“%1”必须是 J 或 L</translation>
     </message>
     <message>
         <source>“%1” must be joints or pose</source>
-        <translation>“%1”既不是 joints 也不是 pose</translation>
+        <translation>“%1”必须是 joints 或 pose</translation>
     </message>
     <message>
         <source>there is no frame “%1” in this project</source>
@@ -3602,7 +3602,7 @@
     <name>WaypointExchange</name>
     <message>
         <source>Line %1: missing closing quotation mark</source>
-        <translation>第 %1 行：引号未关闭</translation>
+        <translation>第 %1 行：缺少右引号</translation>
     </message>
 </context>
 <context>
@@ -3627,7 +3627,7 @@
     </message>
     <message>
         <source>Actions in order</source>
-        <translation>按顺序排列的动作</translation>
+        <translation>按顺序的动作</translation>
     </message>
     <message>
         <source>Change</source>
@@ -3655,7 +3655,7 @@
     </message>
     <message>
         <source>Move the selected action up</source>
-        <translation>提前执行所选动作</translation>
+        <translation>上移所选动作</translation>
     </message>
     <message>
         <source>Down</source>
@@ -3663,15 +3663,15 @@
     </message>
     <message>
         <source>Move the selected action down</source>
-        <translation>推后执行所选动作</translation>
+        <translation>下移所选动作</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation>执行内容</translation>
+        <translation>动作</translation>
     </message>
     <message>
         <source>Terminal</source>
-        <translation>哪个端子</translation>
+        <translation>端子</translation>
     </message>
     <message>
         <source>On or off</source>
@@ -3691,7 +3691,7 @@
     </message>
     <message>
         <source>Timeout in seconds</source>
-        <translation>最长，秒</translation>
+        <translation>超时（秒）</translation>
     </message>
     <message>
         <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
@@ -3748,7 +3748,7 @@ Right click or F2 to rename and scale.</source>
     </message>
     <message>
         <source>e.g. bar; empty: not scaled</source>
-        <translation>bar；空：不缩放</translation>
+        <translation>例如 bar；空：不换算</translation>
     </message>
     <message>
         <source>At 4 mA or 0 V</source>
@@ -4145,11 +4145,11 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
-        <translation>移动机械臂（直到程序结束）</translation>
+        <translation>移动机械臂（直到关闭 Tiller）</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>仅偏转最大的轴</translation>
+        <translation>仅主轴</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -4269,7 +4269,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>not used by any waypoint</source>
-        <translation>没有路点使用它</translation>
+        <translation>未被任何路点使用</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it</source>
@@ -4297,7 +4297,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     <message numerus="yes">
         <source>%n of them are now out of reach.</source>
         <translation>
-            <numerusform>其中 %n 个在那里不可达。</numerusform>
+            <numerusform>其中 %n 个现在不可达。</numerusform>
         </translation>
     </message>
     <message>
@@ -4310,11 +4310,11 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>The frame moves by %1 (%2, base frame).</source>
-        <translation>它移动 %1（%2，基座坐标系）。</translation>
+        <translation>坐标系移动 %1（%2，基座坐标系）。</translation>
     </message>
     <message>
         <source>No waypoint uses this frame.</source>
-        <translation>没有路点在其中给出。</translation>
+        <translation>没有路点使用此坐标系。</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints move with it.</source>
@@ -4336,7 +4336,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>Touched up “%1”</source>
-        <translation>“%1”已修正示教</translation>
+        <translation>已修正示教“%1”</translation>
     </message>
     <message>
         <source>Set the position of “%1”</source>
@@ -4429,7 +4429,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>Waypoints that move with the frame</source>
-        <translation>随其移动的路点</translation>
+        <translation>随坐标系移动的路点</translation>
     </message>
     <message>
         <source>TCP %1</source>
@@ -4491,7 +4491,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>Create frame</source>
-        <translation>建立坐标系</translation>
+        <translation>创建坐标系</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the point again.</source>
@@ -4566,7 +4566,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>More frame commands</source>
-        <translation>坐标系的更多操作</translation>
+        <translation>更多坐标系命令</translation>
     </message>
     <message>
         <source>No frames yet.
@@ -4616,7 +4616,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Create frame from points</source>
-        <translation>用所取的点建立坐标系</translation>
+        <translation>由点创建坐标系</translation>
     </message>
     <message>
         <source>Cancel frame teaching</source>
@@ -4640,7 +4640,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Enter frame numerically</source>
-        <translation>用数值设定坐标系</translation>
+        <translation>以数值输入坐标系</translation>
     </message>
     <message>
         <source>Duplicate frame</source>
@@ -4664,7 +4664,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Create frame</source>
-        <translation>建立坐标系</translation>
+        <translation>创建坐标系</translation>
     </message>
 </context>
 <context>
@@ -4675,7 +4675,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>This is the first waypoint.</source>
-        <translation>此前没有路点。</translation>
+        <translation>这是第一个路点。</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project.</source>
@@ -4710,7 +4710,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Previous waypoint, hold</source>
-        <translation>退一个路点，按住</translation>
+        <translation>上一个路点，按住</translation>
     </message>
     <message>
         <source>Moves to the previous waypoint while the key is held</source>
@@ -4718,7 +4718,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Next waypoint, hold</source>
-        <translation>进一个路点，按住</translation>
+        <translation>下一个路点，按住</translation>
     </message>
     <message>
         <source>Moves to the next waypoint while the key is held, and stops there</source>
@@ -4726,7 +4726,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Waypoints of the route</source>
-        <translation>依次前往哪些路点</translation>
+        <translation>路线的路点</translation>
     </message>
     <message>
         <source>Waypoints</source>
@@ -4818,7 +4818,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Gripped object</source>
-        <translation>夹爪所持</translation>
+        <translation>夹持的物体</translation>
     </message>
     <message>
         <source>Activate</source>
@@ -4870,7 +4870,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Gripper type</source>
-        <translation>哪种夹爪</translation>
+        <translation>夹爪类型</translation>
     </message>
     <message>
         <source>None</source>
@@ -4898,7 +4898,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Target opening</source>
-        <translation>期望开度</translation>
+        <translation>目标开度</translation>
     </message>
     <message>
         <source>Finger speed</source>
@@ -4910,7 +4910,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Suggested action</source>
-        <translation>夹爪的处理办法</translation>
+        <translation>建议的操作</translation>
     </message>
     <message>
         <source>Closes</source>
@@ -5018,11 +5018,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>object, outer grip</source>
-        <translation>物体，从外侧</translation>
+        <translation>物体，外夹</translation>
     </message>
     <message>
         <source>object, inner grip</source>
-        <translation>物体，从内侧</translation>
+        <translation>物体，内夹</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -5062,11 +5062,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Moves the fingers to this opening.</source>
-        <translation>把手指送到此开度。</translation>
+        <translation>将手指移到此开度。</translation>
     </message>
     <message>
         <source>Speed or force is out of range.</source>
-        <translation>其速度或力不是可接受的数值。</translation>
+        <translation>速度或力超出范围。</translation>
     </message>
     <message>
         <source>The gripper did not accept the command.</source>
@@ -5121,11 +5121,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>LAST STOP · no key check</source>
-        <translation>上次停止 · 无见证</translation>
+        <translation>上次停止 · 无按键检查</translation>
     </message>
     <message>
         <source>not measured</source>
-        <translation>未见到</translation>
+        <translation>未测量</translation>
     </message>
     <message>
         <source>Data stopped while the arm was moving: the stop could not be measured.</source>
@@ -5149,7 +5149,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>机械臂可能快于 %1。请在设置中降低上限；随程序结束而失效。</translation>
+        <translation>机械臂可能快于 %1。请在设置中降低上限；关闭 Tiller 后上限会复位。</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -5241,7 +5241,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>%1, outdated</source>
-        <translation>%1，旧数据</translation>
+        <translation>%1，已过时</translation>
     </message>
     <message>
         <source>
@@ -5386,7 +5386,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Frame of the displayed pose</source>
-        <translation>显示在操作盘下方</translation>
+        <translation>所显示位姿的坐标系</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -5422,7 +5422,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Retraces the last motion while held</source>
-        <translation>按住时沿来路返回</translation>
+        <translation>按住时沿原路返回</translation>
     </message>
     <message>
         <source>home</source>
@@ -5450,7 +5450,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
-        <translation>按住时机械臂跟随手：%1。右键：其他轴</translation>
+        <translation>按住此键时可用手移动机械臂：%1。右键选择轴</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -5539,7 +5539,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>One step per press: %1</source>
-        <translation>每按一次一步：%1</translation>
+        <translation>每次按下一步：%1</translation>
     </message>
     <message>
         <source>One rotation step per press, tool or joint: %1</source>
@@ -5599,7 +5599,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Contact force that ends the motion, in N</source>
-        <translation>结束动作的力（N）</translation>
+        <translation>结束运动的接触力（N）</translation>
     </message>
 </context>
 <context>
@@ -5725,7 +5725,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Filter the log by text</source>
-        <translation>按词过滤日志</translation>
+        <translation>按文本过滤日志</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -5745,11 +5745,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Write the visible entries to a file</source>
-        <translation>把显示的行写入文件</translation>
+        <translation>将可见条目写入文件</translation>
     </message>
     <message>
         <source>Details of the selected entry</source>
-        <translation>所选行的全文</translation>
+        <translation>所选条目的详情</translation>
     </message>
     <message>
         <source>write %1</source>
@@ -5780,7 +5780,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <name>tiller::MoveWords</name>
     <message>
         <source>%1 collides with %2 after %3 of the path</source>
-        <translation>%1 在行程 %3 后碰到机械臂的%2</translation>
+        <translation>%1 在路径 %3 处与 %2 碰撞</translation>
     </message>
     <message>
         <source>The path enters the wrist singularity after %1 of its length</source>
@@ -5812,7 +5812,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>%1 exceeds its range after %2 of the path</source>
-        <translation>%1 在行程 %2 后超出其范围</translation>
+        <translation>%1 在路径 %2 处超出范围</translation>
     </message>
     <message>
         <source>The path leaves the reach of the arm after %1 of its length</source>
@@ -5949,11 +5949,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The path recorded so far is kept.</source>
-        <translation>此前录制的内容会保留。</translation>
+        <translation>此前录制的路径会保留。</translation>
     </message>
     <message>
         <source>Stop recording path</source>
-        <translation>结束路径录制</translation>
+        <translation>停止录制路径</translation>
     </message>
     <message>
         <source>Simplifying the path…</source>
@@ -5985,7 +5985,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The path was not exported.</source>
-        <translation>路径未写入。</translation>
+        <translation>路径未导出。</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written as a path to %1</source>
@@ -6018,7 +6018,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
-        <translation>演示无法读取。</translation>
+        <translation>无法导入演示。</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6026,7 +6026,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The arm did not move: no path was stored.</source>
-        <translation>机械臂没有移动：未保留路径。</translation>
+        <translation>机械臂没有移动：未保存路径。</translation>
     </message>
     <message>
         <source>Record “%1”</source>
@@ -6039,7 +6039,7 @@ Clear the search to see everything.</source>
     <message numerus="yes">
         <source>%n packets were lost.</source>
         <translation>
-            <numerusform>%n 个数据包未到达。</numerusform>
+            <numerusform>丢失了 %n 个数据包。</numerusform>
         </translation>
     </message>
     <message>
@@ -6071,7 +6071,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>First cell</source>
-        <translation>第一个位置</translation>
+        <translation>第一个格位</translation>
     </message>
     <message>
         <source>End of the first row</source>
@@ -6079,7 +6079,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Start of the last row</source>
-        <translation>最后一行开头</translation>
+        <translation>最后一行起点</translation>
     </message>
     <message>
         <source>select a waypoint</source>
@@ -6091,7 +6091,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Cells per row</source>
-        <translation>每行位置数</translation>
+        <translation>每行格数</translation>
     </message>
     <message>
         <source>Rows</source>
@@ -6123,7 +6123,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Create pattern</source>
-        <translation>建立阵列</translation>
+        <translation>创建阵列</translation>
     </message>
     <message>
         <source>Change</source>
@@ -6147,11 +6147,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Invalid layer height.</source>
-        <translation>层高不是可能的数值。</translation>
+        <translation>层高无效。</translation>
     </message>
     <message>
         <source>Enter a layer height.</source>
-        <translation>层需要高度。</translation>
+        <translation>请输入层高。</translation>
     </message>
     <message>
         <source>The pattern has %1 cells; the maximum is %2.</source>
@@ -6159,7 +6159,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>All cells are excluded.</source>
-        <translation>所有位置都被略去。</translation>
+        <translation>所有格位均已排除。</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -6186,7 +6186,7 @@ Clear the search to see everything.</source>
     <name>tiller::PatternGrid</name>
     <message>
         <source>Cells of the pattern</source>
-        <translation>阵列的位置</translation>
+        <translation>阵列的格位</translation>
     </message>
     <message>
         <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
@@ -6209,11 +6209,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Measure payload</source>
-        <translation>求有效负载</translation>
+        <translation>测量有效负载</translation>
     </message>
     <message>
         <source>Measure the payload in several poses</source>
-        <translation>在多个位姿称重以求有效负载</translation>
+        <translation>在多个位姿测量有效负载</translation>
     </message>
     <message>
         <source>Next pose, hold</source>
@@ -6229,7 +6229,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Cancel payload measurement</source>
-        <translation>取消求有效负载</translation>
+        <translation>取消有效负载测量</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
@@ -6279,11 +6279,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Remove least accurate pose</source>
-        <translation>移除最差的</translation>
+        <translation>移除最不准确的位姿</translation>
     </message>
     <message>
         <source>Remove last pose</source>
-        <translation>移除最后一个</translation>
+        <translation>移除最后一个位姿</translation>
     </message>
     <message>
         <source>Pose %1  %2</source>
@@ -6291,7 +6291,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ 最不吻合</translation>
+        <translation>  ◀ 最不准确</translation>
     </message>
 </context>
 <context>
@@ -6396,27 +6396,27 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Measure…</source>
-        <translation>称重…</translation>
+        <translation>测量…</translation>
     </message>
     <message>
         <source>Measure the payload with the arm</source>
-        <translation>用机械臂求有效负载</translation>
+        <translation>用机械臂测量有效负载</translation>
     </message>
     <message>
         <source>Verify</source>
-        <translation>正确吗？</translation>
+        <translation>验证</translation>
     </message>
     <message>
         <source>Verify the payload</source>
-        <translation>检查有效负载是否正确</translation>
+        <translation>验证有效负载</translation>
     </message>
     <message>
         <source>Store the active payload of the robot</source>
-        <translation>保留机器人现有的有效负载</translation>
+        <translation>保存机器人当前有效负载</translation>
     </message>
     <message>
         <source>Enter new payload</source>
-        <translation>用数值新建有效负载</translation>
+        <translation>输入新的有效负载</translation>
     </message>
     <message>
         <source>payload</source>
@@ -6516,7 +6516,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1，与机器人一致</translation>
+        <translation>%1，机器人当前使用</translation>
     </message>
     <message>
         <source>%1; the robot has %2 kg, centre of gravity %3</source>
@@ -6563,11 +6563,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>X-axis signal</source>
-        <translation>对此信号</translation>
+        <translation>X 轴信号</translation>
     </message>
     <message>
         <source>Add a signal to the plots first.</source>
-        <translation>请先把一个信号放到曲线图上。</translation>
+        <translation>请先向曲线图添加信号。</translation>
     </message>
     <message>
         <source>There are no samples in this range.</source>
@@ -6598,7 +6598,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     <message numerus="yes">
         <source>%n sample(s), every %1th shown</source>
         <translation>
-            <numerusform>%n 个采样，每 %1 个取一个</numerusform>
+            <numerusform>%n 个采样，每 %1 个显示一个</numerusform>
         </translation>
     </message>
     <message>
@@ -6622,7 +6622,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Arm and model diverge: %1</source>
-        <translation>机械臂与模型分离：%1</translation>
+        <translation>机械臂与模型出现偏差：%1</translation>
     </message>
     <message>
         <source>Comparing the arm with its model: %1</source>
@@ -6689,7 +6689,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Export the visible range</source>
-        <translation>导出显示的范围</translation>
+        <translation>导出可见范围</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6777,7 +6777,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Exported the visible range to %1</source>
-        <translation>显示的范围已导出到 %1</translation>
+        <translation>可见范围已导出到 %1</translation>
     </message>
     <message>
         <source>Picture (*.png)</source>
@@ -6797,7 +6797,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Recording options</source>
-        <translation>录制的内容</translation>
+        <translation>录制选项</translation>
     </message>
     <message>
         <source>Rows, signals, folder and file name of the next recording</source>
@@ -6833,7 +6833,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Open folder</source>
-        <translation>显示文件夹</translation>
+        <translation>打开文件夹</translation>
     </message>
     <message>
         <source>Folder for recordings</source>
@@ -6853,7 +6853,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
-        <translation>%1，曲线图时间 %2 s</translation>
+        <translation>%1，时间轴 %2 s</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -6885,7 +6885,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Remove this page</source>
-        <translation>去除此页</translation>
+        <translation>移除此页</translation>
     </message>
     <message>
         <source>Standard plots</source>
@@ -6897,7 +6897,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Close recordings</source>
-        <translation>关闭录制</translation>
+        <translation>关闭录制文件</translation>
     </message>
     <message>
         <source>Copy plots as image</source>
@@ -6905,11 +6905,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Save layout…</source>
-        <translation>保存此布置…</translation>
+        <translation>保存布局…</translation>
     </message>
     <message>
         <source>Open layout…</source>
-        <translation>打开布置…</translation>
+        <translation>打开布局…</translation>
     </message>
     <message>
         <source>Memory for the history</source>
@@ -6917,7 +6917,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>save the layout to %1</source>
-        <translation>将布置保存到 %1</translation>
+        <translation>将布局保存到 %1</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -6933,15 +6933,15 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Save plot layout</source>
-        <translation>保存曲线图布置</translation>
+        <translation>保存曲线图布局</translation>
     </message>
     <message>
         <source>Plot layouts (*.json)</source>
-        <translation>曲线图布置 (*.json)</translation>
+        <translation>曲线图布局 (*.json)</translation>
     </message>
     <message>
         <source>Open plot layout</source>
-        <translation>打开曲线图布置</translation>
+        <translation>打开曲线图布局</translation>
     </message>
     <message>
         <source>%1 and more</source>
@@ -6973,7 +6973,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Pages and layout of the plots</source>
-        <translation>曲线图的页与布置</translation>
+        <translation>曲线图的页与布局</translation>
     </message>
     <message>
         <source>Layout ▾</source>
@@ -6981,7 +6981,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>read a plot layout</source>
-        <translation>读取曲线图布置</translation>
+        <translation>读取曲线图布局</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>
@@ -6989,7 +6989,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Export the visible range…</source>
-        <translation>导出所示范围…</translation>
+        <translation>导出可见范围…</translation>
     </message>
     <message>
         <source>Time axis</source>
@@ -7069,7 +7069,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Double-click to rename</source>
-        <translation>双击：改名</translation>
+        <translation>双击重命名</translation>
     </message>
 </context>
 <context>
@@ -7136,11 +7136,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>%1 · calculating: %2</source>
-        <translation>%1 · 正在汇总：%2</translation>
+        <translation>%1 · 正在计算：%2</translation>
     </message>
     <message>
         <source>Statistics are incomplete: %1</source>
-        <translation>该区间未能全部汇总：%1</translation>
+        <translation>统计不完整：%1</translation>
     </message>
 </context>
 <context>
@@ -7175,7 +7175,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Zeroed (offset %1 %2)</source>
-        <translation>已归零：减去 %1 %2</translation>
+        <translation>已归零（偏移 %1 %2）</translation>
     </message>
     <message>
         <source>Plots over time</source>
@@ -7318,7 +7318,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Store the current position of the arm</source>
-        <translation>保留机械臂现有的位置</translation>
+        <translation>保存机械臂的当前位置</translation>
     </message>
     <message>
         <source>Use as home</source>
@@ -7334,7 +7334,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Reset to default home</source>
-        <translation>恢复使用通常的原位</translation>
+        <translation>恢复默认原位</translation>
     </message>
     <message>
         <source>Rename position</source>
@@ -7358,7 +7358,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>The Home key will move the arm there.</source>
-        <translation>此后“原位”键会移到那里。</translation>
+        <translation>“原位”键会将机械臂移到那里。</translation>
     </message>
     <message>
         <source>Set home</source>
@@ -7422,7 +7422,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>%1: target of the Home key</source>
-        <translation>%1：“原位”键移到那里</translation>
+        <translation>%1：“原位”键的目标</translation>
     </message>
     <message>
         <source>%1 · %2 %3 from here</source>
@@ -7445,7 +7445,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
-        <translation>完成。“开始”可再做一次。</translation>
+        <translation>完成。按“开始”可重复此任务。</translation>
     </message>
     <message>
         <source>Press Start.</source>
@@ -7472,7 +7472,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>enter value, press Return</source>
-        <translation>数值，然后回车</translation>
+        <translation>输入数值，按回车</translation>
     </message>
     <message>
         <source>Fz [N]</source>
@@ -7492,7 +7492,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Starts or restarts the task</source>
-        <translation>开始任务，或重新开始</translation>
+        <translation>开始或重新开始任务</translation>
     </message>
     <message>
         <source>Continues with the next task</source>
@@ -7515,7 +7515,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Failed</source>
-        <translation>不良</translation>
+        <translation>失败</translation>
     </message>
     <message>
         <source>Not checked</source>
@@ -7563,7 +7563,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Problems found</source>
-        <translation>有障碍</translation>
+        <translation>发现问题</translation>
     </message>
     <message>
         <source>Ready, with warnings</source>
@@ -7631,7 +7631,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>“%1” is a copy with unsaved changes.</source>
-        <translation>“%1”是副本，其更改不在任何文件中。</translation>
+        <translation>“%1”是含有未保存更改的副本。</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -7936,7 +7936,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Tick the items that you have checked.</source>
-        <translation>请勾选您已查看的项。</translation>
+        <translation>请勾选您已检查的项目。</translation>
     </message>
     <message>
         <source>Requested; waiting for the robot…</source>
@@ -8074,7 +8074,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Taking control was cancelled by a stop</source>
-        <translation>获取控制被停止打断</translation>
+        <translation>获取控制因停止而取消</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -8118,7 +8118,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Robot data are late.</source>
-        <translation>来自机器人的数据迟到。</translation>
+        <translation>机器人数据延迟。</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -8265,7 +8265,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Default view, perspective</source>
-        <translation>从第一侧面透视观察</translation>
+        <translation>默认视图，透视</translation>
     </message>
     <message>
         <source>Front</source>
@@ -8580,7 +8580,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Store the active TCP of the robot</source>
-        <translation>保留机器人现有的 TCP</translation>
+        <translation>保存机器人当前 TCP</translation>
     </message>
     <message>
         <source>Teach the selected TCP again…</source>
@@ -8588,7 +8588,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Enter new TCP</source>
-        <translation>用数值新建 TCP</translation>
+        <translation>输入新的 TCP</translation>
     </message>
     <message>
         <source>tool</source>
@@ -8624,7 +8624,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>“%1” is the active TCP of the robot.</source>
-        <translation>“%1”是机器人现有的 TCP。</translation>
+        <translation>“%1”是机器人当前的 TCP。</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -8656,7 +8656,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>%1, active on the robot</source>
-        <translation>%1，与机器人一致</translation>
+        <translation>%1，机器人当前使用</translation>
     </message>
     <message>
         <source>%1, %2 from the robot&apos;s TCP</source>
@@ -8683,7 +8683,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Retake least accurate pose</source>
-        <translation>重取最差的</translation>
+        <translation>重取最不准确的位姿</translation>
     </message>
     <message>
         <source>Take</source>
@@ -8707,7 +8707,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Keep current rotation</source>
-        <translation>旋转保持不变</translation>
+        <translation>保持当前旋转</translation>
     </message>
     <message>
         <source>Rotation from one pose: tool straight down</source>
@@ -8745,7 +8745,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The tool keeps its current rotation.</source>
-        <translation>工具保持当前的旋转。</translation>
+        <translation>工具保持当前旋转。</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
@@ -8793,7 +8793,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Retake last pose</source>
-        <translation>重取最后一个</translation>
+        <translation>重取最后一个位姿</translation>
     </message>
     <message>
         <source>Take pose %1</source>
@@ -8805,7 +8805,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>  ◀ least accurate</source>
-        <translation>  ◀ 最不吻合</translation>
+        <translation>  ◀ 最不准确</translation>
     </message>
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
@@ -8854,7 +8854,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     <name>tiller::TravelWatch</name>
     <message>
         <source>%1: %2 left to the limit of %3</source>
-        <translation>%1：剩余 %2，随后 %3 到达极限</translation>
+        <translation>%1：距 %3 的极限剩余 %2</translation>
     </message>
     <message>
         <source>%1: %2 left to the end of reach or a singularity</source>
@@ -8929,15 +8929,15 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>joints have priority</source>
-        <translation>以关节为准</translation>
+        <translation>关节优先</translation>
     </message>
     <message>
         <source>pose has priority</source>
-        <translation>以位姿为准</translation>
+        <translation>位姿优先</translation>
     </message>
     <message>
         <source>cell of “%1”</source>
-        <translation>“%1”的位置</translation>
+        <translation>“%1”的格位</translation>
     </message>
     <message>
         <source>corner of “%1”</source>
@@ -9000,7 +9000,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Create the pattern “%1”</source>
-        <translation>建立阵列“%1”</translation>
+        <translation>创建阵列“%1”</translation>
     </message>
     <message>
         <source>Convert the pattern “%1” to waypoints</source>
@@ -9160,7 +9160,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>joints have priority</source>
-        <translation>以关节为准</translation>
+        <translation>关节优先</translation>
     </message>
     <message>
         <source>Base</source>
@@ -9766,7 +9766,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Actions…</source>
-        <translation>该处的动作…</translation>
+        <translation>动作…</translation>
     </message>
     <message>
         <source>Import and export</source>
@@ -10076,7 +10076,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Dominant axis only</source>
-        <translation>仅偏转最大的轴</translation>
+        <translation>仅主轴</translation>
     </message>
     <message>
         <source>%1: dominant axis only</source>
@@ -10157,7 +10157,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>命令的按键</translation>
+        <translation>键盘快捷键</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse</source>
@@ -10517,11 +10517,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Tiller closed unexpectedly</source>
-        <translation>Tiller 上次意外结束</translation>
+        <translation>Tiller 意外退出</translation>
     </message>
     <message>
         <source>Tiller saved a crash log. You can attach it to a problem report.</source>
-        <translation>当时的情况已保留。请存为报告，交给协助您的人。</translation>
+        <translation>Tiller 保存了崩溃日志。您可以将其附在问题报告中。</translation>
     </message>
     <message>
         <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
@@ -10584,7 +10584,7 @@ Jog the arm to a position and press Teach here (T).</source>
     <name>tiller::app::PanelDock</name>
     <message>
         <source>Dock</source>
-        <translation>放回</translation>
+        <translation>停靠</translation>
     </message>
     <message>
         <source>Move the panel back to the main window</source>
@@ -10956,7 +10956,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation>按键</translation>
+        <translation>快捷键</translation>
     </message>
     <message>
         <source>Close</source>
@@ -11012,7 +11012,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Interface size</source>
-        <translation>整体大小</translation>
+        <translation>界面大小</translation>
     </message>
     <message>
         <source>Lengths</source>
@@ -11088,7 +11088,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation>命令的按键</translation>
+        <translation>键盘快捷键</translation>
     </message>
     <message>
         <source>Command</source>
@@ -11096,7 +11096,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shortcut</source>
-        <translation>按键</translation>
+        <translation>快捷键</translation>
     </message>
     <message>
         <source>Restore default shortcuts</source>
