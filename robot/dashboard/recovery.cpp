@@ -36,9 +36,9 @@ bool isTooEarly(const RobotApiClient&, const Error& error) {
 void closePopup(DashboardClient& client, const Deadline& deadline) {
     (void)client.closeSafetyPopup(deadline);
 }
-void closePopup(RobotApiClient&, const Deadline&) {}  // it shows none
+void closePopup(RobotApiClient&, const Deadline&) {}  // PolyScope X has no such popup
 
-/// Unlocks as soon as the controller lets it.
+/// Unlocks as soon as the controller permits.
 template <class Client>
 Result<void> unlock(Client& client, const Deadline& deadline, const RecoveryProgress& progress) {
     bool waiting = false;
@@ -89,7 +89,7 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
             tell(RecoveryStep::Done);
             return {};
         }
-        // Each step is begun once; after that it is waited for.
+        // Each step is started once; later iterations wait for its effect.
         Result<void> done;
         if (next != RecoveryStep::Look && next != last) {
             switch (next) {

@@ -9,7 +9,7 @@
 
 namespace tiller::dashboard {
 
-// A signal is the one way to another thread's object that survives that object being deleted meanwhile.
+// A queued signal is the only safe way to call an object in another thread that may be deleted meanwhile.
 class Completion : public QObject {
     Q_OBJECT
 Q_SIGNALS:
@@ -26,11 +26,11 @@ struct ServiceWorker::Private {
     ServiceAddress address;
     std::thread thread;
     CancelToken cancel;
-    std::atomic<bool> anew{false};  ///< the next call wants a new connection
+    std::atomic<bool> anew{false};  ///< the next call opens a new connection
 
     std::mutex mutex;
     std::condition_variable wake;
-    std::deque<Entry> waiting;  // under the mutex
+    std::deque<Entry> waiting;  // protected by the mutex
 
     void run();
     std::function<void()> perform(Entry& entry, std::unique_ptr<RobotService>& service,
