@@ -27,7 +27,7 @@ QString kindOf(const QJsonValue& value) {
     return QStringLiteral("missing");
 }
 
-/// "\"C\" is neither \"J\" nor \"L\""; "\"C\" is none of \"a\", \"b\", \"c\"".
+/// Example: "\"C\" is neither \"J\" nor \"L\""; "\"C\" is none of \"a\", \"b\", \"c\"".
 QString isNoneOf(const QString& text, std::initializer_list<const char*> words) {
     QStringList quoted;
     for (const char* word : words) {
@@ -213,7 +213,7 @@ Pose FieldReader::pose(const QString& where, const QJsonObject& object, const ch
 }
 
 JointPositions FieldReader::joints(const QString& where, const QJsonValue& value) {
-    // Twice the joint range: 88.24 here is somebody's degrees.
+    // Twice the joint range: larger values are probably in degrees.
     constexpr double kMost = 4 * std::numbers::pi + 0.2;
     const QVector<double> read = numbers(where, value, kJointCount);
     JointPositions q;
