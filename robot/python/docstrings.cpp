@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What help() says about the modules that carry the names of ur_rtde: one entry for each class and method.
-// tests/python/test_docs.py holds it against the modules and against the units in the C++ headers.
+// Texts for help() of the modules with the names of ur_rtde: one entry per class and method.
+// tests/python/test_docs.py compares them with the modules and with the units in the C++ headers.
 #include "robot/python/docstrings.h"
 
 #include <unordered_map>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Of tiller._native: control of the arm, motions, streams, jogs and packet loops.
+// Part of tiller._native: control of the arm, motions, streams, jogs and packet loops.
 //
-// A motion goes on without its handle, as in C++; streams and jogs end with theirs, because nothing can refresh them any
-// more. Everything ends with the controller, which every handle holds, and without the heartbeat of this process.
+// As in C++, a motion continues when its handle is deleted; streams and jogs end, because they can no longer be
+// refreshed. All of them end with the controller, which every handle keeps alive, and without the heartbeat of this
+// process.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -23,13 +24,13 @@ namespace {
 using namespace control;
 using SharedController = std::shared_ptr<NativeController>;
 
-/// A motion, and the controller that it needs.
+/// A motion, with the controller it needs.
 class NativeMotion {
 public:
     NativeMotion(SharedController controller, Motion motion)
         : controller_(std::move(controller)), motion_(std::move(motion)) {}
 
-    /// Ends it and waits for standstill. A forked child leaves it to the parent.
+    /// Ends the motion and waits for standstill. No effect in a forked child.
     void stop(const Seconds& seconds) const {
         if (controller_->isOwn()) {
             waited(seconds, [this](const Deadline& deadline) { return motion_.stop(deadline); });
@@ -74,7 +75,7 @@ private:
     Motion motion_;
 };
 
-/// [s] as Python gives it; what is out of range is refused where all options are checked.
+/// Converts seconds from Python; the range is checked together with the other options.
 std::chrono::milliseconds milliseconds(double seconds) {
     constexpr double kFarOff = 1e6;
     const double told = std::isnan(seconds) ? -1 : std::clamp(seconds, -kFarOff, kFarOff);
@@ -85,7 +86,7 @@ std::unique_ptr<NativeMotion> handle(const SharedController& controller, Result<
     return std::make_unique<NativeMotion>(controller, taken(std::move(motion)));
 }
 
-/// A stream of set points that ends with this object.
+/// A set point stream that ends with this object.
 template <class Setpoints, class Target>
 struct NativeStream {
     NativeStream(const SharedController& controller, Setpoints s)
@@ -124,7 +125,7 @@ void defineStream(py::module_& module, const char* name) {
             py::arg("timeout"));
 }
 
-/// A jog that ends with this object, and 100 ms after its last refresh.
+/// A jog that ends with this object, or 100 ms after its last refresh.
 class NativeJog {
 public:
     NativeJog(const SharedController& controller, const JogTarget& target)
@@ -166,7 +167,7 @@ JogTarget jogTarget(const std::string& frame, const Six& velocity, const Six& cu
     return target;
 }
 
-/// waited  for the interpreter, which made the data older [s]
+/// waited  time spent waiting for the interpreter lock, which increases the age of the data [s]
 py::dict cycleDict(const CycleState& cycle, double waited) {
     py::dict told;
     const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
@@ -193,7 +194,7 @@ constexpr std::array<std::pair<const char*, LoopKind>, 5> kLoopKinds{{{"servo_j"
                                                                       {"speed_l", LoopKind::SpeedL},
                                                                       {"torque", LoopKind::Torque}}};
 
-/// Of a controller: that it runs a packet loop. There is one control thread, so there is one loop.
+/// Marks a controller as running a packet loop. There is one control thread, so only one loop is possible.
 class LoopClaim {
 public:
     explicit LoopClaim(const SharedController& controller) : controller_(controller) {
@@ -210,8 +211,8 @@ private:
     const SharedController& controller_;
 };
 
-/// Runs a loop whose target a Python callable computes. What it raises ends the loop: the arm brakes, and the
-/// caller gets the exception.
+/// Runs a loop with a Python callable for the targets. An exception ends the loop: the arm stops, and the caller
+/// receives the exception.
 py::dict packetLoop(const SharedController& controller, const std::string& name, const py::function& callback,
                     bool atOnce, const Seconds& seconds) {
     refuseInCallback();
@@ -312,7 +313,7 @@ py::dict statusDict(const NativeController& self) {
     return told;
 }
 
-/// (whether it is a pose, the numbers)
+/// (whether it is a pose, numbers)
 using PathPlace = std::tuple<bool, Six>;
 /// (kind, target, via or None, speed or None, acceleration or None, blend)
 using PathRow = std::tuple<std::string, PathPlace, std::optional<PathPlace>, std::optional<double>,
@@ -322,7 +323,7 @@ constexpr std::array<std::pair<const char*, PathEntry::Kind>, 4> kPathKinds{{{"j
                                                                              {"p", PathEntry::Kind::MoveP},
                                                                              {"c", PathEntry::Kind::MoveC}}};
 
-/// speedCap  [m/s]: no default is above it
+/// speedCap  [m/s]: upper limit of the default speeds
 MotionPath pathOf(const std::vector<PathRow>& rows, double speedCap) {
     MotionPath path;
     const auto place = [](const PathPlace& given) {
@@ -337,7 +338,7 @@ MotionPath pathOf(const std::vector<PathRow>& rows, double speedCap) {
         if (via) {
             entry.via = place(*via);
         }
-        // As MoveParameters.
+        // Same defaults as MoveParameters.
         const bool turnsJoints = entry.kind == PathEntry::Kind::MoveJ;
         entry.speed = speed.value_or(turnsJoints ? 1.05 : std::min(0.25, speedCap));
         entry.acceleration = acceleration.value_or(turnsJoints ? 1.4 : 1.2);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of tiller._native: outputs and registers, the dashboard and the Robot API, the doctor, kinematics without a
-// robot.
+// Part of tiller._native: outputs and registers, the dashboard and the Robot API, the doctor, offline kinematics.
 #include <sstream>
 
 #include "robot/core/robot_model.h"
@@ -159,7 +158,7 @@ void defineDashboard(py::module_& module) {
                     try {
                         progress(toString(step));
                     } catch (py::error_already_set& error) {
-                        error.restore();  // ends the wait as Ctrl-C does
+                        error.restore();  // ends the wait like Ctrl-C
                     }
                 }
             };
@@ -173,7 +172,7 @@ void defineDashboard(py::module_& module) {
                     dashboard::RobotApiClient client(address.host, address.robotApiPort);
                     return dashboard::recover(client, consent, deadline, tell);
                 }
-                service->reset();  // the server is asked through one connection
+                service->reset();  // one connection for all queries to the server
                 dashboard::DashboardClient client(address.host, address.dashboardPort);
                 if (auto connected = client.connect(deadline); !connected) {
                     return connected;
