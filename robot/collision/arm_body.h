@@ -2,8 +2,7 @@
 #pragma once
 
 // Dimensions of the arm's housings and tubes. Both the 3D view and the collision check are based on these
-// dimensions,
-// so that the displayed bodies are the checked bodies.
+// dimensions, so that the displayed bodies are the checked bodies.
 
 #include <Eigen/Core>
 #include <vector>

@@ -2,10 +2,8 @@
 #pragma once
 
 // Distances of the arm, modelled as capsules, from itself and from its surroundings, for a single position or a
-// whole
-// path. Between two positions of a path all joints move uniformly; no collision is missed, because each step is
-// limited
-// by the current clearance. The same distances slow down a jog before a contact.
+// whole path. Between two positions of a path all joints move uniformly; no collision is missed, because each step
+// is limited by the current clearance. The same distances slow down a jog before a contact.
 
 #include <array>
 #include <optional>

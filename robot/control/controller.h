@@ -2,10 +2,8 @@
 #pragma once
 
 // Takes control of the arm, stops it and releases control; motions.h moves it. The controller uploads the control
-// program
-// once and commands it through RTDE registers. Every failure (released key, blocked user interface, crashed
-// process,
-// disconnected cable) stops the arm.
+// program once and commands it through RTDE registers. Every failure (released key, blocked user interface, crashed
+// process, disconnected cable) stops the arm.
 //
 // Rules: there is one command slot, the last command wins, nothing is queued. The number of a motion is also its
 // epoch; every stop increments the epoch, so that no earlier command can move the arm afterwards. A held motion

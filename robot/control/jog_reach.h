@@ -2,8 +2,7 @@
 #pragma once
 
 // Predicts the distance after which a Cartesian jog ends, by simulating it with the limiter that ends it, so that
-// the
-// distance displayed before a jog is the distance it achieves.
+// the distance displayed before a jog is the distance it achieves.
 
 #include "robot/control/control_status.h"
 #include "robot/core/robot_model.h"

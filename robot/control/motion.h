@@ -2,8 +2,7 @@
 #pragma once
 
 // The handle of a motion: wait for it, cancel it, read its progress. Used for moves, paths, setpoint streams,
-// freedrive,
-// script functions and stops.
+// freedrive, script functions and stops.
 
 #include <array>
 #include <chrono>

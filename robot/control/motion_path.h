@@ -2,8 +2,7 @@
 #pragma once
 
 // A path of joint, linear, process and circular moves with blends. It is sent to the robot as script text, so that
-// the
-// controller computes the blends.
+// the controller computes the blends.
 
 #include <QString>
 #include <optional>

@@ -2,10 +2,8 @@
 #pragma once
 
 // Digital outputs that are switched for a time measured by the robot: they return to their level even if this
-// process
-// crashes, hangs or loses the connection. The control program measures the time, so that a pulse requires control.
-// A
-// secondary program cannot be used, because it must not take time.
+// process crashes, hangs or loses the connection. The control program measures the time, so that a pulse requires
+// control. A secondary program cannot be used, because it must not take time.
 
 #include <chrono>
 #include <cstdint>

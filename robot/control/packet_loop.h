@@ -2,10 +2,9 @@
 #pragma once
 
 // A control loop synchronized with the robot's clock: one call per received packet, whose target is sent in the
-// answer to
-// this packet. There is no second timer that could drift relative to the robot. Packets arrive less regularly than
-// the
-// robot sends them; by default the calls are evenly spaced and continue for a while without packets (Pacing::Even).
+// answer to this packet. There is no second timer that could drift relative to the robot. Packets arrive less
+// regularly than the robot sends them; by default the calls are evenly spaced and continue for a while without
+// packets (Pacing::Even).
 
 #include <cstdint>
 #include <functional>

@@ -2,8 +2,7 @@
 #pragma once
 
 // A stream of targets, one per control cycle: servo (positions), speed (velocities) and torque. The newest target
-// wins;
-// the arm continues with the last target until it is replaced, and stops at the end of the stream.
+// wins; the arm continues with the last target until it is replaced, and stops at the end of the stream.
 //
 // Torques accelerate: a constant torque makes the arm faster and faster, and neither the speed slider nor the speed
 // cap of TCP and elbow slows it down. Therefore the control program monitors the cap: if the measured speed exceeds

@@ -2,10 +2,8 @@
 #pragma once
 
 // Monitors a stop until the robot's data confirm it, and decides when to stop through all interfaces, including the
-// end of
-// the control program: if the control connection does not respond, if the robot's data are late, or if the arm
-// keeps
-// moving because another program has replaced the control program.
+// end of the control program: if the control connection does not respond, if the robot's data are late, or if the
+// arm keeps moving because another program has replaced the control program.
 
 #include <cstdint>
 #include <optional>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Interface to the time source. The product uses the steady clock; tests use a virtual clock, so that their results
-// do
-// not depend on the speed of the machine.
+// do not depend on the speed of the machine.
 
 #include <atomic>
 #include <chrono>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Error codes for programs, with the context and the message of the controller. The texts for users, with a
-// suggested
-// action, are in widgets/.
+// suggested action, are in widgets/.
 
 #include <QMetaType>
 #include <QString>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Reads and writes connected TCP sockets by descriptor, for the 500 Hz loops and the simulated controller
-// (QTcpSocket
-// allocates memory). tcp_connect.h opens such sockets.
+// (QTcpSocket allocates memory). tcp_connect.h opens such sockets.
 
 #include <chrono>
 #include <cstddef>

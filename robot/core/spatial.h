@@ -2,9 +2,8 @@
 #pragma once
 
 // Poses, twists and wrenches in the controller's representation: metres, radians, newtons, and orientations as
-// rotation
-// vectors (axis times angle, angle in [0, pi]). Names contain the frames: T_base_tool maps tool coordinates to base
-// coordinates.
+// rotation vectors (axis times angle, angle in [0, pi]). Names contain the frames: T_base_tool maps tool
+// coordinates to base coordinates.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Strings at the interface of this library: accepts and returns the string types of Qt and of the standard library,
-// and
-// writes values of this library to a std::ostream.
+// and writes values of this library to a std::ostream.
 
 #include <QString>
 #include <array>

@@ -4,8 +4,7 @@
 // Guided recovery from a stop to a running robot: checks the state and performs and reports one step after the
 // other.
 // Decisions of a person are required in advance as explicit consents: without them, no protective stop is unlocked
-// and the
-// safety system is not restarted (the manufacturer forbids automatic reset).
+// and the safety system is not restarted (the manufacturer forbids automatic reset).
 
 #include <functional>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 // Pendant functions that are also available to a PC: power, recovery, programs. A common interface for the
-// dashboard
-// server of CB3 and e-Series and the Robot API of PolyScope X; the available service is detected automatically.
+// dashboard server of CB3 and e-Series and the Robot API of PolyScope X; the available service is detected
+// automatically.
 
 #include <QString>
 #include <memory>

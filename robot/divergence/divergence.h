@@ -2,13 +2,10 @@
 #pragma once
 
 // Finds out when an arm deviated from its expected behaviour: the recorded joint targets are applied to the arm of
-// the
-// simulated controller with the timing of the recording, and the resulting drive and sensor values are compared
-// with the
-// recorded ones. The simulated arm has no contact, carries the payload configured in the controller, and has no
-// friction.
-// Therefore the two diverge if something pushes or blocks the arm, if the payload differs, or if a joint does not
-// follow.
+// the simulated controller with the timing of the recording, and the resulting drive and sensor values are compared
+// with the recorded ones. The simulated arm has no contact, carries the payload configured in the controller, and
+// has no friction. Therefore the two diverge if something pushes or blocks the arm, if the payload differs, or if a
+// joint does not follow.
 //
 //     const auto file = recording::openRecording(path).value();
 //     const auto report = divergence::compare(*file, {.limits = {.current = 3}});

@@ -2,10 +2,8 @@
 #pragma once
 
 // Checks all prerequisites for monitoring and moving a robot from this PC: network, ports, protocol, software,
-// modes,
-// registers, data rate. The checks only read; they change no setting of the robot. The connection check in the
-// window and
-// `tiller-cli doctor` show the same report.
+// modes, registers, data rate. The checks only read; they change no setting of the robot. The connection check in
+// the window and `tiller-cli doctor` show the same report.
 
 #include <QString>
 #include <functional>

@@ -3,8 +3,7 @@
 
 // Sets digital and analog outputs and the speed slider through an own RTDE connection, with or without a running
 // program. Masks leave all other outputs unchanged. A command completes when the robot reports the new value.
-// Inputs used
-// by other clients are unavailable; all others remain usable.
+// Inputs used by other clients are unavailable; all others remain usable.
 
 #include <QString>
 #include <array>

@@ -4,8 +4,7 @@
 // Controls a Robotiq gripper at the robot's wrist through the socket of its URCap on the controller: named
 // variables
 // (ACT, GTO, POS, ...), one line per request, one reply. No control of the arm and no running program are needed. A
-// stop
-// of the arm does not affect the gripper: it continues to hold.
+// stop of the arm does not affect the gripper: it continues to hold.
 // Source: the manufacturer's instruction manual (registers and their meaning), and the script of its URCap.
 
 #include <cstdint>

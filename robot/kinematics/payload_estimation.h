@@ -2,8 +2,7 @@
 #pragma once
 
 // Estimates the payload at the flange from force sensor readings at standstill in several poses. The zero offset of
-// the
-// sensor and the mounting of the arm are estimated together with the payload.
+// the sensor and the mounting of the arm are estimated together with the payload.
 
 #include <Eigen/Core>
 #include <span>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Determines the tip of a tool from several flange poses with the tip at the same point, and the rotation of the
-// tool
-// from one pose with known tool axes, or from three poses along the tool axes.
+// tool from one pose with known tool axes, or from three poses along the tool axes.
 
 #include <Eigen/Geometry>
 #include <array>

@@ -2,10 +2,8 @@
 #pragma once
 
 // Publishes live robot data: by a WebSocket server for Foxglove and compatible viewers (foxglove.sdk.v1, messages
-// in CDR),
-// and as JSON in UDP datagrams for PlotJuggler. The output is read-only; no request of a viewer reaches the robot.
-// It is
-// disabled until start(), and by default accepts viewers on this machine only.
+// in CDR), and as JSON in UDP datagrams for PlotJuggler. The output is read-only; no request of a viewer reaches
+// the robot. It is disabled until start(), and by default accepts viewers on this machine only.
 
 #include <chrono>
 #include <cstdint>

@@ -2,8 +2,7 @@
 #pragma once
 
 // The surroundings of the arm: a floor, boxes and planes. Used by the 3D view, for checking moves, and by the
-// simulated
-// controller.
+// simulated controller.
 
 #include <QJsonObject>
 #include <QString>

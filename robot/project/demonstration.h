@@ -2,10 +2,8 @@
 #pragma once
 
 // A motion taught by hand: joint positions over time, and the reduction to a few waypoints. Stored as a table with
-// the
-// columns timestamp and actual_q_0 ... actual_q_5 as in a recording, which tools for learning from demonstration
-// can read
-// directly.
+// the columns timestamp and actual_q_0 ... actual_q_5 as in a recording, which tools for learning from
+// demonstration can read directly.
 
 #include <QByteArray>
 #include <array>

@@ -2,8 +2,7 @@
 #pragma once
 
 // An ordered list of objects with an id and a name: frames, tools, payloads, patterns and others. References use
-// the id;
-// users see the name.
+// the id; users see the name.
 
 #include <QString>
 #include <QUuid>

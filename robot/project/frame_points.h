@@ -2,8 +2,7 @@
 #pragma once
 
 // Defines a frame by three TCP positions: the origin, a point on the +X axis, and a point on the +Y side. Points
-// that are
-// too close together or collinear are refused: an error of 1 mm would rotate the axes by degrees.
+// that are too close together or collinear are refused: an error of 1 mm would rotate the axes by degrees.
 
 #include <optional>
 

@@ -2,10 +2,8 @@
 #pragma once
 
 // Protects unsaved work: a copy of a sample, a project whose file cannot be written, changes in a window that must
-// not
-// save. Each window stores its work in an application folder, so that it survives a crash or a closed window; the
-// next
-// start offers it.
+// not save. Each window stores its work in an application folder, so that it survives a crash or a closed window;
+// the next start offers it.
 
 #include <QDateTime>
 #include <QList>

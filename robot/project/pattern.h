@@ -2,8 +2,7 @@
 #pragma once
 
 // A pattern such as a tray, rack or stack: columns x rows between three taught corners, in layers. It remains
-// editable and
-// creates ordinary waypoints.
+// editable and creates ordinary waypoints.
 
 #include <array>
 #include <vector>

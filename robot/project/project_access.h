@@ -2,8 +2,7 @@
 #pragma once
 
 // Access of one window to a project file that other windows, computers and programs can open and change. It holds
-// the lock,
-// remembers the content that this window has read or written, and never replaces any other content.
+// the lock, remembers the content that this window has read or written, and never replaces any other content.
 
 #include <QByteArray>
 #include <QList>

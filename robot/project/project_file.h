@@ -2,10 +2,8 @@
 #pragma once
 
 // The project file: waypoints and frames of a cell, its tools, payloads, positions, patterns and recorded paths,
-// and the
-// surroundings of the arm, in one JSON file ("cell-7.tiller"). Lengths in metres, angles in radians, orientations
-// as
-// rotation vectors, masses in kilograms, times in seconds:
+// and the surroundings of the arm, in one JSON file ("cell-7.tiller"). Lengths in metres, angles in radians,
+// orientations as rotation vectors, masses in kilograms, times in seconds:
 //
 //   { "format": "tiller-project", "version": 2, "robot": "UR5e",
 //     "frames":    [ { "id", "name", "pose": [x, y, z, rx, ry, rz] } ],

@@ -2,10 +2,8 @@
 #pragma once
 
 // Shows which window has a project open. The lock file ".cell-7.tiller.lock" in the same folder names its owner;
-// the system
-// releases it when the owner's process ends, even by kill -9, so that no stale lock remains. A lock can be taken
-// over from
-// a running owner, which can detect this with isHeld().
+// the system releases it when the owner's process ends, even by kill -9, so that no stale lock remains. A lock can
+// be taken over from a running owner, which can detect this with isHeld().
 
 #include <QDateTime>
 #include <QString>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Tools at the flange: tool centre points and payloads with names, and the selected ones. The controller has
-// separate
-// settings; in case of a difference the user is asked.
+// separate settings; in case of a difference the user is asked.
 
 #include <QJsonObject>
 #include <QString>

@@ -2,10 +2,8 @@
 #pragma once
 
 // A taught position with the parameters of the move to it. It contains both the joint positions and the pose of
-// teaching,
-// and selects one of them as the target: joint positions to reproduce the arm configuration, the pose if the
-// waypoint
-// belongs to a frame and moves with it.
+// teaching, and selects one of them as the target: joint positions to reproduce the arm configuration, the pose if
+// the waypoint belongs to a frame and moves with it.
 
 #include <QJsonObject>
 #include <QString>

@@ -2,8 +2,7 @@
 #pragma once
 
 // The latest changes of a waypoint, with the previous values, the author and the time. A value type with shared
-// data, since
-// every undo step and every autosave keeps a copy.
+// data, since every undo step and every autosave keeps a copy.
 
 #include <QDateTime>
 #include <QString>

@@ -3,8 +3,7 @@
 
 // A wait that ends on time. A sleeping thread wakes up late by an amount that depends on the machine; a busy thread
 // occupies a whole CPU. This class sleeps until shortly before the deadline, based on the measured wake-up delays,
-// and
-// waits actively for the rest.
+// and waits actively for the rest.
 
 #include <cstdint>
 #include <thread>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Real-time features granted by the system: CPU affinity, locked memory, type of kernel, with advice on how to
-// enable
-// them. For priorities see thread_priority.h.
+// enable them. For priorities see thread_priority.h.
 
 #include <QString>
 #include <QStringList>

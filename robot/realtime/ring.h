@@ -2,10 +2,8 @@
 #pragma once
 
 // A stream of fixed-size records from one producer to any number of consumers. The producer never waits and does
-// not
-// know the consumers: if a consumer is too slow, the oldest records are overwritten, and the consumer can read how
-// many
-// it missed.
+// not know the consumers: if a consumer is too slow, the oldest records are overwritten, and the consumer can read
+// how many it missed.
 
 #include <atomic>
 #include <cstdint>

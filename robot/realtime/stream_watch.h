@@ -2,8 +2,7 @@
 #pragma once
 
 // Evaluates a stream of packages with two clocks: the controller's time stamps reveal missing packages, the host's
-// clock
-// reveals late ones.
+// clock reveals late ones.
 
 #include <cstdint>
 

@@ -2,8 +2,7 @@
 #pragma once
 
 // Lets threads wait for events of a thread that must not block: waking takes no lock, and needs a system call only
-// if a
-// thread is actually waiting.
+// if a thread is actually waiting.
 
 #include <algorithm>
 #include <array>

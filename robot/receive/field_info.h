@@ -2,8 +2,7 @@
 #pragma once
 
 // Descriptions of all output fields for the user interface: unit, meaning and interpretation of the values. Whether
-// a
-// given robot has a field is only known from its answer: Receiver::absentFields().
+// a given robot has a field is only known from its answer: Receiver::absentFields().
 
 #include <QString>
 #include <cstdint>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Receives the data of a robot: one RTDE connection and one thread that publish every package as the latest sample
-// and
-// into a ring for any number of subscribers. Reconnects automatically.
+// and into a ring for any number of subscribers. Reconnects automatically.
 
 #include <QString>
 #include <chrono>

@@ -2,8 +2,7 @@
 #pragma once
 
 // One data package of the robot as a sample: sequence number, time of arrival and all values as doubles. The layout
-// is
-// fixed for the lifetime of a receiver and independent of the robot; values that a robot does not send are NaN.
+// is fixed for the lifetime of a receiver and independent of the robot; values that a robot does not send are NaN.
 
 #include <QStringList>
 #include <cmath>

@@ -25,8 +25,7 @@ Error wrongSize(PackageType type, std::size_t expected, std::size_t got) {
 }
 
 /// Appends a package around the bytes that `fill` appends, and sets its size. A payload too large for the size
-/// field is
-/// truncated: no caller produces one, and a wrong size would corrupt the stream permanently.
+/// field is truncated: no caller produces one, and a wrong size would corrupt the stream permanently.
 template <class Fill>
 void writePackage(Bytes& out, PackageType type, Fill fill) {
     const std::size_t start = out.size();
@@ -120,8 +119,7 @@ Result<SetupReply> readReplyWithId(ByteView payload, PackageType type) {
 }
 
 /// Layout: message length, message, source length, source, level. Used in both directions in version 2, and towards
-/// the
-/// controller in both versions.
+/// the controller in both versions.
 Result<TextMessage> readLongText(ByteView payload) {
     constexpr auto kType = PackageType::TextMessage;
     TextMessage text;

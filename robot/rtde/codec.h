@@ -2,10 +2,8 @@
 #pragma once
 
 // Encodes and decodes the packages of the handshake and the text messages, for both ends of an RTDE connection
-// and
-// both protocol versions. splitter.h splits a stream into packages; values.h reads and writes data packages.
-// The
-// functions have no socket and no state, and validate every length they read. All numbers are big-endian.
+// and both protocol versions. splitter.h splits a stream into packages; values.h reads and writes data packages.
+// The functions have no socket and no state, and validate every length they read. All numbers are big-endian.
 // Source: RTDE guide.
 
 #include <cstdint>

@@ -2,10 +2,8 @@
 #pragma once
 
 // An RTDE connection: opens a native socket, runs the handshake within a deadline, and then transfers data
-// packages
-// without allocating. It has no thread: one thread reads, and one thread at a time may send. The destructor
-// closes
-// the socket immediately, whatever state the peer is in.
+// packages without allocating. It has no thread: one thread reads, and one thread at a time may send. The
+// destructor closes the socket immediately, whatever state the peer is in.
 
 #include <QString>
 #include <chrono>

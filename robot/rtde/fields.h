@@ -2,10 +2,8 @@
 #pragma once
 
 // The catalogue of RTDE fields: all outputs a controller can send and all inputs a client can set, with type,
-// unit,
-// description and the first software version. The catalogue is informative; whether a given robot has a field
-// is
-// decided by its setup reply.
+// unit, description and the first software version. The catalogue is informative; whether a given robot has a field
+// is decided by its setup reply.
 // Source: RTDE guide. Additions of newer software are marked as unconfirmed.
 
 #include <cstdint>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Constants of RTDE (Real-Time Data Exchange, TCP port 30004): package types, data types, versions and limits,
-// shared
-// by the client and the simulated controller. Source: RTDE guide.
+// shared by the client and the simulated controller. Source: RTDE guide.
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,7 @@
 #pragma once
 
 // A list of requested fields with the types that the controller reported. A field unknown to the robot is
-// listed as
-// absent; this is not an error.
+// listed as absent; this is not an error.
 
 #include <cstdint>
 #include <optional>

@@ -2,9 +2,7 @@
 #pragma once
 
 // Client side of an RTDE connection as a state machine without I/O: it consumes packages and produces the bytes
-// to
-// send. It negotiates protocol 2 (or 1), reads the controller version, sets up outputs and inputs (repeating
-// the
+// to send. It negotiates protocol 2 (or 1), reads the controller version, sets up outputs and inputs (repeating the
 // request without the fields unknown to the robot), starts, pauses and resumes. Text messages and delayed data
 // packages may arrive in any state. Source: RTDE guide.
 
@@ -25,8 +23,7 @@ namespace tiller::rtde {
 struct InputRequest {
     std::vector<std::string> names;
     /// Behaviour if another client or a fieldbus uses one of the names: true fails the session with
-    /// RegisterInUse, false
-    /// leaves only this recipe invalid (see Session::inUse).
+    /// RegisterInUse, false leaves only this recipe invalid (see Session::inUse).
     bool required = true;
 };
 

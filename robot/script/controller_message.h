@@ -2,8 +2,7 @@
 #pragma once
 
 // Messages of the controller on the primary interface: log lines, errors, popups, start and end of programs; and
-// the
-// arm configuration reported there.
+// the arm configuration reported there.
 
 #include <QMetaType>
 #include <QString>

@@ -2,9 +2,8 @@
 #pragma once
 
 // Sends URScript to the controller. The connection stays open after sending, because a controller can drop a
-// program if
-// its sender disconnects immediately. The outcome of the program is only reported on the primary interface, see
-// primary_client.h; data received on this connection are discarded.
+// program if its sender disconnects immediately. The outcome of the program is only reported on the primary
+// interface, see primary_client.h; data received on this connection are discarded.
 
 #include <QString>
 

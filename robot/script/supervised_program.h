@@ -2,8 +2,7 @@
 #pragma once
 
 // Adds a watchdog thread to a user program: the program, and with it every motion, ends if the client stops sending
-// a
-// heartbeat. Without this thread a program continues after its client has crashed.
+// a heartbeat. Without this thread a program continues after its client has crashed.
 
 #include <QString>
 #include <chrono>

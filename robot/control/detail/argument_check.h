@@ -2,8 +2,7 @@
 #pragma once
 
 // Checks arguments before sending and reports the invalid one: NaN, out of range, or so large that it must be in
-// degrees or
-// millimetres.
+// degrees or millimetres.
 
 #include "robot/control/detail/velocity_limiter.h"
 #include "robot/control/motion_types.h"

@@ -2,8 +2,7 @@
 #pragma once
 
 // The control thread and its RTDE connection: claims the registers, passes each package of the robot to the
-// ControlLoop and
-// sends the resulting command.
+// ControlLoop and sends the resulting command.
 
 #include <array>
 #include <atomic>

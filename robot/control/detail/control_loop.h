@@ -2,8 +2,7 @@
 #pragma once
 
 // The processing between a package from the robot and the answer, without socket and thread: a function of the
-// data, the
-// mailbox and the time. All automatic ends of a motion are decided here.
+// data, the mailbox and the time. All automatic ends of a motion are decided here.
 
 #include <array>
 #include <atomic>

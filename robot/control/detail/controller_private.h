@@ -2,8 +2,7 @@
 #pragma once
 
 // Internals of Controller: when a motion may start, and when control may be taken or released. For the sources of
-// this
-// folder only.
+// this folder only.
 
 #include <functional>
 #include <mutex>

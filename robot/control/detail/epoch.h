@@ -2,8 +2,7 @@
 #pragma once
 
 // The counter that makes a stop final. Every motion starts a new epoch and uses its number; every stop starts a
-// new,
-// empty epoch. A command is valid only in its own epoch, and epochs are never reused.
+// new, empty epoch. A command is valid only in its own epoch, and epochs are never reused.
 
 #include <array>
 #include <atomic>

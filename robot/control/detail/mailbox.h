@@ -2,8 +2,7 @@
 #pragma once
 
 // The single command slot between the callers and the control thread. The last command wins; a command that was
-// stopped,
-// replaced or not refreshed in time cannot become active again.
+// stopped, replaced or not refreshed in time cannot become active again.
 
 #include <array>
 #include <atomic>

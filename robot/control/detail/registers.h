@@ -2,8 +2,7 @@
 #pragma once
 
 // The data exchanged between the controller and control.script through RTDE registers, and the field of each value.
-// The
-// numbers are the same as in control.script.
+// The numbers are the same as in control.script.
 
 #include <array>
 #include <cstdint>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Reduces a requested velocity to the currently permitted value, and reports the limit. It only scales: the
-// direction
-// remains as requested.
+// direction remains as requested.
 
 #include <array>
 

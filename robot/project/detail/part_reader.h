@@ -2,8 +2,7 @@
 #pragma once
 
 // Reads frames, tools, payloads, positions, patterns, the cell and recorded paths from their JSON objects. Private
-// to
-// robot/project.
+// to robot/project.
 
 #include "robot/project/detail/field_reader.h"
 
