@@ -115,13 +115,13 @@ void Controller::Private::disconnect() {
 
 void Controller::Private::end(const std::function<void()>& whenRunning) {
     {
-        const std::lock_guard lock(patience);
+        const std::lock_guard lock(tokenMutex);
         ++ending;
         underWay.cancel();
     }
     const std::lock_guard lock(taking);
     {
-        const std::lock_guard guard(patience);
+        const std::lock_guard guard(tokenMutex);
         --ending;
     }
     if (link.isRunning()) {

@@ -39,7 +39,7 @@ Result<void> bringBack(Controller::Private& d) {
     const Deadline deadline = Deadline::after(milliseconds(5000));
     const UnderWay cancellable(d, deadline);
     const auto plays = [&d] { return d.loop.status().runtimeState == RuntimeState::Playing; };
-    bool told = true;
+    bool isStopSent = true;
     if (!d.link.isRunning() || plays()) {
         script::ScriptClient client(d.options.host, d.program.primaryPort());
         auto connected = client.connect(Deadline::after(milliseconds(1000), deadline.token()));
@@ -49,14 +49,15 @@ Result<void> bringBack(Controller::Private& d) {
         if (connected) {
             connected = client.send(QStringLiteral("stop program\n"), Deadline::after(milliseconds(100)));
         }
-        told = connected.ok();
+        isStopSent = connected.ok();
         // The stop must not reach the robot after the control program.
         waitUntil(Deadline::after(milliseconds(500), deadline.token()),
                   [&] { return !d.link.isRunning() || !plays(); });
     }
     if (!d.link.isRunning()) {
-        return Error{ErrorCode::LinkLost, QStringLiteral("send the control program again"),
-                     told ? QString() : QStringLiteral("the script could not be stopped and may go on")};
+        return Error{
+            ErrorCode::LinkLost, QStringLiteral("send the control program again"),
+            isStopSent ? QString() : QStringLiteral("the script could not be stopped and may go on")};
     }
     return d.program.sendAnew(deadline);
 }
@@ -65,13 +66,14 @@ Result<void> bringBack(Controller::Private& d) {
 Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint64_t played,
                          const QString& context, const Deadline& deadline) {
     const Deadline begun = Deadline::after(milliseconds(5000), deadline.token());
-    std::optional<Deadline> told;
+    std::optional<Deadline> messageDeadline;
     std::uint64_t statesAtEnd = 0;
     Error bad;
     const auto settled = [&] {
         // The reason for the end arrives slightly later on another connection, but before the state after the next
         // one: the next state may have been sent earlier.
-        const bool heardAll = told && (told->hasExpired() || d.program.statesHeard() > statesAtEnd + 1);
+        const bool heardAll =
+            messageDeadline && (messageDeadline->hasExpired() || d.program.statesHeard() > statesAtEnd + 1);
         bad = d.program.complaint(context);
         if (bad.code != ErrorCode::None || heardAll) {
             return true;
@@ -96,8 +98,9 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
         const ControlProgram::ScriptHeard heard = d.program.scriptHeard();
         if (d.loop.playing() != played || heard.stopped) {
             const bool over = now.runtimeState == RuntimeState::Stopped;
-            if (!told && (over || heard.stopped)) {
-                told = Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
+            if (!messageDeadline && (over || heard.stopped)) {
+                messageDeadline =
+                    Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
                 statesAtEnd = d.program.statesHeard();
             }
         } else if (begun.hasExpired() && !heard.started) {

@@ -22,9 +22,9 @@ public:
     bool try_lock() { return try_lock_for(std::chrono::nanoseconds(0)); }  ///< Blocks: never
     /// Returns  false if the mutex was not free in time
     /// Threads  any. Blocks: for the given time at most
-    bool try_lock_for(std::chrono::nanoseconds patience) {
+    bool try_lock_for(std::chrono::nanoseconds timeout) {
         std::unique_lock guard(guard_);
-        if (!free_.wait_for(guard, patience, [this] { return !taken_; })) {
+        if (!free_.wait_for(guard, timeout, [this] { return !taken_; })) {
             return false;
         }
         taken_ = true;

@@ -72,12 +72,12 @@ std::optional<Reply> parsed(const QByteArray& bytes, bool over) {
         reply.body = *body;
         return reply;
     }
-    bool told = false;
-    const qsizetype length = header(head, "content-length").toLongLong(&told);
-    if (told ? rest.size() < length : !over) {
+    bool hasLength = false;
+    const qsizetype length = header(head, "content-length").toLongLong(&hasLength);
+    if (hasLength ? rest.size() < length : !over) {
         return {};
     }
-    reply.body = told ? rest.left(length) : rest;
+    reply.body = hasLength ? rest.left(length) : rest;
     return reply;
 }
 

@@ -26,7 +26,7 @@ struct ServiceWorker::Private {
     ServiceAddress address;
     std::thread thread;
     CancelToken cancel;
-    std::atomic<bool> anew{false};  ///< the next call opens a new connection
+    std::atomic<bool> renew{false};  ///< the next call opens a new connection
 
     std::mutex mutex;
     std::condition_variable wake;
@@ -60,7 +60,7 @@ void ServiceWorker::Private::run() {
 
 std::function<void()> ServiceWorker::Private::perform(Entry& entry, std::unique_ptr<RobotService>& service,
                                                       const Deadline& deadline) {
-    if (anew.exchange(false) || !service || !service->isConnected()) {
+    if (renew.exchange(false) || !service || !service->isConnected()) {
         service.reset();
         auto opened = openService(address, deadline);
         if (!opened) {
@@ -100,7 +100,7 @@ void ServiceWorker::stop() {
 }
 
 void ServiceWorker::reconnect() {
-    d_->anew = true;
+    d_->renew = true;
 }
 
 void ServiceWorker::enqueue(Job job, QObject* context, std::chrono::milliseconds atMost) {

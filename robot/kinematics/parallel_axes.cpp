@@ -82,8 +82,8 @@ void toDenavitHartenberg(DhParameters& dh, int joint) {
         return;
     }
     const Eigen::Vector3d normal = across / sine;
-    const Eigen::Vector3d beside = Eigen::Vector3d::UnitZ().cross(normal);
-    const double along = -T.translation().dot(beside) / axis.dot(beside);
+    const Eigen::Vector3d lateral = Eigen::Vector3d::UnitZ().cross(normal);
+    const double along = -T.translation().dot(lateral) / axis.dot(lateral);
     replace(dh, joint,
             {std::atan2(normal.y(), normal.x()), T.translation().z() + along * axis.z(),
              T.translation().dot(normal), std::atan2(sine, axis.z()), 0});
@@ -91,10 +91,10 @@ void toDenavitHartenberg(DhParameters& dh, int joint) {
 
 }  // namespace
 
-DhParameters resolveParallelAxes(const DhParameters& told) {
-    DhParameters dh = told;
-    if (!isFinite(told) || !toHayati(dh, kUpperArm) || !toHayati(dh, kForearm)) {
-        return told;
+DhParameters resolveParallelAxes(const DhParameters& reported) {
+    DhParameters dh = reported;
+    if (!isFinite(reported) || !toHayati(dh, kUpperArm) || !toHayati(dh, kForearm)) {
+        return reported;
     }
     return dh;
 }
@@ -106,10 +106,10 @@ DhParameters asDenavitHartenberg(const DhParameters& arm) {
     return dh;
 }
 
-DhParameters calibrated(const RobotModel& model, const DhParameters& told) {
+DhParameters calibrated(const RobotModel& model, const DhParameters& reported) {
     constexpr double kLongest = 3;      // [m]
     constexpr double kShortest = 0.05;  // [m], of upper arm and forearm
-    const DhParameters arm = resolveParallelAxes(told);
+    const DhParameters arm = resolveParallelAxes(reported);
     const auto isOfAnArm = [](const std::array<double, 6>& lengths) {
         return std::ranges::all_of(lengths, [](double length) { return std::abs(length) < kLongest; });
     };

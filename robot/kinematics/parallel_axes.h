@@ -15,11 +15,11 @@
 namespace tiller::kinematics {
 
 /// Converts to an equivalent arm with d = 0 at shoulder and elbow as in the nominal model, the link lengths in a,
-/// and the remaining deviation from parallel axes in beta. Returns `told` unchanged if axes 2, 3 and 4 are far from
+/// and the remaining deviation from parallel axes in beta. Returns `reported` unchanged if axes 2, 3 and 4 are far from
 /// parallel, or a number is not finite.
-/// told     parameters as in KinematicsInfo
+/// reported     parameters as in KinematicsInfo
 /// Threads  any. Real-time: yes
-DhParameters resolveParallelAxes(const DhParameters& told);
+DhParameters resolveParallelAxes(const DhParameters& reported);
 
 /// The inverse: parameters without beta, as reported by a controller.
 /// Threads  any. Real-time: yes
@@ -29,6 +29,6 @@ DhParameters asDenavitHartenberg(const DhParameters& arm);
 /// ones are implausible: a number is not finite, a link is longer than 3 m, or the upper arm or forearm is shorter
 /// than 50 mm.
 /// Threads  any. Real-time: yes
-DhParameters calibrated(const RobotModel& model, const DhParameters& told);
+DhParameters calibrated(const RobotModel& model, const DhParameters& reported);
 
 }  // namespace tiller::kinematics

@@ -141,13 +141,13 @@ void defineRecorder(py::module_& module) {
              })
         .def("progress", [](const NativeRecorder& self) {
             const auto progress = self.recorder.progress();
-            py::dict told;
-            told["state"] = toString(progress.state);
-            told["rows"] = progress.rows;
-            told["seconds"] = progress.seconds;
-            told["lost"] = progress.lost;
-            told["bytes"] = progress.bytes;
-            return told;
+            py::dict result;
+            result["state"] = toString(progress.state);
+            result["rows"] = progress.rows;
+            result["seconds"] = progress.seconds;
+            result["lost"] = progress.lost;
+            result["bytes"] = progress.bytes;
+            return result;
         });
 }
 
@@ -214,13 +214,13 @@ void defineReceive(py::module_& module) {
         .def("absent_fields", [](const NativeReceiver& self) { return self.receiver.absentFields(); })
         .def("counters", [](const NativeReceiver& self) {
             const auto counters = self.receiver.counters();
-            py::dict told;
-            told["packets"] = counters.packets;
-            told["late"] = counters.late;
-            told["lost"] = counters.lost;
-            told["reconnects"] = counters.reconnects;
-            told["rate"] = counters.rateHz;
-            return told;
+            py::dict result;
+            result["packets"] = counters.packets;
+            result["late"] = counters.late;
+            result["lost"] = counters.lost;
+            result["reconnects"] = counters.reconnects;
+            result["rate"] = counters.rateHz;
+            return result;
         });
     defineRecorder(module);
 }

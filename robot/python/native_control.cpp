@@ -46,27 +46,27 @@ public:
     std::string cause() const { return toString(motion_.state().cause); }
     py::dict progress() const {
         const MotionProgress now = motion_.progress();
-        py::dict told;
-        told["active"] = now.phase == MotionPhase::Active;
-        told["cause"] = toString(now.cause);
-        told["fraction"] = now.fraction;
-        told["waypoint"] = now.waypoint;
-        told["waypoints"] = now.waypoints;
-        told["executing"] = now.executing;
-        told["speed_fraction"] = now.speedFraction;
-        told["speed_scaling"] = now.speedScaling;
-        return told;
+        py::dict result;
+        result["active"] = now.phase == MotionPhase::Active;
+        result["cause"] = toString(now.cause);
+        result["fraction"] = now.fraction;
+        result["waypoint"] = now.waypoint;
+        result["waypoints"] = now.waypoints;
+        result["executing"] = now.executing;
+        result["speed_fraction"] = now.speedFraction;
+        result["speed_scaling"] = now.speedScaling;
+        return result;
     }
     py::object plan() const {
         if (!motion_.plan()) {
             return py::none();
         }
-        py::dict told;
-        told["duration"] = motion_.plan()->duration.count();
-        told["speed"] = motion_.plan()->speed;
-        told["limiter"] = toString(motion_.plan()->limiter.kind);
-        told["scale"] = motion_.plan()->limiter.scale;
-        return told;
+        py::dict result;
+        result["duration"] = motion_.plan()->duration.count();
+        result["speed"] = motion_.plan()->speed;
+        result["limiter"] = toString(motion_.plan()->limiter.kind);
+        result["scale"] = motion_.plan()->limiter.scale;
+        return result;
     }
     const Motion& motion() const { return motion_; }
 
@@ -78,8 +78,8 @@ private:
 /// Converts seconds from Python; the range is checked together with the other options.
 std::chrono::milliseconds milliseconds(double seconds) {
     constexpr double kFarOff = 1e6;
-    const double told = std::isnan(seconds) ? -1 : std::clamp(seconds, -kFarOff, kFarOff);
-    return std::chrono::milliseconds(std::llround(told * 1000));
+    const double result = std::isnan(seconds) ? -1 : std::clamp(seconds, -kFarOff, kFarOff);
+    return std::chrono::milliseconds(std::llround(result * 1000));
 }
 
 std::unique_ptr<NativeMotion> handle(const SharedController& controller, Result<Motion> motion) {
@@ -169,22 +169,22 @@ JogTarget jogTarget(const std::string& frame, const Six& velocity, const Six& cu
 
 /// waited  time spent waiting for the interpreter lock, which increases the age of the data [s]
 py::dict cycleDict(const CycleState& cycle, double waited) {
-    py::dict told;
+    py::dict result;
     const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
-    told["cycle"] = cycle.cycle;
-    told["fresh"] = cycle.fresh && cycle.age + waited <= 2 * cycle.period;
-    told["age"] = cycle.age + waited;
-    told["missed"] = cycle.missed;
-    told["time"] = cycle.time;
-    told["period"] = cycle.period;
-    told["q"] = array(cycle.q.array());
-    told["qd"] = array(cycle.qd.array());
-    told["tcp_pose"] = array(cycle.tcpPose.array());
+    result["cycle"] = cycle.cycle;
+    result["fresh"] = cycle.fresh && cycle.age + waited <= 2 * cycle.period;
+    result["age"] = cycle.age + waited;
+    result["missed"] = cycle.missed;
+    result["time"] = cycle.time;
+    result["period"] = cycle.period;
+    result["q"] = array(cycle.q.array());
+    result["qd"] = array(cycle.qd.array());
+    result["tcp_pose"] = array(cycle.tcpPose.array());
     const Vector6 speed = cycle.tcpSpeed.vector();
-    told["tcp_speed"] = py::array_t<double>(6, speed.data());
-    told["speed_fraction"] = cycle.speedFraction;
-    told["speed_scaling"] = cycle.speedScaling;
-    return told;
+    result["tcp_speed"] = py::array_t<double>(6, speed.data());
+    result["speed_fraction"] = cycle.speedFraction;
+    result["speed_scaling"] = cycle.speedScaling;
+    return result;
 }
 
 enum class LoopKind { ServoJ, ServoL, SpeedJ, SpeedL, Torque };
@@ -279,38 +279,38 @@ py::dict packetLoop(const SharedController& controller, const std::string& name,
         result = error;
     }
     taken(result);
-    py::dict told;
-    told["cycles"] = report.cycles;
-    told["missed"] = report.missed;
-    told["stale"] = report.stale;
-    told["late"] = report.late;
-    told["overruns"] = report.overruns;
-    told["fast_wake_ups"] = report.fastWakeUps;
-    told["longest_call"] = static_cast<double>(report.calls.maxNs()) * 1e-9;
-    told["longest_wait"] = longestWait.count();
-    return told;
+    py::dict result;
+    result["cycles"] = report.cycles;
+    result["missed"] = report.missed;
+    result["stale"] = report.stale;
+    result["late"] = report.late;
+    result["overruns"] = report.overruns;
+    result["fast_wake_ups"] = report.fastWakeUps;
+    result["longest_call"] = static_cast<double>(report.calls.maxNs()) * 1e-9;
+    result["longest_wait"] = longestWait.count();
+    return result;
 }
 
 py::dict statusDict(const NativeController& self) {
     const ControllerStatus status = self.controller.status();
-    py::dict told;
-    told["in_control"] = status.inControl;
-    told["loss"] = toString(status.loss);
-    told["robot_mode"] = toString(status.robotMode);
-    told["safety_mode"] = toString(status.safetyMode);
-    told["moving"] = status.moving;
-    told["force_mode"] = status.forceMode;
-    told["executing"] = status.executing;
-    told["limiter"] = toString(status.limiter.kind);
-    told["limiter_joint"] = status.limiter.joint;
-    told["limiter_scale"] = status.limiter.scale;
-    told["last_cause"] = toString(status.lastCause);
-    told["last_stop_ms"] = status.lastStop.durationMs;
-    told["last_stop_mm"] = status.lastStop.distanceMm;
-    told["round_trip_ms"] = status.roundTripMs;
-    told["speed_fraction"] = status.speedFraction;
-    told["speed_scaling"] = status.speedScaling;
-    return told;
+    py::dict result;
+    result["in_control"] = status.inControl;
+    result["loss"] = toString(status.loss);
+    result["robot_mode"] = toString(status.robotMode);
+    result["safety_mode"] = toString(status.safetyMode);
+    result["moving"] = status.moving;
+    result["force_mode"] = status.forceMode;
+    result["executing"] = status.executing;
+    result["limiter"] = toString(status.limiter.kind);
+    result["limiter_joint"] = status.limiter.joint;
+    result["limiter_scale"] = status.limiter.scale;
+    result["last_cause"] = toString(status.lastCause);
+    result["last_stop_ms"] = status.lastStop.durationMs;
+    result["last_stop_mm"] = status.lastStop.distanceMm;
+    result["round_trip_ms"] = status.roundTripMs;
+    result["speed_fraction"] = status.speedFraction;
+    result["speed_scaling"] = status.speedScaling;
+    return result;
 }
 
 /// (whether it is a pose, numbers)

@@ -100,19 +100,19 @@ public:
 py::dict truthDict(const NativeSimulator& self) {
     const simulator::Truth truth = self.robot.truth();
     const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
-    py::dict told;
-    told["timestamp"] = truth.timestamp;
-    told["robot_mode"] = toString(truth.robotMode);
-    told["safety_mode"] = toString(truth.safetyMode);
-    told["runtime_state"] = toString(truth.runtimeState);
-    told["q"] = array(truth.q.array());
-    told["qd"] = array(truth.qd.array());
-    told["tcp_pose"] = array(truth.tcpPose.array());
+    py::dict result;
+    result["timestamp"] = truth.timestamp;
+    result["robot_mode"] = toString(truth.robotMode);
+    result["safety_mode"] = toString(truth.safetyMode);
+    result["runtime_state"] = toString(truth.runtimeState);
+    result["q"] = array(truth.q.array());
+    result["qd"] = array(truth.qd.array());
+    result["tcp_pose"] = array(truth.tcpPose.array());
     const Vector6 speed = truth.tcpSpeed.vector();
-    told["tcp_speed"] = py::array_t<double>(6, speed.data());
-    told["speed_slider"] = truth.speedSlider;
-    told["digital_outputs"] = truth.digitalOutputs;
-    return told;
+    result["tcp_speed"] = py::array_t<double>(6, speed.data());
+    result["speed_slider"] = truth.speedSlider;
+    result["digital_outputs"] = truth.digitalOutputs;
+    return result;
 }
 
 }  // namespace

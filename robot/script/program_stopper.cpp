@@ -42,7 +42,7 @@ struct ProgramStopper::Private {
     // The following members are protected by the mutex.
     bool running = false;
     Descriptor socket = -1;  ///< closed by the thread only
-    bool anew = false;       ///< close this connection and open a new one
+    bool renew = false;      ///< close this connection and open a new one
     Error connectionError;
     bool asked = false;
     bool sent = false;    ///< on this connection
@@ -72,12 +72,12 @@ struct ProgramStopper::Private {
 // All functions below require the mutex.
 
 void ProgramStopper::Private::send() {
-    if (socket < 0 || anew) {
+    if (socket < 0 || renew) {
         return;
     }
     const native_socket::Transfer out = sendStopProgram(socket);
     if (out.status != Status::Ok || out.bytes != kStopProgram.size()) {
-        anew = true;  // connection broken, or its buffer full
+        renew = true;  // connection broken, or its buffer full
         return;
     }
     sent = true;
@@ -105,20 +105,20 @@ void ProgramStopper::Private::look() {
                    ? connectionError
                    : Error{ErrorCode::Timeout, context(), QStringLiteral("the program goes on")});
     } else if (sent && now() - sentNs > kAskAgainNs) {
-        anew = true;
+        renew = true;
     }
 }
 
 void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& packages) {
-    const bool waits = asked && sent && !anew;
+    const bool waits = asked && sent && !renew;
     for (const ControllerMessage& message : parser.takeMessages()) {
-        if (waits && !anew && message.kind == MessageKind::ErrorCode && message.code == kReadOnlySocket) {
+        if (waits && !renew && message.kind == MessageKind::ErrorCode && message.code == kReadOnlySocket) {
             ++refusals;
-            anew = true;
+            renew = true;
         }
     }
     const PrimaryState& state = parser.state();
-    if (waits && !anew && state.packages != packages) {
+    if (waits && !renew && state.packages != packages) {
         ++states;
         constexpr int kFresh = 2;  // the first state may have been sent before the stop
         if (states >= kFresh && !state.programRunning && !state.programPaused) {
@@ -148,7 +148,7 @@ void ProgramStopper::Private::run() {
         bool atOnce = false;
         {
             const std::lock_guard lock(mutex);
-            atOnce = opened.ok() && std::exchange(anew, false) &&
+            atOnce = opened.ok() && std::exchange(renew, false) &&
                      std::chrono::steady_clock::now() - since > kBrief;
             connectionError = ended;
             look();
@@ -168,7 +168,7 @@ void ProgramStopper::Private::run() {
 void ProgramStopper::Private::use(Descriptor descriptor) {
     const std::lock_guard lock(mutex);
     socket = descriptor;
-    anew = false;
+    renew = false;
     sent = false;
     second = false;
     connectionError = {};
@@ -215,7 +215,7 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
         const std::lock_guard lock(mutex);
         hear(reader->parser(), packages);
         look();
-        goesOn = goesOn && !anew;
+        goesOn = goesOn && !renew;
     }
     {
         const std::lock_guard lock(mutex);
@@ -230,7 +230,7 @@ bool ProgramStopper::Private::pauseFor(milliseconds time) {
     // Shorter while a stop is requested, because the robot may become reachable at any time.
     constexpr milliseconds kWhileAsked(50);
     std::unique_lock lock(mutex);
-    const auto wanted = [this] { return thread.cancel.isCancelled() || anew; };
+    const auto wanted = [this] { return thread.cancel.isCancelled() || renew; };
     const auto end = std::chrono::steady_clock::now() + time;
     while (!wanted() && std::chrono::steady_clock::now() < end) {
         if (asked) {
@@ -239,7 +239,7 @@ bool ProgramStopper::Private::pauseFor(milliseconds time) {
         }
         changed.wait_until(lock, end, [&] { return wanted() || asked; });
     }
-    anew = false;
+    renew = false;
     return !thread.cancel.isCancelled();
 }
 
@@ -307,7 +307,7 @@ Error ProgramStopper::error() const {
 void ProgramStopper::reconnect() {
     {
         const std::lock_guard lock(d_->mutex);
-        d_->anew = true;
+        d_->renew = true;
     }
     d_->changed.notify_all();
 }

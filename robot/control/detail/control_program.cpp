@@ -46,10 +46,10 @@ Result<void> ControlProgram::listen(const SoftwareVersion& version, const Deadli
         return heard;
     }
     ArmLimits limits = ArmLimits::of(robotModel(options_.model));
-    if (const auto told = listener->configuration()) {
+    if (const auto reported = listener->configuration()) {
         // The robot reports its type, but not the torque limits of its joints.
-        const auto model = robotModelByType(told->robotType, version.isCb3());
-        limits = ArmLimits::of(robotModel(model.value_or(options_.model)), *told);
+        const auto model = robotModelByType(reported->robotType, version.isCb3());
+        limits = ArmLimits::of(robotModel(model.value_or(options_.model)), *reported);
     }
     const std::lock_guard lock(guard_);
     arm_ = limits;

@@ -30,9 +30,9 @@ struct Controller::Private {
     ControlProgram program{options, loop, link, requests};
 
     std::mutex taking;  ///< serializes takeControl(), release() and all functions that send programs
-    std::mutex patience;
-    CancelToken underWay;  ///< protected by `patience`: token of the call that holds `taking`
-    int ending = 0;        ///< protected by `patience`: release() calls that wait for `taking`
+    std::mutex tokenMutex;
+    CancelToken underWay;  ///< protected by `tokenMutex`: token of the call that holds `taking`
+    int ending = 0;        ///< protected by `tokenMutex`: release() calls that wait for `taking`
 
     std::int64_t now() const { return options.clock->nowNs(); }
     std::int64_t dataTimeoutNs() const { return std::chrono::nanoseconds(options.dataTimeout).count(); }
@@ -108,14 +108,14 @@ struct MotionAccess {
 class UnderWay {
 public:
     UnderWay(Controller::Private& d, const Deadline& deadline) : d_(d) {
-        const std::lock_guard lock(d_.patience);
+        const std::lock_guard lock(d_.tokenMutex);
         d_.underWay = deadline.token();
         if (d_.ending > 0) {
             d_.underWay.cancel();
         }
     }
     ~UnderWay() {
-        const std::lock_guard lock(d_.patience);
+        const std::lock_guard lock(d_.tokenMutex);
         d_.underWay = CancelToken();
     }
     UnderWay(const UnderWay&) = delete;

@@ -137,17 +137,17 @@ ArmLimits ArmLimits::of(const RobotModel& model) {
     return limits;
 }
 
-ArmLimits ArmLimits::of(const RobotModel& model, const script::RobotConfiguration& told) {
+ArmLimits ArmLimits::of(const RobotModel& model, const script::RobotConfiguration& reported) {
     ArmLimits limits = of(model);
-    limits.dh = kinematics::calibrated(model, told.dh);
+    limits.dh = kinematics::calibrated(model, reported.dh);
     for (std::size_t joint = 0; joint < limits.maxSpeed.size(); ++joint) {
-        const double least = told.minPosition[joint];
-        const double most = told.maxPosition[joint];
+        const double least = reported.minPosition[joint];
+        const double most = reported.maxPosition[joint];
         if (std::isfinite(most - least) && most > least) {
             limits.minPosition[joint] = least;
             limits.maxPosition[joint] = most;
         }
-        if (const double speed = told.maxSpeed[joint]; std::isfinite(speed) && speed > 0) {
+        if (const double speed = reported.maxSpeed[joint]; std::isfinite(speed) && speed > 0) {
             limits.maxSpeed[joint] = speed;
         }
     }

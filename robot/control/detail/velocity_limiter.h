@@ -24,7 +24,7 @@ struct ArmLimits {
 
     static ArmLimits of(const RobotModel& model);
     /// Values reported by the robot; values of the model if a reported one is missing or implausible.
-    static ArmLimits of(const RobotModel& model, const script::RobotConfiguration& told);
+    static ArmLimits of(const RobotModel& model, const script::RobotConfiguration& reported);
 };
 
 /// Slows down so that joints stop before their limits, and the arm before singularities and at the safety distance

@@ -113,12 +113,12 @@ double FieldReader::number(const QString& where, const QJsonValue& value, double
     }
     const double read = value.toDouble();
     if (!std::isfinite(read) || read < least || read > most) {
-        const auto figure = [unit](double number) {
+        const auto formatted = [unit](double number) {
             const QString text = QString::number(number);
             return *unit == '\0' ? text : QStringLiteral("%1 %2").arg(text, QString::fromUtf8(unit));
         };
         addProblem(where, QStringLiteral("is %1, outside %2 ... %3")
-                              .arg(figure(read), QString::number(least), figure(most)));
+                              .arg(formatted(read), QString::number(least), formatted(most)));
         return least > 0 ? least : 0;
     }
     return read;
