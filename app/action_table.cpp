@@ -16,7 +16,7 @@ constexpr char kHelp[] = "tillerHelp";
 constexpr char kObstacle[] = "tillerObstacle";
 constexpr char kBuiltIn[] = "tillerBuiltInKeys";
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file for lupdate.
 struct MenuText {
     Q_DECLARE_TR_FUNCTIONS(ActionTable)
 };
@@ -86,7 +86,7 @@ void ActionTable::remove(QAction* action) {
     actions_.removeOne(action);
     std::erase_if(rules_, [action](const Rule& rule) { return rule.action == action; });
     owner_.removeAction(action);
-    // It may be the one that runs just now.
+    // It may be the action that is currently running.
     action->deleteLater();
 }
 
@@ -178,7 +178,7 @@ bool ActionTable::eventFilter(QObject* watched, QEvent* event) {
     if (action == nullptr) {
         return false;
     }
-    // As with every shortcut, who has the focus goes first: a field wants the letter for itself.
+    // As with every shortcut, the focus widget has priority: an input field needs the letter itself.
     QKeyEvent question(QEvent::ShortcutOverride, letter, press.modifiers(), press.nativeScanCode(),
                        press.nativeVirtualKey(), press.nativeModifiers(), press.text());
     question.ignore();

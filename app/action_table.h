@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Everything the window can do, once: name, menu, shortcut, one sentence of help, and why it cannot be done
-// now. Menus, shortcuts, the command palette, the settings of the shortcuts and the help page are all made
-// from this table.
+// Table of all actions of the window: name, menu, shortcut, one sentence of help, and the reason why an action is
+// disabled. Menus, shortcuts, the command palette, the shortcut settings and the help page are generated from it.
 
 #include <QAction>
 #include <QKeySequence>
@@ -17,32 +16,32 @@
 namespace tiller::app {
 
 struct ActionSpec {
-    QString id;    ///< "power.on"; the part before the dot names its menu
-    QString text;  ///< "Power on"
+    QString id;    ///< e.g. "power.on"; the part before the dot is the menu
+    QString text;  ///< e.g. "Power on"
     QString help;  ///< one sentence
     QKeySequence shortcut = {};
     std::function<void()> run;
-    /// Why it cannot be done now; empty when it can. Null: always possible.
+    /// The reason why the action is disabled; empty if it is enabled. Null: always enabled.
     std::function<QString(const SessionState&)> obstacle = {};
 };
 
-/// The action's text without the mark of its menu key.
+/// The text of the action without its mnemonic.
 QString plain(const QAction& action);
 
-/// The menus in their order: id and title.
+/// Id and title of the menus in order.
 QList<QPair<QString, QString>> actionMenus();
 
 class ActionTable : public QObject {
     Q_OBJECT
 
 public:
-    /// owner  gets the shortcuts
+    /// owner  receives the shortcuts
     explicit ActionTable(QWidget& owner);
 
     QAction* add(ActionSpec spec);
-    /// An action that lives elsewhere (a tab's own) and is listed here with the others.
+    /// Adds an existing action, e.g. of a tab, to the table.
     void adopt(const QString& menu, QAction* action);
-    /// An action of add() that is not possible any more; it is deleted.
+    /// Deletes an action created by add().
     void remove(QAction* action);
 
     const QList<QAction*>& all() const { return actions_; }
@@ -50,23 +49,24 @@ public:
     QAction* find(const QString& id) const;
     static QString menuOf(const QAction& action);
     static QString helpOf(const QAction& action);
-    /// Why the action cannot be done now, empty when it can.
+    /// The reason why the action is disabled; empty if it is enabled.
     static QString obstacleOf(const QAction& action);
-    /// True when one key could mean both: not when each hears its key only in a tab of its own.
+    /// True if the actions would conflict with the same shortcut; false if their shortcuts are limited to different
+    /// tabs.
     static bool share(const QAction& a, const QAction& b);
-    /// The key it has as long as the operator chose no other.
+    /// The default shortcut.
     static QKeySequence builtInShortcut(const QAction& action);
-    /// Gives every action its built-in key, or that of the map.
+    /// Assigns every action its default shortcut, or the one in the map.
     void setShortcuts(const QMap<QString, QKeySequence>& chosen);
 
-    /// A table of all actions for people, as rich text.
+    /// A table of all actions for users, as rich text.
     QString helpText() const;
 
 public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
 protected:
-    /// Where the keyboard writes no Latin letters, a shortcut with a letter is meant by the place of its key.
+    /// On keyboards without Latin letters, a shortcut with a letter refers to the position of the key.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -80,7 +80,7 @@ private:
     QWidget& owner_;
     QList<QAction*> actions_;
     std::vector<Rule> rules_;
-    QMap<QString, QKeySequence> chosen_;  ///< the keys of the operator, also for what is added later
+    QMap<QString, QKeySequence> chosen_;  ///< shortcuts selected by the user, also for actions added later
 };
 
 }  // namespace tiller::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the commands of tiller-cli share.
+// Declarations shared by the commands of tiller-cli.
 
 #include <QStringList>
 #include <QTextStream>
@@ -22,24 +22,24 @@ inline int wrongArguments(const QString& what) {
     return complain(what + QStringLiteral("\nSee 'tiller-cli --help'."), kWrongArguments);
 }
 
-/// A robot controller with a simulated arm, until the program is told to end.
+/// Runs a controller with a simulated arm until the process is terminated.
 int simulate(const QStringList& arguments);
-/// A fault, by its words, at a simulated controller that runs somewhere.
+/// Triggers a fault, given by its name, at a running simulated controller.
 int fault(const QStringList& arguments);
-/// What stands between this PC and a robot that can be moved, one line a condition, or as JSON.
-/// Returns  kFailed when something is bad. Blocks: up to twelve seconds
+/// Prints the conditions for moving a robot from this PC, one line each, or as JSON.
+/// Returns  kFailed if a condition is bad. Blocks: up to twelve seconds
 int doctor(const QStringList& arguments);
-/// A robot's packages to a file, until told to end or for a time.
+/// Records the packages of a robot to a file, for a given time or until the process is terminated.
 int record(const QStringList& arguments);
-/// What is in a recording, as text or JSON.
+/// Prints the content of a recording as text or JSON.
 int info(const QStringList& arguments);
-/// A recording as CSV or HDF5.
+/// Exports a recording as CSV or HDF5.
 int exportRecording(const QStringList& arguments);
-/// A robot's packages to viewers, until told to end.
+/// Publishes the packages of a robot to viewers until the process is terminated.
 int serve(const QStringList& arguments);
-/// Recordings as demonstrations to learn from.
+/// Exports recordings as demonstrations for machine learning.
 int episodes(const QStringList& arguments);
-/// When the arm of a recording parted from its model.
+/// Finds the time at which the arm in a recording deviated from its model.
 int divergence(const QStringList& arguments);
 
 }  // namespace tiller::app

@@ -41,7 +41,7 @@ const QString kDivergenceHelp = QStringLiteral(
     "\n"
     "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 wrong arguments.\n");
 
-/// How a quantity is told: its name, and its unit with the factor from SI.
+/// Output format of a quantity: name, and unit with its factor from SI.
 struct Spelling {
     const char* key;
     const char* name;
@@ -167,7 +167,7 @@ void print(const divergence::Report& report) {
     }
 }
 
-/// Of an option that may be left out.
+/// Reads an optional argument.
 bool readLimit(const QCommandLineParser& parser, const QCommandLineOption& option, double factor,
                double& limit) {
     constexpr double kMost = 1e6;

@@ -33,7 +33,7 @@ std::vector<std::string> namesIn(const QString& list) {
 bool isHostName(const QString& text) {
     constexpr qsizetype kMaxLength = 255;
     const auto isAllowed = [](QChar c) {
-        // Letters and digits of every script: a name may be internationalized.
+        // Letters and digits of all scripts, because names may be internationalized.
         return c.isLetterOrNumber() || QStringLiteral(".-_:%").contains(c);
     };
     return !text.isEmpty() && text.size() <= kMaxLength && !text.startsWith(QLatin1Char('-')) &&

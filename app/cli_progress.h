@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One line on a terminal that is written over and over; nothing where there is none, as under systemd.
+// A progress line on a terminal that is overwritten repeatedly; no output without a terminal, as under systemd.
 
 #include <QString>
 #include <chrono>
@@ -15,7 +15,7 @@ public:
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// At most twice a second.
+    /// Updates the line at most twice per second.
     void show(const QString& text);
     void clear();
 

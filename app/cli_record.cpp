@@ -69,16 +69,16 @@ struct RecordOptions {
     receive::ReceiverOptions receiver;
     recording::RecorderOptions recorder;
     recording::McapFormatOptions mcap;
-    double duration = 0;  ///< [s]; 0: until told
+    double duration = 0;  ///< [s]; 0: no limit
     double wait = 10;     ///< [s]
     int portOffset = 0;
     bool isMcap = false;
     bool quiet = false;
 };
 
-/// A name in the folder that no file has.
+/// An unused file name in the folder.
 QString newFileIn(const QString& folder, QString address) {
-    // Not part of a file name on every system.
+    // Not allowed in file names on every system.
     address.replace(QLatin1Char(':'), QLatin1Char('_')).replace(QLatin1Char('%'), QLatin1Char('_'));
     const QString name = QStringLiteral("%1-%2").arg(
         address, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMddTHHmmss")));
@@ -89,7 +89,7 @@ QString newFileIn(const QString& folder, QString address) {
     return path;
 }
 
-/// Nothing: it was complained about.
+/// Empty if an error was printed.
 std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& helped) {
     QCommandLineParser parser;
     const QCommandLineOption help(QStringList{"h", "help"});

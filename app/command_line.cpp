@@ -7,7 +7,7 @@
 namespace tiller::app {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file for lupdate.
 struct CommandLineText {
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
@@ -30,7 +30,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
                                   "folder");
     const QCommandLineOption project("project", CommandLineText::tr("Open this project file (.tiller)."),
                                      "file");
-    // As earlier versions called it.
+    // Option name of earlier versions.
     QCommandLineOption session("session", project.description(), "file");
     session.setFlags(QCommandLineOption::HiddenFromHelp);
     const QCommandLineOption theme("theme", CommandLineText::tr("Colours: light or dark."), "name");
@@ -47,7 +47,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!parser.parse(arguments)) {
         return wrong(parser.errorText());
     }
-    // As a file manager calls it.
+    // As passed by a file manager.
     QStringList files = parser.positionalArguments();
     const bool opened = !files.isEmpty() && files.constFirst().endsWith(QLatin1String(".tiller"));
     const QString file = opened ? files.takeFirst() : QString();
@@ -77,7 +77,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         return wrong(CommandLineText::tr("--robot and --simulator cannot be combined"));
     }
     if (parser.isSet(demo) && parser.isSet(robot)) {
-        // The demonstration moves the arm by itself: never on a real one.
+        // The demonstration moves the arm automatically and is not allowed on a real one.
         return wrong(CommandLineText::tr(
             "--demo works on the simulated robot only and cannot be combined with --robot"));
     }

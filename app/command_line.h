@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What `tiller` was asked on its command line. A wrong argument is answered with what would be right.
+// The command line of `tiller`. Errors contain the valid values.
 
 #include <QString>
 #include <QStringList>
@@ -12,18 +12,19 @@ namespace tiller::app {
 
 struct CommandLine {
     enum class Start { Ask, Simulator, Robot };
-    Start start = Start::Ask;  ///< Ask: the connect dialog
+    Start start = Start::Ask;  ///< Ask: show the connect dialog
     QString robotHost;
-    QString demoDirectory;     ///< not empty: run the scripted demonstration, leave its files there, exit
-    QString projectFile;       ///< to open; empty: the one worked in last
-    QString theme;             ///< "light", "dark" or empty: as last time
-    bool monitorOnly = false;  ///< the window changes nothing on the robot, whatever the settings say
+    QString
+        demoDirectory;    ///< not empty: run the scripted demonstration, write its files to this folder, exit
+    QString projectFile;  ///< to open; empty: the last project
+    QString theme;        ///< "light", "dark" or empty: last setting
+    bool monitorOnly = false;  ///< block all changes on the robot, independent of the settings
     bool showHelp = false;
     bool showVersion = false;
     QString helpText;
 };
 
-/// Errors  InvalidArgument, with the argument and what it should look like in the context
+/// Errors  InvalidArgument, with the argument and its valid values in the context
 Result<CommandLine> parseCommandLine(const QStringList& arguments);
 
 }  // namespace tiller::app

@@ -15,7 +15,7 @@
 namespace tiller::app {
 namespace {
 
-/// All words must occur somewhere; what begins with them comes first.
+/// All words must occur; matches at the beginning come first.
 int rank(const QAction& action, const QStringList& words) {
     const QString text = plain(action);
     const QString all =
@@ -104,7 +104,7 @@ void CommandPalette::runCurrent() {
         return;
     }
     const QPointer<QAction> action = listed_[row];
-    // The window is the active one again before the action runs: it may open a dialog of its own.
+    // Close the palette first, so that the window is active if the action opens a dialog.
     accept();
     if (action) {
         action->trigger();

@@ -52,7 +52,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
     layout->setSpacing(16);
-    // Who has a robot came for it; a newcomer has none.
+    // Users with a remembered robot see it first; new users have none.
     QWidget* const robot = robotPart();
     QWidget* const simulator = simulatorPart();
     layout->addWidget(remembered.isEmpty() ? simulator : robot);
@@ -73,7 +73,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     project->setObjectName("openProject");
     project->setToolTip(tr("Waypoints from a file, without a robot: everything works except motion."));
     for (QPushButton* button : {project, cancel, connect_, simulator_, sample_, forget_}) {
-        button->setAutoDefault(false);  // the focus does not make a key the one for Return
+        button->setAutoDefault(false);  // the focus must not change the default button
     }
     buttons->addWidget(project);
     buttons->addStretch();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The first thing a newcomer sees: try the simulator, connect a robot, or open a project.
+// The start dialog: try the simulator, connect a robot, or open a project.
 
 #include <QDialog>
 
@@ -23,13 +23,13 @@ public:
     /// remembered  newest first
     explicit ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent = nullptr);
 
-    /// What was chosen, once accepted.
+    /// The selection, once accepted.
     Choice choice() const { return choice_; }
-    /// Name and host as entered; the port offset of a remembered robot if its address was not changed.
+    /// Name and host as entered, with the port offset of a remembered robot if its address was not changed.
     RobotAddress address() const;
 
 Q_SIGNALS:
-    /// The operator does not want to be offered it any more.
+    /// The user removed this robot from the list.
     void forgetRequested(const tiller::RobotAddress& robot);
 
 protected:
@@ -39,11 +39,11 @@ private:
     QWidget* simulatorPart();
     QWidget* robotPart();
     void choose(Choice choice);
-    /// What Return does follows from what is entered.
+    /// The default button depends on the input.
     void updateButtons();
     void showRobot(int row);
     void forgetRobot();
-    /// A name belongs to the address it was remembered with, until it is typed.
+    /// Until it is edited, the name follows the address it was remembered with.
     void followAddress();
 
     QVector<RobotAddress> remembered_;
@@ -59,7 +59,7 @@ private:
     Choice choice_ = Choice::Robot;
 };
 
-/// Whether this could be a host name or an address; the reason why not otherwise, empty when it could.
+/// The reason why this cannot be a host name or an address; empty if it can.
 QString hostProblem(const QString& host);
 
 }  // namespace tiller::app

@@ -24,7 +24,7 @@
 namespace tiller::app {
 namespace {
 
-/// A report is a few kilobytes: what is larger was written by something else.
+/// A report has a few kilobytes; larger files are not reports.
 constexpr qint64 kLargestReport = 1'000'000;
 
 }  // namespace
@@ -48,12 +48,12 @@ constexpr int kCalls = 64;
 constexpr std::size_t kStack = 64 * 1024;
 constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-/// Everything the handler reads, put here before: it may neither allocate nor lock.
+/// The data for the signal handler, which must neither allocate nor lock.
 struct CrashNotes {
     std::array<char, 4096> path{};
     std::array<std::array<char, kLineLength>, kLines> lines{};
-    volatile std::sig_atomic_t next = 0;  ///< counts all lines; the ring's place is its remainder
-    std::array<char, kStack> stack{};     ///< the handler's own: the other one may be what ran over
+    volatile std::sig_atomic_t next = 0;  ///< counts all lines; the index in the ring is the remainder
+    std::array<char, kStack> stack{};     ///< separate stack of the handler, for stack overflows
 };
 CrashNotes crashNotes;
 
@@ -102,7 +102,7 @@ extern "C" void writeCrashReport(int signal) {
         }
         ::close(file);
     }
-    // SA_RESETHAND has put the system's own answer back: the process ends as it would have.
+    // SA_RESETHAND has restored the default action: the process terminates as without the handler.
     ::raise(signal);
 }
 
@@ -115,7 +115,7 @@ void keepCrashReports(const QString& path) {
         return;
     }
     std::copy(bytes.begin(), bytes.end(), crashNotes.path.begin());
-    // The first call loads a library, which the handler may not.
+    // The first call loads a library, which is not allowed in the handler.
     std::array<void*, 1> once{};
     ::backtrace(once.data(), 1);
 

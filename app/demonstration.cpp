@@ -59,7 +59,7 @@ void Demonstration::start() {
         finish();
         return;
     }
-    // Its hand presses keys on the screen only: no button is down for a witness to see.
+    // The demonstration generates mouse events only: no button is physically pressed.
     window_.setHoldWitness(HoldWitness::none());
     timer_.start();
 }
@@ -106,8 +106,7 @@ void Demonstration::addSteps() {
                           jogEnd_ = state().tcpPose;
                           return true;
                       },
-                      10'000,
-                      [this, jogKey] {  // something else stopped it, and the hand's stop is what is measured
+                      10'000, [this, jogKey] {  // an unexpected stop; the following release is measured
                           press(jogKey);
                           QTimer::singleShot(kShortJogMs, this, [this, jogKey] { release(jogKey); });
                       }});

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The scripted demonstration: the main window, used as a hand would use it (mouse events on the real keys),
-// against the simulated robot. It leaves screenshots, a recording and a summary, and says for each step
-// whether it happened.
+// The scripted demonstration: operates the main window by mouse events on the real widgets, with the simulated
+// robot. It writes screenshots, a recording and a summary with the result of each step.
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -27,12 +26,12 @@ class Demonstration : public QObject {
     Q_OBJECT
 
 public:
-    /// folder  where the files go; made if missing
+    /// folder  for the files; created if missing
     Demonstration(MainWindow& window, const QString& folder, QObject* parent = nullptr);
 
     void start();
     bool succeeded() const { return failed_.isEmpty(); }
-    /// What happened, line by line, as printed.
+    /// The results line by line, as printed.
     QString summary() const;
 
 Q_SIGNALS:
@@ -44,9 +43,8 @@ private:
         std::function<void()> begin;
         std::function<bool()> done;
         int timeoutMs = 10'000;
-        /// For a step that moves the arm: what a hand does when the arm stands before the step is done. A
-        /// busy machine may end a jog (the event loop stalled, data grew old), and a stopped jog needs a new
-        /// press.
+        /// For a step that moves the arm: the retry if the arm stops before the step is complete. On a busy machine
+        /// a jog may end early (blocked event loop, old data), and has to be started again.
         std::function<void()> anew = {};
     };
 
@@ -68,14 +66,14 @@ private:
     bool begun_ = false;
     QTimer timer_;
     QElapsedTimer elapsed_;
-    QElapsedTimer standing_;  ///< since the arm moved last, or a key was pressed
+    QElapsedTimer standing_;  ///< time since the last motion or key press
     int pressedAnew_ = 0;
     QStringList done_;
     QString failed_;
-    QStringList troubles_;  ///< warnings and errors the operator would have read
+    QStringList troubles_;  ///< warnings and errors of the session
 
     Pose jogStart_;
-    std::optional<Pose> jogEnd_;  ///< once it came to rest
+    std::optional<Pose> jogEnd_;  ///< after it came to rest
     control::StopMeasurement jogStop_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The settings of gamepads and SpaceMouse: which one moves the arm, how far a stick has to be pushed before
-// it counts, how gently it begins, and whether only its main axis counts.
+// Settings of gamepads and SpaceMouse: the device that moves the arm, dead zone, sensitivity curve, and limitation
+// to the main axis.
 
 #include <QMap>
 #include <QWidget>
@@ -27,7 +27,7 @@ public:
 
 Q_SIGNALS:
     void tuningChosen(const QString& kind, const tiller::DeviceTuning& tuning);
-    /// The page on which a device is tried out.
+    /// Request to open the device test page.
     void trainerWanted();
 
 private:

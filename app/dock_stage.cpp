@@ -14,7 +14,7 @@
 namespace tiller::app {
 namespace {
 
-/// Raised when the panels change so much that an old state would not fit.
+/// Increased when saved states of the panels become incompatible.
 constexpr int kStateVersion = 1;
 
 }  // namespace
@@ -27,7 +27,7 @@ DockStage::DockStage(QWidget* parent) : QMainWindow(parent, Qt::Widget) {
 }
 
 DockStage::~DockStage() {
-    // The panels go after this part of the object has gone, and may say on their way out that they are hidden.
+    // The panels are destroyed later and may emit visibility changes then.
     for (PanelDock* dock : std::as_const(docks_)) {
         disconnect(dock, nullptr, this, nullptr);
     }
@@ -35,12 +35,12 @@ DockStage::~DockStage() {
 
 void DockStage::add(PanelDock& dock) {
     dock.setParent(this);
-    dock.setAllowedAreas(Qt::TopDockWidgetArea);  // the one that all are in
+    dock.setAllowedAreas(Qt::TopDockWidgetArea);  // the area that contains all panels
     docks_.append(&dock);
     connect(&dock, &PanelDock::rearranged, this, &DockStage::changeByHand);
     connect(&dock, &PanelDock::attentionLost, this, &DockStage::attentionLost);
-    // Of panels that lie on each other one comes to the front without being moved. Whoever arranges stops
-    // himself.
+    // Switching between tabbed panels changes the visibility without a rearrangement. During arrange() this signal
+    // is ignored.
     connect(&dock, &QDockWidget::visibilityChanged, this, [this] {
         if (!arranging_) {
             Q_EMIT attentionLost(control::StopCause::SelectionChanged);
@@ -61,8 +61,8 @@ PanelDock* DockStage::find(const QString& name) const {
     return found != docks_.end() ? *found : nullptr;
 }
 
-// All panels are in one of Qt's areas, one within the other: between areas with nothing in the middle Qt forgets
-// a line, and what is beside it is cut off.
+// All panels are in one dock area, nested: without a central widget, Qt loses the separator between areas and cuts
+// off the adjacent panel.
 void DockStage::arrange(const StagePlan& plan) {
     const QScopedValueRollback<bool> arranging(arranging_, true);
     for (PanelDock* dock : std::as_const(docks_)) {
@@ -81,7 +81,7 @@ void DockStage::arrange(const StagePlan& plan) {
         }
     }
     below->show();
-    // What is not shown has its place all the same, and comes back to it.
+    // Hidden panels also have a position, to which they return.
     for (const StagePlan::Place& place : plan.row) {
         find(place.dock)->setVisible(place.shown);
     }
@@ -134,7 +134,7 @@ void DockStage::move(PanelDock& dock, StageSide side) {
                 others.append(other);
             }
         }
-        // The others stay as they are to each other: side by side, or one above the other.
+        // The relative position of the others is kept: side by side, or stacked.
         std::sort(others.begin(), others.end(), [](const PanelDock* one, const PanelDock* other) {
             return one->x() + one->y() < other->x() + other->y();
         });
@@ -190,7 +190,7 @@ bool DockStage::restore(const QByteArray& state) {
 
 bool DockStage::event(QEvent* event) {
     const bool taken = QMainWindow::event(event);
-    // Nothing but the line between two panels takes a press here.
+    // Only the separator between two panels accepts a press here.
     if (event->type() == QEvent::MouseButtonPress && taken && event->isAccepted()) {
         changeByHand();
     }
@@ -219,7 +219,7 @@ void DockStage::resizeEvent(QResizeEvent* event) {
 
 void DockStage::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Once the panels know how large they have to be.
+    // After the panels know their size.
     QTimer::singleShot(0, this, &DockStage::proportion);
 }
 

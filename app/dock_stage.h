@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The part of the window whose panels the operator arranges. Header, jog column and status line are outside of
-// it: no arrangement can hide what stops the arm.
+// The area of the window whose panels the user can arrange. Header, jog column and status bar are outside, so that
+// no arrangement can hide the stop controls.
 
 #include <QByteArray>
 #include <QList>
@@ -16,16 +16,16 @@ namespace tiller::app {
 
 class PanelDock;
 
-/// An arrangement that is built in: a row above, one panel below it over the whole width.
+/// A built-in arrangement: a row of panels, and one panel below it over the whole width.
 struct StagePlan {
     struct Place {
         QString dock;
-        int percent = 0;  ///< of the window's width; 0: what is left
+        int percent = 0;  ///< of the width of the window; 0: the remaining width
         bool shown = true;
     };
     QVector<Place> row;
     QString below;
-    int belowPercent = 0;  ///< of the window's height, where something stands above
+    int belowPercent = 0;  ///< of the height of the window, if there are panels above
 };
 
 enum class StageSide { Left, Right, Top, Bottom };
@@ -37,28 +37,28 @@ public:
     explicit DockStage(QWidget* parent = nullptr);
     ~DockStage() override;
 
-    /// The dock becomes a child; it is shown by the next plan.
+    /// Takes ownership of the dock; the next plan shows it.
     void add(PanelDock& dock);
     const QList<PanelDock*>& docks() const { return docks_; }
 
-    /// Puts every panel to its place, whatever was before. The proportions follow the window until the operator
-    /// changes something.
+    /// Moves every panel to its position in the plan. The proportions follow the window size until the user changes
+    /// the arrangement.
     void arrange(const StagePlan& plan);
-    /// Takes one panel to that side of all others.
+    /// Moves a panel to this side of all others.
     void move(PanelDock& dock, StageSide side);
-    /// Brings a panel into sight, wherever it is.
+    /// Makes a panel visible.
     void reveal(PanelDock& dock);
-    /// How the panels stand now.
+    /// The current arrangement.
     QByteArray state() const;
-    /// state  from state(), unharmed: what Qt reads it with does not survive every other
-    /// Returns  false when it is of another version; nothing has changed then
+    /// state    from state(), undamaged: Qt can crash on damaged data
+    /// Returns  false for another version, without changes
     bool restore(const QByteArray& state);
 
 Q_SIGNALS:
-    /// The operator moved, closed, floated or resized something.
+    /// The user moved, closed, floated or resized a panel.
     void rearranged();
-    /// The window of a floating panel was left, minimised or closed, or a panel came into sight or went out of
-    /// it: closed, shown, or one of several that lie on each other.
+    /// The window of a floating panel was deactivated, minimized or closed, or a panel was shown, hidden, or
+    /// brought to the front of its tab group.
     void attentionLost(tiller::control::StopCause cause);
 
 protected:
@@ -74,7 +74,7 @@ private:
     void changeByHand();
 
     QList<PanelDock*> docks_;
-    std::optional<StagePlan> plan_;  ///< while the panels stand as planned
+    std::optional<StagePlan> plan_;  ///< set while the arrangement equals the plan
     bool arranging_ = false;
 };
 

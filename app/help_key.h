@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The key of a command of the window, where one of the window's dialogs has the focus: there Qt gives no shortcut to the
-// window. For help, which is wanted in a dialog more than anywhere.
+// The help shortcut of the window in its dialogs: Qt does not deliver shortcuts of the window while a dialog has
+// the focus.
 
 #include <QObject>
 
@@ -13,7 +13,7 @@ namespace tiller::app {
 
 class HelpKey : public QObject {
 public:
-    /// command  of the window `owner`, which is also its parent
+    /// command  of the window `owner`, which is also the parent
     HelpKey(QAction& command, QWidget& owner);
 
 protected:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Help: the manual, at the page that was asked for, and beside it the rules of jogging and every command with its key.
+// Help: the manual with a selected page, the rules of jogging, and all commands with their shortcuts.
 
 #include <QDialog>
 
@@ -13,15 +13,16 @@ class HelpPage : public QDialog {
     Q_OBJECT
 
 public:
-    /// longestHold  after this time a held jog needs a new press [s]; commands  as HTML
-    /// manual       folder of the manual's pages; empty: there are none, and the page says how to get them
+    /// longestHold  maximum duration of a jog without a new press [s]
+    /// commands     as HTML
+    /// manual       folder of the manual; empty: not installed, the page explains how to get it
     HelpPage(int longestHold, const QString& commands, const QString& manual, QWidget* parent = nullptr);
 
-    /// page  "window/io.html#gripper", in the folder of the manual
+    /// page  relative to the folder of the manual, e.g. "window/io.html#gripper"
     void showManual(const QString& page);
 
 Q_SIGNALS:
-    /// The practice tasks are wanted; the page closes.
+    /// The user wants to start the practice tasks; the page closes.
     void practiceRequested();
 
 protected:

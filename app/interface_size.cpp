@@ -10,7 +10,7 @@ namespace {
 
 constexpr char kFactor[] = "QT_SCALE_FACTOR";
 constexpr char kProperty[] = "tillerInterfaceSize";
-/// Above this a key of 72 px is smaller than 13 mm.
+/// Above this density, a button of 72 px is smaller than 13 mm.
 constexpr double kDensePixels = 140;  // per inch
 
 double factorOfTheEnvironment() {
@@ -62,7 +62,7 @@ SizedApplication::SizedApplication(int argc, char** argv, int percent)
     if (wanted == kInterfaceSizes.front() || screen == nullptr) {
         return;
     }
-    // The screen is known only now; another one than yesterday may be smaller.
+    // The screen is only known now; it may be smaller than at the last start.
     if (const int fitting = fittingInterfaceSize(wanted, availableAtNormalSize(*screen)); fitting != wanted) {
         application_.reset();
         begin(fitting);
@@ -83,7 +83,7 @@ void SizedApplication::begin(int percent) {
     application_ = std::make_unique<QApplication>(count_, arguments_.data());
     application_->setProperty(kProperty, percent);
     if (told) {
-        // For us alone: a program that is started from here begins in its own size.
+        // For this process only: programs started from here use their own size.
         qputenv(kFactor, QByteArray::number(desktopFactor_));
     }
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How large everything of the window is: text, keys, rows, plots and the view alike, on top of what the desktop
-// asks for. Qt takes the factor when the application begins, and measures all of it in pixels of that size; so
-// another size holds from the next start on.
+// Scale of the whole user interface (text, buttons, rows, plots, 3D view) in addition to the scale of the desktop.
+// Qt reads the factor at the start of the application, so that a change takes effect at the next start.
 
 #include <QSize>
 #include <array>
@@ -15,25 +14,25 @@ class QScreen;
 
 namespace tiller::app {
 
-/// What the settings offer [%].
+/// Selectable sizes [%].
 inline constexpr std::array<int, 4> kInterfaceSizes = {100, 125, 150, 200};
-/// The least a window needs at 100 %: a screen of 1280 x 720 less title bar and borders.
+/// Minimum window size at 100 %: a screen of 1280 x 720 without title bar and borders.
 inline constexpr QSize kSmallestWindow{1264, 672};
 
-/// The offered one that is nearest below; 100 where there is none.
+/// The largest selectable size not above `percent`; 100 if there is none.
 int saneInterfaceSize(int percent);
-/// The largest offered size, at most the wanted one, at which the smallest window has room.
-/// available  what windows may use of the screen at 100 % [px]
+/// The largest selectable size up to `wanted` at which the minimum window fits.
+/// available  space for windows on the screen at 100 % [px]
 int fittingInterfaceSize(int wanted, QSize available);
-/// The size the application began with [%].
+/// The size at the start of the application [%].
 int interfaceSize();
-/// What windows may use of the screen, as it would be at 100 % [px].
+/// Space for windows on the screen, converted to 100 % [px].
 QSize availableAtNormalSize(const QScreen& screen);
-/// True where fingers and eyes would want a larger size than there is.
+/// True if a larger size is recommended for the pixel density.
 bool looksSmall(const QScreen& screen);
 
-/// The application, begun in a size. Where the window would not fit, it is begun in the largest that does: what
-/// stops the arm must be in sight.
+/// Creates the application with a size. If the window does not fit, the largest possible size is used, because the
+/// stop controls must be visible.
 /// Threads  GUI
 class SizedApplication {
 public:
@@ -48,8 +47,8 @@ private:
     void begin(int percent);
 
     const std::vector<char*> given_;
-    const double desktopFactor_;    ///< what the environment asks for
-    std::vector<char*> arguments_;  ///< Qt takes out what is meant for itself
+    const double desktopFactor_;    ///< factor requested by the environment
+    std::vector<char*> arguments_;  ///< Qt removes its own arguments
     int count_ = 0;
     std::unique_ptr<QApplication> application_;
 };

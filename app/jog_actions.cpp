@@ -73,7 +73,7 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
                    {},
                    [&column, force] { column.selectors().setUntilContact(force); }});
     }
-    // As the last entries of the column's own menus, for those who have no second mouse button.
+    // Also available in the context menus of the column, for users without a right mouse button.
     table.add({"jog.speed.other",
                tr("Jog speed, other…"),
                tr("Asks for the TCP speed. Rotation and joint speeds change in proportion."),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the jog column can do, as commands: for those who have no mouse, and for the palette.
+// The functions of the jog column as commands, for use without a mouse and in the palette.
 
 #include <QCoreApplication>
 #include <functional>
@@ -22,7 +22,7 @@ public:
     /// column, keyboard  must outlive the table
     static void addTo(ActionTable& table, JogColumn& column, KeyboardJog& keyboard,
                       const std::function<void()>& showTrainer);
-    /// Names speeds and steps again, after the operator chose other units.
+    /// Updates the names of speeds and steps after a change of units.
     static void rename(ActionTable& table);
 };
 

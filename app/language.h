@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The language of the window: its texts, those of Qt's own dialogs, and the decimal sign.
+// The language of the user interface: translations, including Qt's dialogs, and the decimal separator.
 
 #include <QString>
 #include <QTranslator>
@@ -10,21 +10,21 @@
 namespace tiller::app {
 
 struct Language {
-    QString code;  ///< as in the name of its file: "de", "zh_CN"
-    QString name;  ///< as its speakers write it
+    QString code;  ///< as in the file name: "de", "zh_CN"
+    QString name;  ///< native name
 };
 
-/// Those there are, English first.
+/// Available languages, English first.
 const QVector<Language>& languages();
-/// The one to show. English where neither is there.
-/// chosen  its code; empty, or one that is not there: what the system speaks
+/// The language to use; English as fallback.
+/// chosen  language code; empty or unknown: system language
 QString languageFor(const QString& chosen);
-/// The code of the one that windows are built in now.
+/// Code of the language used for new windows.
 QString shownLanguage();
 
-/// The texts of one language, as long as it lives and until it takes another one. Numbers that are shown or typed have
-/// the decimal sign of that language; files never ask.
-/// Threads  GUI. A window that is there already keeps the texts it was built with
+/// Loads the texts of one language for the lifetime of the object or until another one is loaded. Displayed and
+/// entered numbers use the decimal separator of this language; files do not.
+/// Threads  GUI. Existing windows keep their texts
 class LanguageTexts {
 public:
     explicit LanguageTexts(const QString& chosen = {}) { take(chosen); }

@@ -15,7 +15,7 @@
 namespace tiller::app {
 namespace {
 
-// What the hand of the task "record and measure" presses with [N]: felt, and far below a protective stop.
+// Force range for the task "record and measure" [N]: measurable, and far below a protective stop.
 constexpr int kLeastHand = 25;
 constexpr int kMostHand = 60;
 
@@ -62,7 +62,7 @@ Lessons::~Lessons() {
 
 void Lessons::readAgain() {
     const Learned learned = settings_.learned();
-    // The practice first: the steps remember both as soon as they change.
+    // The practice tasks first: each step saves both when it changes.
     practice_.setDone(learned.practice);
     steps_.setDone(learned.firstSteps);
 }
@@ -95,7 +95,7 @@ void Lessons::showPractice() {
 
 void Lessons::onState(const SessionState& state) {
     const bool here = simulator_.controllerOf(state) != nullptr;
-    // Between two packets that are late it is still the same robot.
+    // A delay between two packets does not change the robot.
     if (!here && state.link != LinkState::Disconnected && !state.hasData()) {
         return;
     }
@@ -130,7 +130,7 @@ PracticeHooks Lessons::hooks() {
                 },
             .addWaypoint =
                 [this](const project::Waypoint& point) {
-                    steps_.setFollowing(false);  // it was not taught
+                    steps_.setFollowing(false);  // not taught by the user
                     document_.insertWaypoints(document_.waypoints().size(), {point},
                                               tr("Practice: place “%1”").arg(point.name));
                 }};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What helps a newcomer in the window: the checklist of the first steps, shown by itself until it is dismissed,
-// and the practice tasks. Both are for the simulated robot of this program.
+// Introduction for new users: the checklist of the first steps, shown until it is dismissed, and the practice
+// tasks. Both require the simulated robot of this program.
 
 #include <QObject>
 
@@ -27,13 +27,13 @@ class Lessons : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive it; the cards lie over `view`.
+    /// All arguments must outlive the object; the cards are shown above `view`.
     Lessons(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator, Settings& settings,
             SceneView& view);
     ~Lessons() override;
 
     void addTo(ActionTable& table);
-    /// The settings now say something else of what was done.
+    /// Reloads the progress after a change of the settings.
     void readAgain();
     void showFirstSteps();
     void showPractice();

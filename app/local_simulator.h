@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The simulated robot inside the application: the first of 127.0.0.1, 127.0.0.2 ... whose standard ports are
-// free, so that several windows and `tiller-cli simulate` live side by side.
+// The simulated robot inside the application. It uses the first of 127.0.0.1, 127.0.0.2 ... with free standard
+// ports, so that several windows and `tiller-cli simulate` can run in parallel.
 
 #include <QList>
 #include <memory>
@@ -15,18 +15,18 @@ namespace tiller::app {
 
 class LocalSimulator {
 public:
-    /// Starts it, unless it runs already.
-    /// Returns  where the session finds it
-    /// Errors   Rejected when no loopback address has the ports free; AddressInvalid
+    /// Starts it unless it is running.
+    /// Returns  the address for the session
+    /// Errors   Rejected if no loopback address has free ports; AddressInvalid
     Result<RobotAddress> start();
     void stop();
     simulator::Simulator* controller() { return controller_.get(); }
-    /// Counts another controller of this process as one of its own, until it is null again or this ends; it
-    /// must run so long.
+    /// Treats another controller in this process as one of this object until null is passed or the object is
+    /// destroyed; the controller must exist for this time.
     void borrow(simulator::Simulator* controller) { borrowed_ = controller; }
-    /// Those that run.
+    /// All running controllers.
     QList<simulator::Simulator*> controllers() const;
-    /// The one of them that a session is connected to; null when it is none of them.
+    /// The controller that a session is connected to; null if it is none of them.
     simulator::Simulator* controllerOf(const SessionState& state) const;
 
 private:

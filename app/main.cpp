@@ -38,10 +38,10 @@ void print(FILE* to, const QString& text) {
     }
 }
 
-/// What was asked for, or what was open last, or a file of one's own to begin with.
+/// The requested project, or the last one, or a new file.
 app::StartProject projectOf(const app::CommandLine& line, const app::Settings& settings) {
     if (!line.demoDirectory.isEmpty()) {
-        // The demonstration's own product, as the recording is: it begins anew every time.
+        // The demonstration starts with a new project every time.
         const QString file = line.demoDirectory + QStringLiteral("/demo.tiller");
         QFile::remove(file);
         return {file, {}};
@@ -49,7 +49,7 @@ app::StartProject projectOf(const app::CommandLine& line, const app::Settings& s
     return line.projectFile.isEmpty() ? app::startProject(settings) : app::StartProject{line.projectFile, {}};
 }
 
-/// True when there is nowhere to show a window. Qt's own answer to that is to abort, even for `--help`.
+/// True if there is no display. Qt would abort, even for `--help`.
 bool withoutDisplay(const QStringList& arguments) {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
     const char* const names[] = {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"};
@@ -61,14 +61,14 @@ bool withoutDisplay(const QStringList& arguments) {
 #endif
 }
 
-/// The demonstration is the same on every computer.
+/// The demonstration has the same size on every computer.
 int sizeFor(const QStringList& arguments) {
     const bool demonstrates = std::ranges::any_of(
         arguments, [](const QString& word) { return word.startsWith(QLatin1String("--demo")); });
     return demonstrates ? app::kInterfaceSizes.front() : app::readInterfaceSize({});
 }
 
-/// Once: where any setting was chosen, this one was seen too.
+/// Shown once: any saved setting means that it was shown before.
 void tellOfSize(app::MainWindow& window) {
     if (app::looksSmall(*window.screen()) && !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
         Q_EMIT window.session().message(
@@ -102,7 +102,7 @@ int runDemonstration(QApplication& application, app::MainWindow& window, const Q
     return QApplication::exec();
 }
 
-/// With the robot that the window before was connected to. Control is for the operator to take.
+/// Connects to the robot of the previous window. The user has to take control again.
 void connectAgain(app::MainWindow& window, const SessionState& before) {
     if (before.link == LinkState::Disconnected) {
         return;
@@ -114,7 +114,7 @@ void connectAgain(app::MainWindow& window, const SessionState& before) {
     }
 }
 
-/// connect  called before the window is shown: the robot answers while the first frame is painted
+/// connect  called before the window is shown, so that the robot responds while the first frame is painted
 std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const app::Settings& settings,
                                             const std::function<void(app::MainWindow&)>& connect) {
     auto window = std::make_unique<app::MainWindow>(settings);
@@ -127,7 +127,7 @@ std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const 
     }
     connect(*window);
     window->show();
-    // Where no window manager does it, nobody else would, and a window that is not active moves nothing.
+    // Without a window manager, the window has to be activated here; an inactive window moves nothing.
     window->activateWindow();
     const app::StartProject project = projectOf(line, settings);
     window->openProject(project.path);
@@ -153,7 +153,7 @@ int main(int argc, char* argv[]) {
     QApplication::setApplicationName(QStringLiteral("Tiller"));
     QApplication::setOrganizationName(QStringLiteral("Tiller"));
     QApplication::setApplicationVersion(QStringLiteral(TILLER_VERSION));
-    // By this name the desktop finds its icon.
+    // The desktop finds the icon by this name.
     QApplication::setDesktopFileName(QStringLiteral("org.tiller.Tiller"));
 
     app::LanguageTexts texts(app::Settings().preferences().language);
@@ -182,12 +182,12 @@ int main(int argc, char* argv[]) {
 
     initResources();
     const bool demonstration = !line->demoDirectory.isEmpty();
-    // The demonstration shows the default layout and leaves no traces in the user's settings.
+    // The demonstration uses the default layout and does not change the user's settings.
     app::Settings settings(demonstration ? line->demoDirectory + QStringLiteral("/settings.ini") : QString());
     if (demonstration) {
         settings.setLearned({.dismissed = true, .firstSteps = {}, .practice = {}});
     }
-    // The demonstration connects by itself, so that it hears of what goes wrong on the way.
+    // The demonstration connects by itself to receive all errors.
     auto window = openWindow(*line, settings, [&](app::MainWindow& opened) {
         if (!demonstration) {
             connectAsAsked(opened, *line);
@@ -214,7 +214,7 @@ int main(int argc, char* argv[]) {
         }
         window.reset();
         texts.take(app::Settings().preferences().language);
-        // What is open now, not what the program was started with.
+        // Use the current project, not the one from the command line.
         line->projectFile.clear();
         window = openWindow(*line, settings, [&](app::MainWindow& opened) { connectAgain(opened, *before); });
         window->keepUnsavedWorkIn(app::unsavedWorkFolder());

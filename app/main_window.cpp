@@ -88,7 +88,7 @@ constexpr QSize kStart{1600, 900};
 /// Between panels [px].
 constexpr int kGap = 10;
 
-/// The room around a panel, so that the header and the status line can reach from edge to edge.
+/// The margin around a panel; header and status bar extend to the window edges.
 QWidget* withMargins(QWidget* panel, const QMargins& margins) {
     auto* frame = new QWidget;
     auto* layout = new QVBoxLayout(frame);
@@ -97,15 +97,15 @@ QWidget* withMargins(QWidget* panel, const QMargins& margins) {
     return frame;
 }
 
-/// The jog column's place: it is neither arranged nor closed.
+/// The dock of the jog column: fixed and not closable.
 class FixedDock : public QDockWidget {
 public:
     FixedDock(QWidget* content, const QString& name, const QString& title, QWidget* parent)
         : QDockWidget(title, parent) {
         setObjectName(name);
         setFeatures(NoDockWidgetFeatures);
-        // A title bar without height. A plain widget has none to tell, which a dock takes for -1 and is a pixel
-        // too low.
+        // A title bar without height. A plain widget has no size hint, which QDockWidget treats as -1, so that the
+        // content is one pixel too low.
         auto* bar = new QWidget(this);
         auto* layout = new QHBoxLayout(bar);
         layout->setContentsMargins(0, 0, 0, 0);
@@ -117,7 +117,7 @@ protected:
     void closeEvent(QCloseEvent* event) override { event->ignore(); }
 };
 
-/// STOP must be in sight at once on a small screen too. Title bar and borders come on top.
+/// STOP must be visible immediately, even on a small screen. Excludes title bar and borders.
 QSize startSize() {
     const QScreen* screen = QGuiApplication::primaryScreen();
     return screen == nullptr ? kStart : kStart.boundedTo(screen->availableSize() - QSize(16, 48));
@@ -194,19 +194,19 @@ MainWindow::~MainWindow() {
     disconnect(qApp, nullptr, this, nullptr);
     const QList<QDialog*> open = findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(open);
-    // What the panels and their parts say on their way out arranges nothing, and is shown in no part that has gone.
+    // Ignore signals of the panels during destruction.
     disconnect(stage_, nullptr, nullptr, nullptr);
     const QWidgetList parts = findChildren<QWidget*>();
     for (QWidget* part : parts) {
         disconnect(part, nullptr, this, nullptr);
     }
-    // While all parts still live: the session tells them that it ends. Then they go, and it goes last.
+    // While all parts exist, the session announces its end. It is destroyed last.
     session_->shutDown();
     lessons_.reset();
     delete keyboard_;
     delete devices_;
     delete popup_;
-    // What is not saved yet is saved while the store goes: nothing of it is shown any more.
+    // Unsaved changes are saved when the store is destroyed; do not display this.
     disconnect(&files_->store(), nullptr, this, nullptr);
     disconnect(files_.get(), nullptr, this, nullptr);
     delete takeCentralWidget();
@@ -225,13 +225,13 @@ void MainWindow::buildDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, jogDock);
 
     stage_ = new DockStage;
-    // Panels that need more room than there is scroll: they never press upon the jog column.
+    // Panels that need more space than available scroll instead of shrinking the jog column.
     auto* area = new SteadyScrollArea;
     area->setObjectName("stageArea");
     area->setFocusPolicy(Qt::NoFocus);
     area->setWidgetResizable(true);
     area->setWidget(stage_);
-    // The bar of a docked panel is a part of the gap above it.
+    // The bar of a docked panel is part of the gap above it.
     setCentralWidget(withMargins(area, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View")));
     tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, Tools, I/O, Log"));
@@ -254,7 +254,7 @@ void MainWindow::buildDocks() {
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Not before: panels that float would be seen without the window.
+    // Not earlier: floating panels would be shown before the window.
     if (!std::exchange(layoutRestored_, true)) {
         if (const int width = settings_.arrangement().jogWidth; width > 0) {
             resizeDocks({findChild<QDockWidget*>("jogDock")}, {std::min(width, this->width() / 2)},
@@ -306,7 +306,7 @@ void MainWindow::connectParts() {
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     connect(&scene_->view(), &SceneView::moveLimitChanged, this, [this](const QString& text) {
-        // The ghost may be another key's, as that of Home.
+        // The ghost may belong to another button, such as Home.
         const std::optional<Ghost> own = waypoints_->ghost();
         const std::optional<Ghost>& shown = scene_->view().ghost();
         const bool same = own && shown && own->name == shown->name && own->q == shown->q;
@@ -340,7 +340,7 @@ void MainWindow::connectParts() {
     });
 
     const auto followView = [this] {
-        // The scene has Y up and Z towards the eye; the jog frame has Y away from the eye and Z up.
+        // In the scene Y is up and Z towards the viewer; in the jog frame Y is away from the viewer and Z up.
         const Eigen::Matrix3d R = scene_->view().viewRotation();
         Eigen::Matrix3d R_base_view;
         R_base_view << R.col(0), -R.col(2), R.col(1);
@@ -400,7 +400,7 @@ void MainWindow::connectProject() {
     connect(fit_.get(), &ProjectFit::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
 }
 
-/// Undo and redo may concern another tab than the one in front.
+/// Undo and redo may affect a tab that is not in front.
 void MainWindow::showStep(const ProjectStep& step) {
     Q_EMIT session_->message(
         Severity::Info, (step.undone ? tr("Undone: %1") : tr("Redone: %1")).arg(step.text), Origin::Operator);
@@ -569,7 +569,7 @@ void MainWindow::connectSimulator() {
 }
 
 void MainWindow::simulateCell() {
-    // An empty cell clears only what a project has put there.
+    // An empty cell only clears objects that were added by a project.
     if (document_->cell().isEmpty() && !cellIsSimulated_) {
         return;
     }
@@ -588,7 +588,7 @@ void MainWindow::connectRobot(const RobotAddress& address) {
     session_->connectTo(address);
 }
 
-// Only one that answered: an address that was mistyped shall not be offered again.
+// Only robots that responded, so that mistyped addresses are not offered.
 void MainWindow::rememberRobot(const SessionState& state) {
     if (toRemember_ && state.link == LinkState::Live) {
         settings_.rememberRobot(*std::exchange(toRemember_, std::nullopt));
@@ -753,7 +753,7 @@ void MainWindow::changeEvent(QEvent* event) {
     }
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange) {
-        // What nobody sees is not painted, whatever the platform would ask for.
+        // A minimized window is not painted, even if the platform requests it.
         setUpdatesEnabled(!isMinimized());
     }
 }
@@ -774,7 +774,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     keepLayout();
     session_->disconnectFromRobot();
     QMainWindow::closeEvent(event);
-    // No panel stays behind on another screen.
+    // Floating panels on other screens are minimized as well.
     for (PanelDock* dock : stage_->docks()) {
         if (dock->isFloating()) {
             dock->hide();
@@ -802,7 +802,7 @@ void MainWindow::buildActions() {
     SceneActions::addTo(*actions_, scene_->view());
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
-        // One history for the whole project.
+        // One undo history for the whole project.
         if (action->objectName() == "waypoint.action.undo" ||
             action->objectName() == "waypoint.action.redo") {
             frames_->addAction(action);
@@ -826,7 +826,7 @@ void MainWindow::buildActions() {
         menu->addActions(actions_->inMenu(id));
         menus_[id] = menu;
     }
-    // The robot's menu is the main one: the others open from it too, so that none needs a chip to be found.
+    // The robot's menu is the main menu; the others are also available in it.
     QMenu* main = menus_["robot"];
     main->setObjectName("mainMenu");
     main->addSeparator();
@@ -976,7 +976,7 @@ void MainWindow::showHelp() {
         open->close();
     }
     const QString about = manualPageOf(focus == tabs_ ? pages_->currentWidget() : focus);
-    // A dialog that keeps others away lets its own children be used.
+    // The children of a modal dialog remain usable.
     auto* over = focus == nullptr ? nullptr : qobject_cast<QDialog*>(focus->window());
     auto* page = new HelpPage(preferences_.longestHold, actions_->helpText(), manualFolder(),
                               over != nullptr ? static_cast<QWidget*>(over) : this);
@@ -1024,7 +1024,7 @@ void MainWindow::showRecovery() {
         open->activateWindow();
         return;
     }
-    // Not modal: STOP and the state stay in reach.
+    // Not modal: STOP and the state must stay accessible.
     (new RecoveryPage(*session_, *stops_, this))->show();
 }
 
@@ -1064,7 +1064,7 @@ void MainWindow::askToTakeControl() {
     stopMotion(control::StopCause::DialogOpened);
     const SessionState& state = session_->state();
     const bool paused = state.runtimeState == RuntimeState::Paused;
-    // PolyScope's name for a program that is in no file, as one that another client has sent.
+    // PolyScope's name for a program without a file, e.g. one sent by another client.
     const QString name = state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
     QWidget* front = QApplication::activeWindow();
     auto* question = new QMessageBox(front != nullptr ? front : this);
@@ -1110,7 +1110,7 @@ void MainWindow::showSettings(bool atRecording) {
     connect(page, &SettingsPage::exportWanted, transfer_, [this, page] { transfer_->askToExport(page); });
     connect(page, &SettingsPage::importWanted, transfer_, [this, page] { transfer_->askToImport(page); });
     connect(page, &SettingsPage::windowAnewWanted, this, [this, page] { openAnew(*page); });
-    // It shows what was chosen before.
+    // The page shows the previous settings.
     connect(transfer_, &SettingsTransfer::imported, page, &QDialog::close);
     if (atRecording) {
         page->showRecording();
@@ -1168,7 +1168,7 @@ void MainWindow::offerCrashReport(const QString& path) {
     if (readCrashReport(path).isEmpty()) {
         return;
     }
-    // A copy: a second crash shall not write over the first one before it was read.
+    // A copy, so that a second crash does not overwrite the first report.
     const QString kept = path + QStringLiteral(".last");
     QFile::remove(kept);
     crashReport_ = QFile::rename(path, kept) ? kept : path;
@@ -1218,7 +1218,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     }
     session_->setMonitorOnly(preferences.monitorOnly || monitorOnlyLocked_);
     holdTerms_.longestNs = preferences.longestHold * kNsPerSecond;
-    // A copy: whoever hears of it may write into the original.
+    // A copy: receivers of the signal may modify the original.
     const QMap<QString, DeviceTuning> tunings = preferences.devices;
     for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {
         devices_->tune(it.key(), *it);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The window: header on top, jog column at the left, view, tabs and plots around it. It wires the parts to
-// the session and to each other, and stops the arm whenever it loses the operator's attention.
+// The main window: header at the top, jog column at the left, view, tabs and plots around it. It connects the parts
+// to the session and to each other, and stops the arm when the window loses the operator's attention.
 
 #include <QMainWindow>
 #include <QMap>
@@ -60,7 +60,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    /// clock  of the session; tests bring their own
+    /// clock  of the session; for tests
     explicit MainWindow(const Settings& settings, const Clock& clock = SteadyClock::shared(),
                         QWidget* parent = nullptr);
     ~MainWindow() override;
@@ -73,40 +73,40 @@ public:
     FramesTab& frames() { return *frames_; }
     ToolsTab& tools() { return *tools_; }
     DeviceJog& devices() { return *devices_; }
-    /// Who is asked whether a button or a key is still down. At first the one of this platform.
+    /// Replaces the key-state check of the platform.
     void setHoldWitness(std::unique_ptr<HoldWitness> witness);
-    /// Looks for gamepads and a SpaceMouse from now on.
+    /// Starts to detect gamepads and a SpaceMouse.
     void lookForDevices();
 
-    /// Starts the simulated robot in this process, unless it runs, and connects to it.
+    /// Starts the simulated robot in this process unless it is running, and connects to it.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
-    /// A simulated controller of this process that somebody else has started counts as the window's own: the
-    /// first steps and the practice tasks are for it too. Until null is given; it must run so long.
+    /// Treats a simulated controller of this process as the simulated robot of the window, for the first steps and
+    /// the practice tasks. It must exist until null is passed.
     void practiseOn(simulator::Simulator* controller) { simulator_.borrow(controller); }
-    /// Asks what to begin with: simulator, robot or project.
+    /// Shows the start dialog: simulator, robot or project.
     void askForRobot();
-    /// Looks at everything between here and the robot, then connects if the operator wants to.
+    /// Checks the connection to the robot, then connects if the user confirms.
     void showPreflight(const RobotAddress& robot);
-    /// Everything the window can do.
+    /// All actions of the window.
     const ActionTable& actions() const { return *actions_; }
-    /// The settings into a file and out of one.
+    /// Export and import of the settings.
     SettingsTransfer& transfer() { return *transfer_; }
-    /// "light" or "dark"; remembered when the operator chose it.
+    /// "light" or "dark"; saved if selected by the user.
     void setTheme(const QString& theme);
     void openProject(const QString& path);
-    /// Monitor only, whatever the settings say, as long as the window is there.
+    /// Monitor only for the lifetime of the window, independent of the settings.
     void lockMonitorOnly();
-    /// From now on every stop of the safety system becomes a file in this folder, and a line of the log that opens it.
+    /// Writes an incident file for every safety stop to this folder, with a link in the log.
     void keepIncidentsIn(const QString& folder);
-    /// From now on changes that are in no file are kept in this folder; offers those that an earlier window left there.
+    /// Keeps unsaved changes in this folder, and offers those of earlier windows.
     void keepUnsavedWorkIn(const QString& folder);
-    /// Everything that is known, as one file to give to somebody who helps.
+    /// Creates a problem report with all available information.
     void showReport();
-    /// Offers what a crash has left in this file, if it is there; goes with the next report.
+    /// Offers the crash report in this file, if any; it becomes part of the next problem report.
     void offerCrashReport(const QString& path);
 
-    /// What the settings page chose; holds at once.
+    /// Applies the values of the settings page immediately.
     void applyPreferences(const Preferences& preferences);
 
     int waypointCount() const;
@@ -116,8 +116,9 @@ public:
     Perspectives& perspectives() { return *perspectives_; }
 
 Q_SIGNALS:
-    /// Another one is to take its place, in the language chosen now. It has let go of the robot and is closed.
-    /// before  how things stood until then
+    /// Request to replace this window by a new one in the selected language. It has released the robot and is
+    /// closed.
+    /// before  the state until then
     void closedToOpenAnew(const tiller::SessionState& before);
 
 protected:
@@ -142,13 +143,13 @@ private:
     void showSettings(bool atRecording = false);
     void openAnew(SettingsPage& page);
     void connectTransfer();
-    /// Settings that came from elsewhere hold at once.
+    /// Applies imported settings immediately.
     void readSettingsAgain();
     void keepLayout();
     void tellIoNames();
     void connectParts();
     void connectReplay();
-    /// What recordings and incidents keep as the project.
+    /// Updates the project stored with recordings and incidents.
     void keepProject();
     void connectProject();
     void showStep(const ProjectStep& step);
@@ -157,7 +158,7 @@ private:
     void connectTools();
     void connectIo();
     void connectDevices(const Clock& clock);
-    /// over  the window it stands in front of
+    /// over  the parent window
     void showTrainer(QWidget* over);
     void rememberRobot(const SessionState& state);
     void listRobots();
@@ -169,16 +170,16 @@ private:
     ReportSources reportSources() const;
 
     Settings settings_;
-    Preferences preferences_;         ///< as they hold now
+    Preferences preferences_;         ///< current values
     bool monitorOnlyLocked_ = false;  ///< by the command line
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;
-    std::optional<RobotAddress> toRemember_;  ///< once it has answered
+    std::optional<RobotAddress> toRemember_;  ///< once it has responded
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<HoldWitness> witness_;
     HoldTerms holdTerms_;
     std::unique_ptr<ProjectDocument> document_;
-    std::unique_ptr<ProjectFiles> files_;  ///< saves on its way out what the document holds
+    std::unique_ptr<ProjectFiles> files_;  ///< saves the document when it is destroyed
     std::unique_ptr<ProjectFit> fit_;
     std::unique_ptr<Lessons> lessons_;
 
@@ -191,7 +192,7 @@ private:
     ToolsTab* tools_ = nullptr;
     IoTab* io_ = nullptr;
     GripperPanel* gripper_ = nullptr;
-    IoPages* ioPages_ = nullptr;  ///< of these two
+    IoPages* ioPages_ = nullptr;  ///< owned by these two
     LogTab* log_ = nullptr;
     StatusLine* status_ = nullptr;
     RobotPopup* popup_ = nullptr;
@@ -199,18 +200,18 @@ private:
     KeyboardJog* keyboard_ = nullptr;
     DeviceJog* devices_ = nullptr;
     StopRecorder* stops_ = nullptr;
-    IncidentWatch* incidents_ = nullptr;  ///< null: nothing is kept
+    IncidentWatch* incidents_ = nullptr;  ///< null: no incident files
     ActionTable* actions_ = nullptr;
     SettingsTransfer* transfer_ = nullptr;
     QMap<QString, QMenu*> menus_;
     QMenu* recentProjects_ = nullptr;
-    QList<QAction*> robotActions_;  ///< the remembered robots, in the robot menu
+    QList<QAction*> robotActions_;  ///< the remembered robots in the robot menu
     DockStage* stage_ = nullptr;
     PanelDock* tabsDock_ = nullptr;
     PanelDock* plotsDock_ = nullptr;
     Perspectives* perspectives_ = nullptr;
-    QString crashReport_;          ///< the file of one that was not reported yet; empty: none
-    bool layoutRestored_ = false;  ///< as it was left last
+    QString crashReport_;          ///< an unreported crash report; empty: none
+    bool layoutRestored_ = false;  ///< layout of the last window
     QTabBar* tabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The manual as the window shows it: where its pages lie, and which of them is about what.
+// Location of the manual, and the page for each part of the window.
 
 #include <QString>
 #include <QVector>
@@ -10,20 +10,20 @@ class QWidget;
 
 namespace tiller::app {
 
-/// A part of the window and what explains it.
+/// A part of the window and its page.
 struct ManualPlace {
-    QString widget;  ///< its objectName
-    QString page;    ///< as in "window/io.html#gripper", below manualFolder()
+    QString widget;  ///< objectName of the part
+    QString page;    ///< relative to manualFolder(), e.g. "window/io.html#gripper"
 };
 
-/// Every part that has a page of its own.
+/// All parts with their own page.
 const QVector<ManualPlace>& manualPlaces();
 
-/// The page about what has the focus: that of the innermost part of the window around it. The contents for all else.
+/// The page for the focus widget: that of the innermost surrounding part. The table of contents otherwise.
 QString manualPageOf(const QWidget* focus);
 
-/// Where the pages are: beside the folder of this program, or where the system keeps what programs share. Empty where
-/// nobody has built them.
+/// Folder of the manual: next to the folder of this program, or in the system's data folders. Empty if not
+/// installed.
 QString manualFolder();
 
 }  // namespace tiller::app

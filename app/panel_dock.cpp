@@ -30,7 +30,7 @@ QToolButton* quietKey(const QString& text, const QString& name) {
 
 }  // namespace
 
-/// The bar of the dock. Docked it is a line of one pixel, floating it is what the window is moved by.
+/// The bar of the dock: one pixel high when docked, a title bar when floating.
 class PanelDock::Bar : public QWidget {
 public:
     explicit Bar(PanelDock& dock) : QWidget(&dock), layout_(new QHBoxLayout(this)) {
@@ -64,7 +64,7 @@ private:
     QList<QWidget*> parts_;
 };
 
-/// In the title bar of the panel: a click opens the menu, a drag moves the panel.
+/// The button in the title bar of the panel: a click opens the menu, a drag moves the panel.
 class PanelDock::Key : public QToolButton {
 public:
     explicit Key(PanelDock& dock) : dock_(dock) {
@@ -144,7 +144,7 @@ void PanelDock::closeEvent(QCloseEvent* event) {
     Q_EMIT rearranged();
 }
 
-// A press on the title bar of the panel means the bar of the dock, which is somewhere above it.
+// Forwards a press on the title bar of the panel to the bar of the dock, which is above it.
 bool PanelDock::barEvent(QMouseEvent& event) {
     if (event.type() == QEvent::MouseButtonPress) {
         const QRect bar(panel_.mapTo(this, QPoint(0, 0)), QSize(panel_.width(), Panel::kHeaderHeight));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A panel that can be moved, closed and floated to another screen. Docked it has no bar of its own: the title
-// bar of the panel moves it, and a small key in there has the same as commands. Floating it has a bar with its
-// name, "Put back" and "Close".
+// A panel that can be moved, closed and floated to another screen. When docked, it is moved by the title bar of the
+// panel, and a small button in it offers commands. When floating, it has a bar with its name, "Put back" and
+// "Close".
 
 #include <QDockWidget>
 #include <optional>
@@ -22,20 +22,20 @@ class PanelDock : public QDockWidget {
     Q_OBJECT
 
 public:
-    /// panel  becomes the content and gets the key that moves it
-    /// name   of the object, as layouts remember it
+    /// panel  the content, which gets the move button
+    /// name   objectName, used in saved layouts
     PanelDock(Panel& panel, const QString& name, const QString& title, QWidget* parent = nullptr);
 
-    /// Of the bar of a docked panel. Qt takes a press for a drag only in the bar, so there must be some. [px]
+    /// Height of the bar of a docked panel: Qt starts a drag only in the bar, so it must not be 0. [px]
     static constexpr int kDockedBar = 1;
 
-    /// What the key of the panel offers. To be filled by whoever has the commands.
+    /// The menu of the panel button, to be filled with commands.
     QMenu& menu() { return *menu_; }
 
 Q_SIGNALS:
-    /// The operator closed it, floated it, put it back or moved it.
+    /// The user closed, floated, docked or moved it.
     void rearranged();
-    /// It is a window of its own, and that window was left, minimised or closed.
+    /// The floating panel was deactivated, minimized or closed.
     void attentionLost(tiller::control::StopCause cause);
 
 protected:
@@ -51,7 +51,7 @@ private:
 
     Panel& panel_;
     QMenu* menu_;
-    std::optional<double> pressedY_;  ///< where the title bar of the panel was taken [px]
+    std::optional<double> pressedY_;  ///< position of the press in the title bar of the panel [px]
 };
 
 }  // namespace app

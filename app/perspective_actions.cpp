@@ -18,7 +18,7 @@
 namespace tiller::app {
 namespace {
 
-/// Of the key that shows the current one; it is the same for every name. [px]
+/// Width of the button that shows the current perspective, independent of the name. [px]
 constexpr int kKeyWidth = 150;
 
 }  // namespace
@@ -79,7 +79,7 @@ void PerspectiveActions::addCommands() {
                 own(tr("This perspective is built in and cannot be deleted."))});
 }
 
-// Anew where the list is another one: the commands of the table have the names of the perspectives.
+// Rebuilt when the list changes: the commands contain the names of the perspectives.
 void PerspectiveActions::list() {
     const QList<Perspectives::Entry> entries = perspectives_.all();
     if (entries != listed_) {
@@ -108,7 +108,7 @@ void PerspectiveActions::showCurrent() {
         action->setChecked(action->data().toString() == current.id);
     }
     if (key_ != nullptr) {
-        // As large as the style sheet writes it, which may not have reached it yet.
+        // With the font of the style sheet, which may not have been applied yet.
         const QFontMetrics metrics(textFont(14));
         const QString arrow = QStringLiteral(" ▾");
         const int room = kKeyWidth - 16 - metrics.horizontalAdvance(arrow);
@@ -173,7 +173,7 @@ void PerspectiveActions::askForName(const QString& title, const QString& proposa
     hint->setObjectName("perspectiveHint");
     hint->setWordWrap(true);
     hint->setProperty("role", "secondary");
-    // Room for the longest hint, so that nothing moves while somebody types.
+    // Space for the longest hint, so that the layout does not change while typing.
     hint->setMinimumHeight(2 * hint->fontMetrics().lineSpacing());
     auto* save = new QPushButton(tr("Save"));
     save->setObjectName("perspectiveSave");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The commands of the perspectives: one to choose each, save, rename, delete. They fill the menu of the
-// perspectives and the key that shows which one is chosen.
+// The commands of the perspectives: select, save, rename, delete. They fill the menu of the perspectives and the
+// button that shows the current one.
 
 #include <QList>
 #include <QObject>
@@ -25,19 +25,19 @@ class PerspectiveActions : public QObject {
 
 public:
     struct Hooks {
-        /// Ends whatever is held: a dialog opens.
+        /// Ends hold-to-run operation before a dialog opens.
         std::function<void()> dialogOpens;
-        /// The obstacles may be others.
+        /// Updates the enabled state of all actions.
         std::function<void()> refresh;
     };
 
-    /// All must outlive this.
+    /// All arguments must outlive the object.
     /// window  parent of the dialogs
     PerspectiveActions(ActionTable& table, Perspectives& perspectives, Hooks hooks, QWidget& window);
 
-    /// menu  is filled from now on
+    /// menu  updated automatically
     void fill(QMenu& menu);
-    /// For the status line; becomes a child of whoever takes it. Only after fill().
+    /// The button for the status bar; its new owner deletes it. Call after fill().
     QToolButton* key();
 
 private:

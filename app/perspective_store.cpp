@@ -19,7 +19,7 @@ QByteArray sealed(const QByteArray& panels) {
     return sealOf(panels) + panels;
 }
 
-/// Empty when it is not as it was written.
+/// Empty if the checksum does not match.
 QByteArray unsealed(const QByteArray& kept) {
     const QByteArray panels = kept.mid(kSealLength);
     return !panels.isEmpty() && kept.startsWith(sealOf(panels)) ? panels : QByteArray();
@@ -89,7 +89,7 @@ QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& bef
             }
             continue;
         }
-        // New here. The other window may have given its number or its name to one of its own.
+        // New here. The other window may have used its number or name for another one.
         while (withNumber(there, mine.number) != there.end()) {
             ++mine.number;
         }
@@ -111,7 +111,7 @@ LastArrangement readArrangement(const SettingsView& settings) {
     using Found = LastArrangement::Found;
     LastArrangement last;
     if (!settings.contains("arrangement/panels")) {
-        // As earlier versions wrote it, whose panels were others.
+        // Format of earlier versions, which had other panels.
         last.found = settings.contains("window/state") ? Found::Older : Found::Nothing;
         return last;
     }

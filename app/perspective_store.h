@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How the settings keep the perspectives the operator saved, and how the panels stood when the window was
-// closed. Every layout carries a checksum: what Qt reads layouts with crashes on some that are damaged.
+// Stores the user's perspectives and the last arrangement of the panels in the settings. Every layout has a
+// checksum, because Qt can crash when reading damaged layouts.
 
 #include <QByteArray>
 #include <QString>
@@ -12,40 +12,40 @@
 
 namespace tiller::app {
 
-/// Characters of a name, and how many perspectives of one's own there can be.
+/// Maximum length of a name and number of perspectives.
 constexpr int kLongestPerspectiveName = 40;
 constexpr int kMostPerspectives = 30;
 
-/// A perspective the operator saved.
+/// A perspective saved by the user.
 struct SavedPerspective {
-    int number = 0;  ///< stays when the name changes; from 1
+    int number = 0;  ///< unchanged by renaming; from 1
     QString name;
-    QString tab;        ///< that is in front, by name; empty: whichever was
-    QByteArray panels;  ///< DockStage::state(); empty when the file has it damaged
+    QString tab;        ///< name of the tab in front; empty: unchanged
+    QByteArray panels;  ///< DockStage::state(); empty if damaged in the file
 
     bool operator==(const SavedPerspective&) const = default;
 };
 
-/// How the panels stood last.
+/// The last arrangement of the panels.
 struct LastArrangement {
     enum class Found { Nothing, Usable, Older, Damaged };
     Found found = Found::Nothing;
-    QString perspective;   ///< id of the one chosen last
-    bool changed = false;  ///< and changed since
+    QString perspective;   ///< id of the last selected perspective
+    bool changed = false;  ///< changed since its selection
     QByteArray panels;     ///< DockStage::state()
-    int jogWidth = 0;      ///< [px], 0: not known
+    int jogWidth = 0;      ///< [px], 0: unknown
 };
 
 QVector<SavedPerspective> readPerspectives(const SettingsView& settings);
 void writePerspectives(SettingsEdit& settings, const QVector<SavedPerspective>& perspectives);
-/// Applies what this window has changed since it read `before` to what the settings hold now, so that windows keep each
-/// other's perspectives. Two new ones of the same number or name both stay, the later one renamed.
+/// Applies the changes of this window since it read `before` to the current settings, so that windows keep each
+/// other's perspectives. New perspectives with the same number or name are both kept; the later one is renamed.
 QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& before,
                                             const QVector<SavedPerspective>& ours,
                                             QVector<SavedPerspective> there);
 
 LastArrangement readArrangement(const SettingsView& settings);
-/// The member `found` is of no account.
+/// The member `found` is ignored.
 void writeArrangement(SettingsEdit& settings, const LastArrangement& arrangement);
 
 }  // namespace tiller::app

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Named arrangements of the panels: three that are built in, and those the operator saves. Choosing one always
-// gives it as it was saved; what was changed since is kept until the next choice, also over a restart. None of
-// them reaches header, jog column and status line.
+// Named arrangements of the panels: three built-in ones, and those saved by the user. Selecting one always restores
+// its saved state; later changes are kept until the next selection, also over a restart. Header, jog column and
+// status bar are not affected.
 
 #include <QKeySequence>
 #include <QObject>
@@ -23,57 +23,57 @@ class Perspectives : public QObject {
 
 public:
     struct Hooks {
-        /// Ends whatever is held.
+        /// Ends hold-to-run operation.
         std::function<void(control::StopCause)> stop;
         std::function<void(const QString&)> showTab;
-        std::function<QString()> tab;  ///< the one in front
+        std::function<QString()> tab;  ///< the tab in front
     };
     struct Entry {
-        QString id;  ///< "teach", or "saved.3"
+        QString id;  ///< e.g. "teach" or "saved.3"
         QString name;
         QString help;           ///< one sentence
-        QKeySequence shortcut;  ///< of those that are built in
+        QKeySequence shortcut;  ///< for built-in perspectives
         bool builtIn = true;
 
         bool operator==(const Entry&) const = default;
     };
 
-    /// stage     with all its panels: shows the first perspective
-    /// settings  must outlive this
+    /// stage     with all panels: shows the first perspective
+    /// settings  must outlive the object
     Perspectives(DockStage& stage, Settings& settings, Hooks hooks, QObject* parent = nullptr);
 
-    /// Those that are built in, then the operator's in the order of saving.
+    /// The built-in perspectives, then the user's in the order of saving.
     QList<Entry> all() const;
     Entry current() const;
     bool isChanged() const { return changed_; }
 
-    /// Ends what is held and shows the perspective as it was saved, also when it is the current one.
+    /// Ends hold-to-run operation and restores the saved perspective, even if it is the current one.
     void choose(const QString& id);
     void reset() { choose(current_); }
 
-    /// Why a perspective cannot have this name, as a sentence; empty when it can.
-    /// except  id of the one that gets a new name
+    /// The reason why a perspective cannot have this name, as a sentence; empty if it can.
+    /// except  id of the perspective to be renamed
     QString obstacle(const QString& name, const QString& except = {}) const;
-    /// The panels as they stand now, under a name that has no obstacle. It is the current one then.
+    /// Saves the current arrangement under a valid name, as the current perspective.
     void saveAs(const QString& name);
-    /// The same into the current one. Only for one of the operator's own.
+    /// Saves the current arrangement in the current perspective, which must not be built-in.
     void save();
-    /// Only for one of the operator's own.
+    /// For the user's perspectives only.
     void rename(const QString& id, const QString& name);
     void remove(const QString& id);
 
-    /// As the window was left last. To be called once, when it is shown.
+    /// Restores the last arrangement. Call once, when the window is shown.
     void restoreLast();
-    /// The settings hold others now: those of another computer.
+    /// Reloads the perspectives after an import of settings.
     void readAgain();
-    /// Remembers how the window is left.
+    /// Saves the arrangement when the window closes.
     /// jogWidth  of the jog column [px]
     void keep(int jogWidth);
 
 Q_SIGNALS:
-    /// There are others, or one has another name.
+    /// The list or a name has changed.
     void listChanged();
-    /// Another one is chosen.
+    /// Another perspective was selected.
     void currentChanged();
     void message(tiller::Severity severity, const QString& text);
 

@@ -10,7 +10,7 @@
 namespace tiller::app {
 namespace {
 
-/// The index of the word in the list; the first one where it is none of them.
+/// Index of the word in the list; 0 if it is not in the list.
 template <class Choice, std::size_t N>
 Choice choiceOf(const QString& word, const char* const (&words)[N]) {
     for (std::size_t i = 0; i < N; ++i) {
@@ -25,7 +25,7 @@ constexpr const char* kDensities[] = {"compact", "mouse", "touch"};
 constexpr const char* kLengths[] = {"mm", "inch"};
 constexpr const char* kRotations[] = {"rpy", "vector"};
 
-/// Commands that had another name in earlier versions keep the key chosen for them.
+/// Commands renamed since earlier versions keep the user's shortcut.
 QString currentName(const QString& id) {
     return id == QLatin1String("waypoint.action.open")     ? QStringLiteral("project.open")
            : id == QLatin1String("waypoint.action.saveAs") ? QStringLiteral("project.saveAs")
@@ -35,8 +35,7 @@ QString currentName(const QString& id) {
 }  // namespace
 
 bool stopsTheArm(const QKeySequence& keys) {
-    // The stop keys stop with any modifier, and a shortcut that begins with them or ends in them would take
-    // them away.
+    // The stop keys stop with any modifier; a shortcut that contains them would disable them.
     for (int i = 0; i < keys.count(); ++i) {
         const Qt::Key key = keys[static_cast<uint>(i)].key();
         if (key == Qt::Key_Space || key == Qt::Key_Escape) {
@@ -62,7 +61,7 @@ Preferences readPreferences(const SettingsView& settings) {
         choiceOf<RotationNotation>(settings.value("look/rotations").toString(), kRotations);
     const double cap = settings.value("motion/speedCap", Preferences::kOrdinaryCap).toDouble();
     if (std::isfinite(cap) && cap > 0) {
-        // A file cannot raise it: only a hand on the settings page can.
+        // The cap cannot be raised by a file, only on the settings page.
         preferences.speedCap = std::clamp(cap, Preferences::kLowestCap, Preferences::kOrdinaryCap);
     }
     preferences.monitorOnly = settings.value("motion/monitorOnly", false).toBool();

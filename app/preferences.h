@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the operator chooses on the settings page, apart from the colours. Whatever the file says, the values
-// are sane.
+// Values of the settings page, except for the colours. Values read from the file are validated.
 
 #include <QKeySequence>
 #include <QMap>
@@ -17,22 +16,23 @@
 namespace tiller::app {
 
 struct Preferences {
-    /// Its code; empty: what the system speaks. Holds from the next window on.
+    /// Language code; empty: system language. Takes effect for the next window.
     QString language;
     Density density = Density::Mouse;
-    /// Of everything in the window [%]; holds from the next start on.
+    /// Scale of the user interface [%]; takes effect at the next start.
     int interfaceSize = 100;
     Notation notation;
-    /// Of the TCP and the elbow [m/s]. Above kOrdinaryCap it holds until the program ends and is not written.
+    /// Speed limit of TCP and elbow [m/s]. A value above kOrdinaryCap is valid until the program ends and is not
+    /// saved.
     double speedCap = kOrdinaryCap;
-    /// The window changes nothing on the robot; only STOP works.
+    /// Block all changes on the robot; only STOP works.
     bool monitorOnly = false;
-    /// After this time a held jog needs a new press [s].
+    /// Maximum duration of a jog without a new press [s].
     int longestHold = kUsualLongestHold;
-    /// By action id; only those that differ from the built-in ones. An empty one: no key.
+    /// By action id; only differences from the defaults. Empty sequence: no shortcut.
     QMap<QString, QKeySequence> shortcuts;
 
-    /// By kind of device; only what was chosen.
+    /// By type of device; only changed values.
     QMap<QString, DeviceTuning> devices;
 
     RecordingChoice recording;
@@ -47,13 +47,13 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-/// True where one of the keys pressed, with whatever modifiers, stops the arm everywhere: it means nothing else.
+/// True if the sequence contains a stop key, with any modifier, which must not have another function.
 bool stopsTheArm(const QKeySequence& keys);
-/// file  where they are kept; empty: the place the system has for them
-/// The one value that is needed before there is an application [%].
+/// file  the settings file; empty: the default location
+/// The only value needed before the application exists [%].
 int readInterfaceSize(const QString& file);
 Preferences readPreferences(const SettingsView& settings);
-/// As they are in the settings.
+/// The values in the format of the settings.
 SettingsMap preferenceValues(const Preferences& preferences);
 
 }  // namespace tiller::app

@@ -21,12 +21,12 @@
 namespace tiller::app {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file for lupdate.
 struct ProblemReport {
     Q_DECLARE_TR_FUNCTIONS(ProblemReport)
 };
 
-/// Who helps reads these in English, whatever the user's language.
+/// In English for the support, independent of the user's language.
 QString versionsText(const SessionState& state) {
     QStringList lines{QStringLiteral("Tiller     %1").arg(QStringLiteral(TILLER_VERSION)),
                       QStringLiteral("Qt         %1, built with %2")
@@ -56,7 +56,7 @@ QString versionsText(const SessionState& state) {
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
-/// As a spreadsheet reads it.
+/// As CSV for spreadsheets.
 QByteArray stopTable(const StopRecord& stop) {
     QByteArray text = "time_s,force_N,tcp_speed_m_s";
     for (int joint = 1; joint <= 6; ++joint) {
@@ -75,7 +75,7 @@ QByteArray stopTable(const StopRecord& stop) {
     return text;
 }
 
-/// What is neither a name nor an address.
+/// Without names and addresses.
 SettingsBundle withoutNames(const SettingsBundle& settings) {
     SettingsBundle kept{settings.writtenBy, {}};
     for (auto it = settings.values.constBegin(); it != settings.values.constEnd(); ++it) {
@@ -93,7 +93,7 @@ void append(QByteArray& to, Number value) {
     to.append(reinterpret_cast<const char*>(&little), sizeof little);
 }
 
-/// What the file's own header and the directory say alike.
+/// The fields common to the local header and the central directory.
 QByteArray zipEntry(const ReportPart& part, const QByteArray& packed, const QDateTime& when) {
     QByteArray entry;
     append<std::uint16_t>(entry, 20);       // version that unpacks it
@@ -109,16 +109,16 @@ QByteArray zipEntry(const ReportPart& part, const QByteArray& packed, const QDat
     append(entry, static_cast<std::uint32_t>(packed.size()));
     append(entry, static_cast<std::uint32_t>(part.content.size()));
     append(entry, static_cast<std::uint16_t>(part.name.toUtf8().size()));
-    append<std::uint16_t>(entry, 0);  // nothing extra
+    append<std::uint16_t>(entry, 0);  // no extra field
     return entry;
 }
 
-/// Deflated, without what zlib puts around it.
+/// Raw deflate data, without the zlib header.
 QByteArray deflated(const QByteArray& content) {
     constexpr qsizetype kQtLength = 4;
     constexpr qsizetype kZlibHead = 2;
     constexpr qsizetype kZlibSum = 4;
-    // Qt makes nothing at all of nothing: an empty block says the same.
+    // Qt returns nothing for empty input: an empty deflate block.
     return content.isEmpty() ? QByteArray("\x03\x00", 2)
                              : qCompress(content).mid(kQtLength + kZlibHead).chopped(kZlibSum);
 }
@@ -127,7 +127,7 @@ QByteArray deflated(const QByteArray& content) {
 
 QString withoutNames(QString text, const QStringList& names) {
     QStringList sorted = names;
-    // The longest first: one may be a part of another.
+    // Longest first: one name may be part of another.
     std::ranges::sort(sorted, [](const QString& a, const QString& b) { return a.size() > b.size(); });
     for (const QString& name : std::as_const(sorted)) {
         if (name.size() > 1) {
@@ -177,7 +177,7 @@ QByteArray zipped(const QVector<ReportPart>& parts) {
         const auto place = static_cast<std::uint32_t>(archive.size());
         archive += QByteArrayLiteral("PK\x03\x04") + entry + part.name.toUtf8() + packed;
         directory += QByteArrayLiteral("PK\x01\x02");
-        append<std::uint16_t>(directory, 20);  // made as of this version
+        append<std::uint16_t>(directory, 20);  // version made by
         directory += entry;
         directory += QByteArray(6, '\0');  // no comment, first disk, no attributes
         append<std::uint32_t>(directory, 0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What somebody who is to help needs to know, as one zip: versions, log, settings, the last stop, a crash. Names and
-// addresses stay at home unless the user lets them go.
+// A problem report for the support as one zip file: versions, log, settings, the last stop, a crash report. Names
+// and addresses are removed unless the user includes them.
 
 #include <QByteArray>
 #include <QString>
@@ -19,27 +19,28 @@ namespace tiller::app {
 
 /// One file of the report.
 struct ReportPart {
-    QString name;  ///< "log.txt"
+    QString name;  ///< e.g. "log.txt"
     QByteArray content;
 };
 
-/// What the report is made of.
+/// The sources of the report.
 struct ReportSources {
     SettingsBundle settings;
     SessionState state;
-    QStringList knownNames;  ///< of robots, inputs, outputs and files, and addresses: what is hidden
+    QStringList knownNames;  ///< names of robots, inputs, outputs and files, and addresses to remove
     QString log;
     std::optional<StopRecord> lastStop;
     QByteArray crash;
 };
 
-/// Replaces these names, and everything that is an address or lies in somebody's home, by a word for it.
+/// Replaces these names, all addresses and home folders by placeholders.
 QString withoutNames(QString text, const QStringList& names);
 
-/// names  false: without names and addresses; words  what the user says about it, kept as it is
+/// names  false: without names and addresses
+/// words  description by the user, unchanged
 QVector<ReportPart> reportParts(const ReportSources& sources, bool names, const QString& words);
 
-/// A zip archive of these files.
+/// Creates a zip archive of these files.
 QByteArray zipped(const QVector<ReportPart>& parts);
 
 /// Errors  FileNotWritable, DiskFull

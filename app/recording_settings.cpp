@@ -23,7 +23,7 @@ namespace tiller::app {
 
 namespace {
 
-constexpr double kPacketRate = 500;  // [Hz] of an e-Series; a CB3 has a quarter of it
+constexpr double kPacketRate = 500;  // [Hz] of an e-Series; a quarter of it on a CB3
 
 QLabel* namedSecondary(const QString& name) {
     auto* label = new QLabel;
@@ -176,7 +176,7 @@ void RecordingSettings::askForFolder() {
 void RecordingSettings::takeFolder() {
     RecordingChoice next = choice_;
     const QString typed = folder_->text().trimmed();
-    // Where the program was started from is nothing an operator knows.
+    // Relative to the working directory would be meaningless to the user.
     next.folder =
         typed.isEmpty() ? QString() : QDir::home().absoluteFilePath(QDir::fromNativeSeparators(typed));
     folder_->setText(QDir::toNativeSeparators(next.folder));
@@ -185,7 +185,7 @@ void RecordingSettings::takeFolder() {
 
 void RecordingSettings::takePattern() {
     if (!patternProblem(pattern_->text()).isEmpty()) {
-        return;  // said below the field; what held before still holds
+        return;  // error shown below the field; the previous value remains
     }
     RecordingChoice next = choice_;
     next.pattern = pattern_->text().trimmed();
@@ -200,7 +200,7 @@ void RecordingSettings::showExample() {
     const QString role = problem.isEmpty() ? QStringLiteral("secondary") : QStringLiteral("warning");
     if (example_->property("role") != role) {
         example_->setProperty("role", role);
-        // The style sheet looks at the role only when the style is set.
+        // The style sheet evaluates the property only when the style is set.
         example_->setStyleSheet(example_->styleSheet());
     }
     const QString file =
@@ -224,7 +224,7 @@ void RecordingSettings::takeSignals() {
         }
     }
     if (next.fields.isEmpty()) {
-        // A recording of nothing is none: the last one stays.
+        // An empty recording is not possible: keep the last signal.
         const QSignalBlocker quiet(signals_);
         for (int row = 0; row < signals_->count(); ++row) {
             const bool recorded = choice_.fields.contains(signals_->item(row)->text());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The page "Recording" of the settings: folder, file name, signals, and how many packets become a row. What is chosen
-// holds for the next recording.
+// The page "Recording" of the settings: folder, file name, signals, and packets per row. Changes apply to the next
+// recording.
 
 #include <QWidget>
 

@@ -20,7 +20,7 @@
 namespace tiller::app {
 namespace {
 
-/// Shown of a file: enough to see what it says, and quick to lay out.
+/// Displayed part of a file [characters]: enough to review, and fast to lay out.
 constexpr qsizetype kShown = 200'000;
 
 QLabel* line(const QString& text) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// "Report a problem": shows every file of the report as it will be, before it is saved. Nothing is sent anywhere.
+// "Report a problem": shows every file of the report before it is saved. The report is not sent anywhere.
 
 #include <QDialog>
 
@@ -20,9 +20,9 @@ class ReportDialog : public QDialog {
 public:
     explicit ReportDialog(ReportSources sources, QWidget* parent = nullptr);
 
-    /// As they would be saved now.
+    /// The files as they would be saved now.
     QVector<ReportPart> parts() const;
-    /// path  gets the extension .zip where it has none
+    /// path  gets the extension .zip if it has none
     void saveTo(const QString& path);
 
 Q_SIGNALS:

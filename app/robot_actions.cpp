@@ -18,13 +18,13 @@ QString needsNormalSafety(const SessionState& state) {
                                           : safetyWords(state.safety()).advice;
 }
 
-/// What this robot has no way to be asked for stands first: nothing else would help.
+/// A missing service comes first: no other action would help.
 QString needsService(const SessionState& state, RobotCommand command) {
     const QString link = needsLink(state);
     return link.isEmpty() ? texts::serviceObstacle(state, command) : link;
 }
 
-/// The program commands are for programs of the robot's own.
+/// The program commands apply to programs stored on the robot.
 QString needsForeignProgram(const SessionState& state, RobotCommand command, bool running) {
     if (const QString service = needsService(state, command); !service.isEmpty()) {
         return service;
@@ -130,7 +130,7 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                commandText(RobotCommand::RestartSafety),
                tr("After a violation or a fault, once the cause is found. The arm stays powered off."),
                {},
-               // Through the page that asks for a look at the arm first.
+               // By the page that asks to inspect the arm first.
                hooks.showRecovery,
                [](const SessionState& s) {
                    const QString why = needsService(s, RobotCommand::RestartSafety);

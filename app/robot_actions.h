@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The commands for the robot itself: connection, power, recovery, control and the robot's own programs, each with what
-// stands in its way.
+// The robot commands: connection, power, recovery, control and programs on the robot, each with the reason if
+// disabled.
 
 #include <QCoreApplication>
 #include <functional>
@@ -13,14 +13,14 @@ namespace tiller::app {
 
 class ActionTable;
 
-/// What needs the window.
+/// Functions of the window.
 struct RobotActionHooks {
     std::function<void()> askForRobot;
     std::function<void()> connectSimulator;
     std::function<void(const RobotAddress&)> check;
     std::function<void()> showRecovery;
     std::function<void()> askForProgram;
-    /// Software stop of whatever moves.
+    /// Software stop of any motion.
     std::function<void()> stop;
 };
 

@@ -13,7 +13,7 @@
 namespace tiller::app {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file for lupdate.
 struct SampleText {
     Q_DECLARE_TR_FUNCTIONS(SampleProjects)
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The sample projects that come with the program, and the dialog that offers them. Each is opened as a copy.
+// The sample projects of the program, and the dialog that offers them. A copy of the sample is opened.
 
 #include <QDialog>
 #include <QList>
@@ -10,10 +10,10 @@
 namespace tiller::app {
 
 struct SampleProject {
-    QString id;     ///< "gluing", the name of its file
-    QString title;  ///< what the copy is called until it is saved
+    QString id;     ///< name of its file, e.g. "gluing"
+    QString title;  ///< name of the copy until it is saved
     QString text;   ///< two sentences
-    QString path;   ///< in the program's own resources
+    QString path;   ///< embedded resource
 };
 
 QList<SampleProject> sampleProjects();
@@ -25,7 +25,7 @@ public:
     explicit SampleDialog(QWidget* parent = nullptr);
 
 Q_SIGNALS:
-    /// It was chosen, and the dialog has closed.
+    /// A sample was selected, and the dialog has closed.
     void chosen(const QString& path, const QString& title);
 
 protected:

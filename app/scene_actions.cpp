@@ -14,7 +14,7 @@ void SceneActions::addTo(ActionTable& table, SceneView& view) {
         Qt::Key key;
         StandardView from;
     };
-    // Function keys: letters and digits belong to teaching and to the armed keyboard.
+    // Function keys: letters and digits are used for teaching and by the armed keyboard.
     const Side sides[] = {{"view.look.home", tr("Default view, perspective"),
                            tr("From between front and side, slightly above, with everything visible."),
                            Qt::Key_F5, StandardView::Home},

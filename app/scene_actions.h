@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Where the 3D view looks from, as commands: for the keyboard, and for the palette.
+// The viewing directions of the 3D view as commands for keyboard and palette.
 
 #include <QCoreApplication>
 

@@ -12,7 +12,7 @@ namespace tiller::app {
 
 namespace {
 
-/// In the base frame; what is given in a frame that is not in the project is nowhere.
+/// In the base frame; objects in a frame that is not in the project are omitted.
 collision::Surroundings surroundingsOf(const project::CellGeometry& cell, const project::FrameList& frames) {
     collision::Surroundings result;
     const auto inBase = [&](const QUuid& frame, const Pose& pose) -> std::optional<Pose> {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Gives the view, the session and a simulated controller what the project knows of the cell: floor, boxes and planes,
-// the safety distance, and how thick the tool is.
+// Passes the cell of the project to the view, the session and a simulated controller: floor, boxes and planes, the
+// safety distance, and the radius of the tool.
 
 namespace tiller {
 
@@ -17,11 +17,11 @@ class Simulator;
 
 namespace tiller::app {
 
-/// Now and after each change, as long as both live.
+/// Updates the view and the session now and after each change, while both exist.
 void followCell(SceneView& view, RobotSession& session, const ProjectDocument& document);
-/// The same things stand around the simulated arm, and nothing else: its TCP touches them, and what presses too
-/// hard is a protective stop.
-/// Returns  how many it had no room for
+/// Replaces the objects around the simulated arm: contact with its TCP is simulated, and a large force causes a
+/// protective stop.
+/// Returns  the number of objects that exceeded the capacity
 int simulateCell(simulator::Simulator& robot, const ProjectDocument& document);
 
 }  // namespace tiller::app

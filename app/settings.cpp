@@ -15,11 +15,11 @@ namespace {
 constexpr int kRobotsRemembered = 8;
 constexpr int kProjectsRemembered = 8;
 constexpr qsizetype kLongestIoText = 100;
-/// Beyond these one of the robot's ports would be none.
+/// Larger offsets would lead to invalid port numbers.
 constexpr int kLowestPortOffset = -29000;
 constexpr int kHighestPortOffset = 35000;
 
-/// A slash would begin a group within the group.
+/// A slash would create a nested group.
 QString gripperKey(const QString& robot) {
     return QStringLiteral("grippers/") + QString(robot).replace(QLatin1Char('/'), QLatin1Char('_'));
 }
@@ -52,7 +52,7 @@ void writeRobots(SettingsEdit& settings, const QVector<RobotAddress>& robots) {
 
 QStringList projectsIn(const SettingsView& settings) {
     QStringList projects = settings.value("projects/recent").toStringList();
-    // As earlier versions wrote it.
+    // Key of earlier versions.
     projects.append(settings.value("session/file").toString());
     projects.removeAll(QString());
     projects.removeDuplicates();
@@ -64,7 +64,7 @@ Learned learnedIn(const SettingsView& settings) {
             settings.value("learned/practice").toStringList()};
 }
 
-/// What `there` becomes when the difference between `before` and `after` is applied to it.
+/// Applies the difference between `before` and `after` to `there`.
 QStringList merged(const QStringList& before, const QStringList& after, QStringList there) {
     for (const QString& word : before) {
         if (!after.contains(word)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the program remembers between two starts. Never a speed: every start begins slowly.
+// Values saved between two starts. The speed is not saved: every start begins at low speed.
 
 #include <QByteArray>
 #include <QMap>
@@ -19,78 +19,78 @@
 
 namespace tiller::app {
 
-/// What a newcomer has done so far, by name.
+/// Tutorial progress, by name.
 struct Learned {
-    bool dismissed = false;  ///< the checklist of the first steps does not come by itself any more
+    bool dismissed = false;  ///< the checklist of the first steps was dismissed
     QStringList firstSteps;
     QStringList practice;
 };
 
 class Settings {
 public:
-    /// file  where they are kept; empty: the place the system has for them
+    /// file  the settings file; empty: the default location
     explicit Settings(QString file = {});
 
-    /// Called when something could not be written, once until writing works again.
+    /// Called after a failed write, once until writing works again.
     void setWriteFailed(std::function<void(const Error&)> tell) { writeFailed_ = std::move(tell); }
 
-    /// Newest first. The simulated robot is none of them.
+    /// Newest first, without the simulated robot.
     QVector<RobotAddress> rememberedRobots() const;
     void rememberRobot(const RobotAddress& robot);
     void forgetRobot(const RobotAddress& robot);
-    QString theme() const;  ///< "light" or "dark"; empty when never chosen
+    QString theme() const;  ///< "light" or "dark"; empty if never selected
     void setTheme(const QString& theme);
     QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);
-    /// The operator's names of inputs and outputs, by terminal: "DI 0".
+    /// The user's names of inputs and outputs by terminal, e.g. "DI 0".
     QMap<QString, QString> ioNames() const;
     void setIoNames(const QMap<QString, QString>& names);
-    /// The gripper of a robot, by its address or "simulator"; empty: none. As GripperChoice::toText() has it.
+    /// The gripper of a robot by its address or "simulator", in the format of GripperChoice::toText(); empty: none.
     QString gripper(const QString& robot) const;
     void setGripper(const QString& robot, const QString& choice);
-    /// Absolute paths, the one worked in last first. The files may be gone.
+    /// Absolute paths, last used first. The files may no longer exist.
     QStringList recentProjects() const;
     void rememberProject(const QString& path);
 
-    /// Which plots there are, as PlotDock::arrangement() has it; empty when never changed.
+    /// The plots in the format of PlotDock::arrangement(); empty if never changed.
     QByteArray plots() const;
-    /// How much memory the plots' history may take [bytes]; 0 when never chosen.
+    /// Memory limit of the plot history [bytes]; 0 if never selected.
     std::size_t plotBudget() const;
     void setPlots(const QByteArray& arrangement, std::size_t budget);
 
     Learned learned() const;
     void setLearned(const Learned& learned);
 
-    // Of these, several windows each write what they have changed themselves and keep the other entries of the file.
+    // For the following values, each window writes only its own changes and keeps the other entries of the file.
 
-    /// What the settings page offers.
+    /// Values of the settings page.
     Preferences preferences() const;
     void setPreferences(const Preferences& preferences);
 
-    /// Everything that may go to another computer.
+    /// All values that may be transferred to another computer.
     SettingsBundle bundle() const;
-    /// Replaces these parts as a whole. What is there now is written to a file first, beside the settings; when
-    /// that fails, nothing is changed.
-    /// Returns  the path of that file
-    /// Errors  FileNotWritable, DiskFull
+    /// Replaces these parts completely. The current settings are first written to a backup file in the same folder;
+    /// if this fails, nothing is changed.
+    /// Returns  the path of the backup
+    /// Errors   FileNotWritable, DiskFull
     Result<QString> replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
-    /// The operator's own perspectives, in the order of saving.
+    /// The user's perspectives in the order of saving.
     QVector<SavedPerspective> perspectives() const;
-    /// Returns  all there are now, those of other windows included
+    /// Returns  all perspectives, including those of other windows
     QVector<SavedPerspective> setPerspectives(const QVector<SavedPerspective>& all);
-    /// How the panels stood when the window was closed last.
+    /// The arrangement of the panels when the window was last closed.
     LastArrangement arrangement() const { return readArrangement(SettingsView(file_)); }
     void setArrangement(const LastArrangement& arrangement);
 
 private:
     QString backupPath() const;
-    /// Changes the newest settings while no other window writes.
+    /// Changes the current settings while no other window writes.
     Result<void> edit(const std::function<void(SettingsEdit&)>& change);
 
     QString file_;
     std::function<void(const Error&)> writeFailed_;
     bool failed_ = false;
-    // What this window last read or wrote: only what differs from it is written.
+    // Values last read or written by this window: only differences are written.
     mutable std::optional<SettingsMap> knownPreferences_;
     mutable std::optional<SettingsMap> knownIoNames_;
     mutable std::optional<Learned> knownLearned_;

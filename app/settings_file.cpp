@@ -16,7 +16,7 @@
 namespace tiller::app {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file for lupdate.
 struct SettingsFile {
     Q_DECLARE_TR_FUNCTIONS(SettingsFile)
 };
@@ -46,7 +46,7 @@ bool isKey(const QString& key) {
            std::all_of(key.begin(), key.end(), [](QChar c) { return c.isPrint() || c.isSurrogate(); });
 }
 
-/// Nothing for kinds that the format does not know.
+/// Empty for types that the format does not support.
 std::optional<QJsonValue> toJson(const QVariant& value) {
     switch (value.typeId()) {
         case QMetaType::Bool:
@@ -104,7 +104,7 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
             if (!std::isfinite(number)) {
                 return std::nullopt;
             }
-            // A whole number stays one: "1" and not "1.0" is what readers of an index understand.
+            // Integers remain integers: readers of an index expect "1", not "1.0".
             const bool whole =
                 std::abs(number) <= std::numeric_limits<int>::max() && std::floor(number) == number;
             return whole ? QVariant(static_cast<int>(number)) : QVariant(number);
@@ -121,7 +121,7 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
     }
 }
 
-/// As a file would have it: settings that were read from one know no numbers.
+/// As text, because settings read from a file have no numeric types.
 QStringList written(const QVariant& value) {
     return value.typeId() == QMetaType::QByteArray
                ? QStringList(QLatin1String(value.toByteArray().toBase64()))

@@ -32,12 +32,12 @@
 namespace tiller::app {
 namespace {
 
-/// Room for a field in each.
+/// Height for an editor in each row.
 int keyRowHeight() {
     return std::max(40, keyHeight(currentDensity()) + 4);
 }
 
-/// In large rows there is more than fits on the smallest screen.
+/// With large rows the content exceeds the smallest screen.
 QWidget* scrolling(QWidget* page, const QString& name) {
     auto* area = new SteadyScrollArea;
     area->setAccessibleName(name);
@@ -53,7 +53,7 @@ QWidget* scrolling(QWidget* page, const QString& name) {
 QLabel* note(const QString& text, const char* role) {
     auto* label = new QLabel(text);
     label->setWordWrap(true);
-    // Close to the field it is about: a row of the form may be higher than its words.
+    // Next to its field: a row of the form may be higher than the text.
     label->setAlignment(Qt::AlignLeading | Qt::AlignTop);
     label->setProperty("role", QLatin1String(role));
     return label;
@@ -207,7 +207,7 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     connect(lengths_, &QComboBox::activated, this, [this](int index) {
         preferences_.notation.length = static_cast<LengthUnit>(index);
         Q_EMIT preferencesChanged(preferences_);
-        showCommandNames();  // some have a length in their name
+        showCommandNames();  // some names contain a length
     });
     connect(rotations_, &QComboBox::activated, this, [this](int index) {
         preferences_.notation.rotation = static_cast<RotationNotation>(index);
@@ -230,7 +230,7 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
 }
 
 QWidget* SettingsPage::buildLanguage() {
-    // In the words of those who look for it: whoever cannot read this window can read that.
+    // In its native name, for users who cannot read the current language.
     QStringList names{tr("System language: %1").arg(QString())};
     int current = 0;
     for (const Language& one : languages()) {
@@ -296,7 +296,7 @@ void SettingsPage::showCapFigure() {
 
 void SettingsPage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange && shortcuts_ != nullptr) {
-        showCapFigure();  // other units
+        showCapFigure();  // units may have changed
         showCap();
         shortcuts_->verticalHeader()->setDefaultSectionSize(keyRowHeight());
     }
@@ -306,7 +306,7 @@ void SettingsPage::changeEvent(QEvent* event) {
 void SettingsPage::showCap() {
     const bool raised = preferences_.speedCap > Preferences::kOrdinaryCap;
     capNote_->setProperty("role", raised ? QStringLiteral("warning") : QStringLiteral("secondary"));
-    // The style sheet looks at the role only when the style is set.
+    // The style sheet evaluates the property only when the style is set.
     capNote_->setStyleSheet(capNote_->styleSheet());
     capNote_->setText(raised ? tr("▲ Above %1. No other limit applies to jogging from a PC: neither manual "
                                   "mode nor the enabling device of the pendant. The header shows a warning. "
@@ -397,7 +397,7 @@ void SettingsPage::showShortcuts() {
         const QString id = action->objectName();
         connect(keys, &QKeySequenceEdit::editingFinished, this, [this, keys, id] {
             const QAction* edited = actions_.find(id);
-            // One chord: a second key within a second would make a sequence of two.
+            // Only one chord: a second key within a second would create a sequence of two.
             const QKeySequence chosen =
                 keys->keySequence().isEmpty() ? QKeySequence() : QKeySequence(keys->keySequence()[0]);
             if (edited != nullptr && chosen != edited->shortcut()) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The settings: colours, sizes, how numbers are written, the speed cap, devices, and the key of every
-// command. What is chosen holds at once; there is nothing to confirm.
+// The settings: colours, sizes, number format, speed cap, devices, and shortcuts. Changes take effect immediately.
 
 #include <QDialog>
 
@@ -28,23 +27,23 @@ class SettingsPage : public QDialog {
     Q_OBJECT
 
 public:
-    /// theme  "light" or "dark"
-    /// devices  whose switches and tuning it shows
+    /// theme    "light" or "dark"
+    /// devices  whose switches and parameters are shown
     SettingsPage(const Preferences& preferences, const QString& theme, const ActionTable& actions,
                  DeviceJog& devices, QWidget* parent = nullptr);
 
     const Preferences& preferences() const { return preferences_; }
-    /// Gives the command this key, as the key's editor does; an empty sequence takes its key away.
-    /// Returns  false when the key is taken or reserved; hint() says by what
+    /// Assigns this shortcut to the command, like the shortcut editor; an empty sequence removes it.
+    /// Returns  false if the key is in use or reserved; hint() contains the reason
     bool setShortcut(const QString& id, const QKeySequence& keys);
     QString hint() const;
-    /// Says who confirms that a key is held, or that nobody does.
+    /// Sets the description of the key-state check in use, if any.
     void setHoldNote(const QString& text);
-    /// The command line has chosen monitor only: it is shown and cannot be changed here.
+    /// Shows monitor only as fixed by the command line.
     void lockMonitorOnly();
-    /// Says why the window cannot be built anew now.
+    /// Shows the reason why the window cannot be rebuilt now.
     void refuseAnew(const QString& reason);
-    /// Brings the page about recordings to the front.
+    /// Shows the page about recordings.
     void showRecording();
 
 protected:
@@ -53,11 +52,11 @@ protected:
 Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
-    /// The window is to be built anew, in the language that was chosen.
+    /// Request to rebuild the window in the selected language.
     void windowAnewWanted();
-    /// The page on which a device is tried out, in front of this one.
+    /// Request to open the device test page in front of this one.
     void trainerWanted();
-    /// The questions for a file, in front of this page.
+    /// Request to open the export dialog in front of this page.
     void exportWanted();
     void importWanted();
 

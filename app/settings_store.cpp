@@ -13,7 +13,7 @@ namespace tiller::app {
 namespace {
 
 constexpr qint64 kMaxSettingsBytes = 4 * 1024 * 1024;
-/// Kinds of values that QSettings writes as text and Tiller never does; they stay as they are.
+/// Types that QSettings writes as text and Tiller does not use; they remain unchanged.
 constexpr const char* kForeignKinds[] = {"@Variant(", "@Rect(", "@Size(", "@Point(", "@DateTime("};
 
 bool isForeignKind(const QString& text) {
@@ -72,13 +72,13 @@ bool isHexDigit(char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
-/// binary  bytes from 0x80 on are no UTF-8
+/// binary  bytes from 0x80 on are not UTF-8
 QByteArray quoted(const QByteArray& bytes, bool binary) {
     QByteArray result = "\"";
     bool afterHex = false;
     for (const char c : bytes) {
         const auto code = static_cast<unsigned char>(c);
-        // A digit after a number would belong to it.
+        // A digit after a number would become part of it.
         const bool hex =
             code < 0x20 || code == 0x7f || (binary && code >= 0x80) || (afterHex && isHexDigit(c));
         if (hex) {
@@ -95,7 +95,7 @@ QByteArray iniText(const QString& text) {
     return quoted((text.startsWith(u'@') && !isForeignKind(text) ? u'@' + text : text).toUtf8(), false);
 }
 
-/// Empty for kinds of values that have no text.
+/// Empty for types without a text format.
 QByteArray iniValue(const QVariant& value) {
     switch (value.typeId()) {
         case QMetaType::UnknownType:
@@ -124,7 +124,7 @@ QByteArray iniValue(const QVariant& value) {
     }
 }
 
-/// The parts between the commas of a line's value, with quotation marks and escapes resolved.
+/// Splits the value of a line at commas, and resolves quotes and escapes.
 class ValueParser {
 public:
     explicit ValueParser(const QByteArray& text) : text_(text) {}
@@ -185,7 +185,7 @@ private:
         parts_.append(wasQuoted_ ? part_ : part_.trimmed());
         part_.clear();
         wasQuoted_ = false;
-        // Spaces between a comma and the next part.
+        // Spaces after a comma.
         while (at_ + 1 < text_.size() && text_[at_ + 1] == ' ') {
             ++at_;
         }
@@ -279,7 +279,7 @@ QString settingsPath(const QString& file) {
         return file;
     }
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
-    constexpr QSettings::Format kFormat = QSettings::NativeFormat;  // an INI file as well
+    constexpr QSettings::Format kFormat = QSettings::NativeFormat;  // also an INI file
 #else
     constexpr QSettings::Format kFormat = QSettings::IniFormat;
 #endif
@@ -302,7 +302,7 @@ SettingsView::SettingsView(const QString& file) {
         fallbacks_ = valuesOf(system);
 #if !defined(Q_OS_UNIX) || defined(Q_OS_DARWIN)
         if (!QFileInfo::exists(path)) {
-            // Where earlier versions kept them: the registry, or a property list.
+            // Location in earlier versions: the registry, or a property list.
             QSettings before(QStringLiteral("Tiller"), QStringLiteral("Tiller"));
             values_ = valuesOf(before);
         }
@@ -372,7 +372,7 @@ Result<void> SettingsEdit::commit() {
         return guard_.error();
     }
     if (readError_.code != ErrorCode::None) {
-        // What could not be read must not be replaced.
+        // Unreadable content must not be replaced.
         return Error{
             ErrorCode::FileNotWritable, QStringLiteral("write %1").arg(path_),
             readError_.controllerMessage.isEmpty() ? readError_.context : readError_.controllerMessage};

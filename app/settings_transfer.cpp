@@ -23,7 +23,7 @@ QString filter() {
 }
 
 QString textOf(const Error& error) {
-    // What is wrong with a file is a whole sentence already, and its version is not the robot's.
+    // For a file, the error is already a complete sentence, and its version is not the robot's.
     return error.code == ErrorCode::FileCorrupt || error.code == ErrorCode::VersionUnsupported
                ? error.context
                : texts::errorText(error);
@@ -51,7 +51,7 @@ QString titleOf(SettingsPart part) {
     return {};
 }
 
-/// How many there are of what a part lists; -1 where it is no list.
+/// Number of entries in the list of a part; -1 if it is not a list.
 int countOf(const SettingsBundle& bundle, SettingsPart part) {
     switch (part) {
         case SettingsPart::Robots:
@@ -143,7 +143,7 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
                                                     .arg(count));
         box->setObjectName(QStringLiteral("importSettings.part.%1").arg(static_cast<int>(part)));
         box->setProperty(kPart, static_cast<int>(part));
-        // A file of a few settings shall not wipe out the others by itself.
+        // A file with few settings must not delete the others by default.
         box->setChecked(!same && !none);
         box->setEnabled(!same);
         connect(box, &QCheckBox::toggled, this, &ImportDialog::updateKey);
@@ -173,7 +173,7 @@ QSet<SettingsPart> ImportDialog::chosen() const {
 
 void ImportDialog::showFailure(const QString& text) {
     note_->setProperty("role", QStringLiteral("alarm"));
-    // The style sheet looks at the role only when the style is set.
+    // The style sheet evaluates the property only when the style is set.
     note_->setStyleSheet(note_->styleSheet());
     note_->setText(text);
 }
@@ -212,7 +212,7 @@ void SettingsTransfer::exportTo(const QString& path) {
 void SettingsTransfer::importFrom(const QString& path, QWidget* over) {
     const Result<SettingsBundle> found = readSettingsFile(path);
     if (found) {
-        Q_EMIT upToDateWanted();  // for the copy of what is here
+        Q_EMIT upToDateWanted();  // for the backup of the current settings
     } else {
         Q_EMIT message(Severity::Error, tr("%1 was not imported. Nothing was changed. %2")
                                             .arg(QFileInfo(path).fileName(), textOf(found.error())));

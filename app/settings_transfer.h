@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The settings into a file and out of one, for people: asks which file, says what an import replaces before
-// it does, keeps what was there, and says what is wrong with a file.
+// Export and import of the settings: asks for the file, shows what an import replaces before doing it, keeps a
+// backup, and reports errors in a file.
 
 #include <QDialog>
 #include <QObject>
@@ -15,18 +15,18 @@ class QPushButton;
 
 namespace tiller::app {
 
-/// What the file would replace, part by part; nothing is replaced before the key is pressed.
+/// Shows the parts that the file would replace; nothing is replaced before confirmation.
 class ImportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// found  of the file, or why there is nothing to import
+    /// found  content of the file, or the reason why it cannot be imported
     ImportDialog(const QString& path, const Result<SettingsBundle>& found, const SettingsBundle& present,
                  QWidget* parent = nullptr);
 
-    /// The parts that are ticked.
+    /// The selected parts.
     QSet<SettingsPart> chosen() const;
-    /// It could not be done; the question stays.
+    /// Shows the error; the dialog stays open.
     void showFailure(const QString& text);
 
 Q_SIGNALS:
@@ -46,21 +46,21 @@ class SettingsTransfer : public QObject {
     Q_OBJECT
 
 public:
-    /// settings  must outlive this object
+    /// settings  must outlive the object
     explicit SettingsTransfer(Settings& settings, QObject* parent = nullptr);
 
-    /// over  the window the question stands in front of
+    /// over  parent window of the dialog
     void askToExport(QWidget* over);
     void askToImport(QWidget* over);
-    /// path  gets the extension .json where it has none
+    /// path  gets the extension .json if it has none
     void exportTo(const QString& path);
-    /// Shows what the file would replace.
+    /// Shows the parts that the file would replace.
     void importFrom(const QString& path, QWidget* over);
 
 Q_SIGNALS:
-    /// The settings shall hold now what is remembered of this session, as at its end.
+    /// Request to save all values of this session, as at its end.
     void upToDateWanted();
-    /// Other settings are there.
+    /// The settings were replaced.
     void imported();
     void message(tiller::Severity severity, const QString& text);
 

@@ -10,7 +10,7 @@ namespace tiller::app {
 SleepWatch::SleepWatch(QObject* parent) : QObject(parent) {
     setObjectName("sleepWatch");
 #ifdef TILLER_HAS_DBUS
-    // An empty path or service means: whoever sends it. A bus that is not there connects to nothing.
+    // An empty path or service matches any sender. Without a bus there is no connection.
     QDBusConnection::systemBus().connect(
         QStringLiteral("org.freedesktop.login1"), {}, QStringLiteral("org.freedesktop.login1.Manager"),
         QStringLiteral("PrepareForSleep"), this, SLOT(onPrepareForSleep(bool)));

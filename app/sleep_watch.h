@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Tells when this PC is about to sleep, or its session is being locked: nobody watches the arm then.
+// Detects when this PC is about to sleep or its session is locked, because the arm is then unattended.
 
 #include <QObject>
 
@@ -11,8 +11,8 @@ class SleepWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// Listens to the system's login manager and to the screen saver, where there are any; elsewhere the
-    /// window's loss of activity and the robot's own time-out have to do.
+    /// Monitors the login manager and the screen saver, if available; on other systems the deactivation of the
+    /// window and the robot's timeout apply.
     explicit SleepWatch(QObject* parent = nullptr);
 
 public Q_SLOTS:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which project a start begins with when the command line names none.
+// The project of a start without a project on the command line.
 
 #include <QString>
 
@@ -10,15 +10,15 @@ namespace tiller::app {
 class Settings;
 
 struct StartProject {
-    QString path;     ///< to open, or to begin with: the file need not exist yet
-    QString missing;  ///< the file worked in last, where it is not there any more; empty otherwise
+    QString path;     ///< to open or create: the file may be missing
+    QString missing;  ///< the last file, if it no longer exists; otherwise empty
 };
 
-/// The file worked in last. Where there is none: the file that earlier versions kept in the system's folder
-/// for application data, else "cell.tiller" in projectFolder(), which is made.
+/// The last file. If there is none: the file that earlier versions kept in the application data folder, else
+/// "cell.tiller" in projectFolder(), which is created.
 StartProject startProject(const Settings& settings);
 
-/// Where changes that are in no file survive the end of the program.
+/// Folder for unsaved changes.
 QString unsavedWorkFolder();
 
 }  // namespace tiller::app

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Waiting for the moment somebody ends a program that has no window: Ctrl-C, or a request of the system.
+// Waits for the termination of a program without a window: Ctrl-C, or a request of the system.
 
 #include <chrono>
 
 namespace tiller::app {
 
-/// Call before any thread is started, so that none of them is interrupted.
+/// Call before starting any thread, so that the signals are delivered here.
 void holdTerminationSignals();
 
-/// Blocks: so long, or until it comes. Returns  whether it came
+/// Blocks: for the given time at most. Returns  whether a termination was requested
 bool waitForTermination(std::chrono::milliseconds atMost);
 
-/// Blocks: until SIGINT or SIGTERM (on Windows: a console event) comes. One that came since
-/// holdTerminationSignals() counts.
+/// Blocks: until SIGINT or SIGTERM (on Windows: a console event), counted from holdTerminationSignals().
 void waitForTermination();
 
 }  // namespace tiller::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// tiller-cli: what Tiller can do without a window. Links the backend only, which proves that the backend
-// stands on its own.
+// tiller-cli: the functions of Tiller without a window. It links the backend only, which proves that the backend
+// does not depend on the user interface.
 
 #include <QCoreApplication>
 

@@ -42,7 +42,7 @@ Offsets offsetsOf(RobotModelId id) {
     return {};
 }
 
-/// [Nm] to [m].
+/// Radius [m] for a torque [Nm].
 double housingRadius(double torque) {
     constexpr double kThinnest = 0.0315;
     return std::max(kThinnest, 0.0112 * std::cbrt(torque) + 0.0020);
@@ -75,9 +75,9 @@ std::vector<LinkCapsule> armCapsules(const RobotModel& model) {
     const DhParameters& dh = model.dh;
     const double upper = std::abs(dh.a[1]);
     const double fore = std::abs(dh.a[2]);
-    // A housing is a drum: its round edges reach a little beyond a rod of its own radius.
+    // A housing is a cylinder, whose edges extend slightly beyond a capsule of the same radius.
     constexpr double kDrum = 1.15;
-    constexpr double kHalf = 0.5;  // of a drum's rod, in its radius
+    constexpr double kHalf = 0.5;  // half length of the capsule in units of its radius
     const auto drum = [](int link, const Eigen::Vector3d& centre, int axis, double radius) {
         const Eigen::Vector3d half = Eigen::Vector3d::Unit(axis) * (kHalf * radius);
         return LinkCapsule{link, {centre - half, centre + half, kDrum * radius}, 1, false};

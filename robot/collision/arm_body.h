@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How thick an arm is and where its tubes run beside the joint axes. The picture of the arm and the collision check
-// are both made from this, so that what is seen is what is checked.
+// Dimensions of the arm's housings and tubes. Both the 3D view and the collision check are based on these
+// dimensions, so that the displayed bodies are the checked bodies.
 
 #include <Eigen/Core>
 #include <vector>
@@ -11,12 +11,12 @@
 
 namespace tiller::collision {
 
-/// Radii and offsets of an arm's housings [m]. A joint's housing is as thick as its torque needs; the tubes are
-/// thinner than the housings at their ends.
+/// Radii and offsets of the housings [m]. The size of a joint housing depends on its torque; tubes are thinner than
+/// the housings at their ends.
 struct ArmProportions {
-    double shoulderOffset = 0;  ///< from axis 1 to the upper arm's tube, along axis 2
-    double elbowOffset = 0;     ///< from axis 1 to the forearm's tube, along axis 2
-    double baseHeight = 0;      ///< of what does not turn
+    double shoulderOffset = 0;  ///< from axis 1 to the upper arm tube, along axis 2
+    double elbowOffset = 0;     ///< from axis 1 to the forearm tube, along axis 2
+    double baseHeight = 0;      ///< of the fixed part
     double baseRadius = 0;
     double shoulderRadius = 0;  ///< joints 1 and 2
     double upperRadius = 0;     ///< tube of the upper arm
@@ -26,15 +26,15 @@ struct ArmProportions {
     double flangeRadius = 0;
 };
 
-/// Source: estimates, not compared with the vendor's public description files yet. Offsets are meant to be theirs (UR3 to
-/// UR30 without the UR8 Long, UR15 and UR18), else by the centres of mass in robot_model.cpp; radii are assumed to
-/// grow with the cubic root of the joint's torque.
+/// Source: estimates, not yet compared with the vendor's public description files. Offsets are based on these files
+/// (UR3 to UR30 except UR8 Long, UR15 and UR18), otherwise on the centres of mass in robot_model.cpp; radii are
+/// assumed to grow with the cube root of the joint torque.
 ArmProportions armProportions(const RobotModel& model);
 
-/// From the ground to the flange's axis, with the arm straight up [m].
+/// Height of the flange axis above the base with the arm pointing straight up [m].
 double uprightHeight(const RobotModel& model);
 
-/// A rod with round ends; a ball when both ends are the same.
+/// A cylinder with hemispherical ends; a sphere if both ends are equal.
 struct Capsule {
     Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< [m]
     Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< [m]
@@ -43,17 +43,18 @@ struct Capsule {
 
 /// A part of the arm, in the frame of the link that carries it.
 struct LinkCapsule {
-    int link = 0;  ///< 0 the base, that stands still, ... 6 what turns with the flange
+    int link = 0;  ///< 0: the fixed base, ... 6: rotates with the flange
     Capsule shape;
-    /// So many links before its own it cannot meet: it turns on them, or goes round them at one distance.
+    /// Number of preceding links with which no collision is possible, because the body rotates on them or at a
+    /// constant distance from them.
     int neighbours = 1;
-    bool atFoot = false;  ///< stands or turns on the spot: only the arm itself can meet it
+    bool atFoot = false;  ///< fixed or rotating in place: only the arm itself can collide with it
 };
 
-/// What the arm is checked as. Every part that is drawn lies inside it.
+/// Bodies of the arm used for collision checks. They contain all displayed parts.
 std::vector<LinkCapsule> armCapsules(const RobotModel& model);
 
-/// The same, where the arm stands: in the base frame.
+/// The bodies at the joint positions `q`, in the base frame.
 std::vector<LinkCapsule> placedCapsules(const std::vector<LinkCapsule>& capsules, const DhParameters& dh,
                                         const JointPositions& q);
 

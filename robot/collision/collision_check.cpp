@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Between two segments [m].
+/// Distance between two segments [m].
 double segmentDistance(const Capsule& a, const Capsule& b) {
-    constexpr double kPoint2 = 1e-18;  // a segment shorter than that is a point [m2]
+    constexpr double kPoint2 = 1e-18;  // a shorter segment is treated as a point [m2]
     const Vector3d u = a.to - a.from;
     const Vector3d v = b.to - b.from;
     const Vector3d r = a.from - b.from;
@@ -45,18 +45,18 @@ double segmentDistance(const Capsule& a, const Capsule& b) {
     return (r + s * u - t * v).norm();
 }
 
-/// Of a point from a box, below 0 inside it: a convex function of the point [m].
+/// Distance of a point from a box, negative inside: a convex function of the point [m].
 double boxDistance(const Vector3d& point, const Vector3d& half) {
     const Vector3d outside = point.cwiseAbs() - half;
     const double inside = outside.maxCoeff();
     return inside > 0 ? outside.cwiseMax(0).norm() : inside;
 }
 
-/// Of a segment from a box [m].
+/// Distance of a segment from a box [m].
 double boxDistance(const Vector3d& from, const Vector3d& to, const Vector3d& half) {
-    // The golden section finds the smallest value of a convex function.
+    // Golden-section search finds the minimum of a convex function.
     constexpr double kGolden = 0.6180339887498949;
-    constexpr int kSections = 48;  // leave less than a nanometre
+    constexpr int kSections = 48;  // leaves less than a nanometre
     const Vector3d along = to - from;
     double low = 0;
     double high = 1;
@@ -97,7 +97,7 @@ CollisionCheck::CollisionCheck(const RobotModel& model, const ToolBody& tool, Su
     const std::size_t armBodies = capsules_.size();
     const double length = tool.tcpOffset.position.norm();
     if (tool.radius > 0 && length > 0) {
-        // Inside the flange's plane and the TCP, as far as its own roundness lets it.
+        // Between the plane of the flange and the TCP, shortened by the hemispherical ends if possible.
         const Vector3d along = tool.tcpOffset.position / length;
         const double inset = std::min(tool.radius, length / 2);
         capsules_.push_back({6, {along * inset, along * (length - inset), tool.radius}, 1, false});
@@ -149,17 +149,18 @@ void CollisionCheck::addPairs(std::size_t body, bool isTool) {
     }
 }
 
-/// Bodies with two joints between them pass each other at distances of their own. Where the smallest of these is no
-/// contact, there is nothing to keep away from, however large the safety distance.
+/// Bodies separated by two joints have a minimum distance. If this minimum is not a contact, the pair is removed,
+/// regardless of the safety distance.
 void CollisionCheck::dropPairsThatNeverMeet() {
-    constexpr int kSteps = 36;              // of a whole turn
-    constexpr double kNeverNearer = 0.002;  // between two steps it may be a little less [m]
+    constexpr int kSteps = 36;              // per full turn
+    constexpr double kNeverNearer = 0.002;  // possible reduction between two steps [m]
     constexpr int kJointsBetween = 2;
     const auto isJudged = [](const Pair& pair, int base) {
         return pair.with == Contact::With::Arm && pair.otherLink == base &&
                std::min(pair.link, 6) - base == kJointsBetween;
     };
-    // The same bodies and links give the same answer; a cell is edited far more often than an arm changes.
+    // The result depends only on bodies and links, and is cached because a cell is edited far more often than an
+    // arm changes.
     std::vector<double> key;
     for (std::size_t i = 0; i < dh_.a.size(); ++i) {
         key.insert(key.end(), {dh_.a[i], dh_.d[i], dh_.alpha[i], dh_.theta[i], dh_.beta[i]});
@@ -212,7 +213,7 @@ void CollisionCheck::dropPairsThatNeverMeet() {
     std::erase_if(pairs_, [&](const Pair&) { return least[i++] > kNeverNearer; });
 }
 
-/// How far any point of the body can be from each joint's axis, for the joints between `fromLink` and it.
+/// Maximum distance of any point of the body from each joint axis between `fromLink` and the body.
 Vector6 CollisionCheck::radii(const LinkCapsule& body, int fromLink) const {
     Vector6 result = Vector6::Zero();
     double chain = std::max(body.shape.from.norm(), body.shape.to.norm()) + body.shape.radius;
@@ -253,7 +254,7 @@ double CollisionCheck::distance(const Pair& pair, const Placement& placement, do
             return least > enough ? least : boxDistance(from, to, box.half) - rod.radius;
         }
         case Contact::With::Border: {
-            // Of a rod, one of the ends is nearest to a plane.
+            // For a capsule, one of the ends is nearest to a plane.
             const Plane& plane = planes_[pair.other];
             return std::min(plane.normal.dot(rod.from), plane.normal.dot(rod.to)) - plane.offset - rod.radius;
         }
@@ -275,7 +276,7 @@ std::optional<Contact> CollisionCheck::first(std::span<const JointPositions> way
     for (const Pair& pair : pairs_) {
         double here = distance(pair, start);
         const double least = threshold(pair, here);
-        // How much nearer the two may come before they must be looked at again.
+        // The remaining clearance limits the next step.
         double clearance = here - least;
         if (clearance <= kTouching) {
             return contactOf(pair, 0, way.front(), here);

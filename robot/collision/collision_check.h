@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How far the arm, as rods with round ends, is from itself and from its surroundings: in one position, and anywhere on
-// a path. Between two positions of a path every joint turns evenly; no contact on it is missed, because each step is
-// only as long as the clearance allows. The same distances slow a jog down before a contact.
+// Distances of the arm, modelled as capsules, from itself and from its surroundings, for a single position or a
+// whole path. Between two positions of a path all joints move uniformly; no collision is missed, because each step
+// is limited by the current clearance. The same distances slow down a jog before a contact.
 
 #include <array>
 #include <optional>
@@ -15,70 +15,76 @@
 
 namespace tiller::collision {
 
-/// Nearer than this is a contact [m].
+/// A smaller distance counts as contact [m].
 inline constexpr double kTouching = 0.0003;
-/// A move from inside the safety distance may come nearer by this much: the joints of an arm at rest tremble [m].
+/// A move that starts within the safety distance may come closer by this amount, because the joints of an arm at
+/// rest vary slightly [m].
 inline constexpr double kSafetyTolerance = 0.0005;
 
-/// Two bodies that meet.
+/// Two bodies in contact.
 struct Contact {
     enum class With { Arm, Obstacle, Border };
     With with = With::Arm;
-    int link = 0;   ///< of the arm, as in LinkCapsule; kToolLink for the tool
-    int other = 0;  ///< the other link, or a number in Surroundings
-    /// Where on the path: 2.25 is a quarter of the path from the third position to the fourth; 0 in a single position.
+    int link = 0;   ///< link of the arm as in LinkCapsule; kToolLink for the tool
+    int other = 0;  ///< the other link, or an index into Surroundings
+    /// Position on the path: 2.25 is a quarter of the way from the third position to the fourth; 0 for a single
+    /// position.
     double at = 0;
-    JointPositions q;     ///< there
-    double distance = 0;  ///< there, below 0 inside each other [m]
+    JointPositions q;     ///< joint positions at the contact
+    double distance = 0;  ///< distance at the contact; negative for a penetration [m]
 };
 
 inline constexpr int kToolLink = 7;
 
 class CollisionCheck {
 public:
-    /// safetyDistance  that obstruction() and jogs keep [m], 0 or more
+    /// safetyDistance  for obstruction() and jogs [m], 0 or more
     CollisionCheck(const RobotModel& model, const ToolBody& tool, Surroundings surroundings,
                    double safetyDistance = kSafetyDistance);
 
-    const Surroundings& surroundings() const { return surroundings_; }  ///< As given.
-    double safetyDistance() const { return safetyDistance_; }           ///< As given [m].
+    const Surroundings& surroundings() const { return surroundings_; }  ///< As passed to the constructor.
+    double safetyDistance() const { return safetyDistance_; }           ///< As passed to the constructor [m].
 
-    // All of the following: threads any, several at once; never block.
+    // Threads: any, several at once. Blocks: never. Applies to all following functions.
 
+    /// The contact in this position, if any.
     /// Real-time: no (some ten microseconds)
     std::optional<Contact> at(const JointPositions& q) const;
-    /// The first contact on the path. Real-time: no (a millisecond for a path across the cell)
+    /// The first contact on the path.
+    /// Real-time: no (a millisecond for a path across the cell)
     std::optional<Contact> along(std::span<const JointPositions> way) const;
-    /// The first place on the path that is nearer than the safety distance to something; or, where the path begins
-    /// nearer than that, nearer than it is there. What leads out is free. Real-time: as along()
+    /// The first position on the path at which the safety distance is violated. If the path starts within the
+    /// safety distance, only positions closer than the start count, so that leaving is possible.
+    /// Real-time: as along()
     std::optional<Contact> obstruction(std::span<const JointPositions> way) const;
 
-    /// Whether the two bodies of this contact are nearer than the safety distance in this position.
+    /// True if the two bodies of this contact are closer than the safety distance in this position.
     bool isInside(const JointPositions& q, const Contact& contact) const;
 
-    /// The rods that are checked: the arm's, then the tool's. In the frame of their link.
+    /// The checked capsules in the frames of their links: first the arm, then the tool.
     const std::vector<LinkCapsule>& capsules() const { return capsules_; }
 
-    /// Two bodies that can meet, and how much nearer they can come for each joint that turns.
+    /// Two bodies that can collide, and the maximum approach per joint rotation.
     struct Pair {
         Contact::With with = Contact::With::Arm;
-        std::size_t body = 0;   ///< moves: a number in capsules()
-        std::size_t other = 0;  ///< a body nearer to the base, or a number in Surroundings
+        std::size_t body = 0;   ///< moving body: index into capsules()
+        std::size_t other = 0;  ///< a body closer to the base, or an index into Surroundings
         int link = 0;           ///< as Contact::link
         int otherLink = 0;      ///< as Contact::other
-        double margin = 0;      ///< that obstruction() and jogs keep between the two [m]
-        /// Of the body about each joint's axis, 0 where it does not matter [m].
+        double margin = 0;      ///< safety distance between the two for obstruction() and jogs [m]
+        /// Radius of the body about each joint axis; 0 if the joint has no effect [m].
         Vector6 radius = Vector6::Zero();
     };
     static constexpr std::size_t kMaxBodies = 16;
-    /// The rods in the base frame.
+    /// The capsules in the base frame.
     using Placement = std::array<Capsule, kMaxBodies>;
 
-    const std::vector<Pair>& pairs() const { return pairs_; }  ///< All that can meet.
+    const std::vector<Pair>& pairs() const { return pairs_; }  ///< All pairs that can collide.
+    /// The capsules at the joint positions `q`.
     /// Real-time: yes (less than a microsecond)
     Placement place(const JointPositions& q) const;
-    /// Between the two, below 0 inside each other [m]. Beyond `enough` it may be less than it really is, and then comes
-    /// at less cost. Real-time: yes (some ten nanoseconds, a box some hundred)
+    /// Distance of a pair; negative for a penetration [m]. Beyond `enough` the result may be a cheaper lower bound.
+    /// Real-time: yes (some ten nanoseconds, a box some hundred)
     double distance(const Pair& pair, const Placement& placement, double enough = 1e9) const;
 
 private:
@@ -88,13 +94,13 @@ private:
     };
     struct Plane {
         Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-        double offset = 0;  ///< of the plane along its normal [m]
+        double offset = 0;  ///< distance of the plane along its normal [m]
     };
 
     void addPairs(std::size_t body, bool isTool);
     void dropPairsThatNeverMeet();
     Vector6 radii(const LinkCapsule& body, int fromLink) const;
-    /// threshold(pair, its distance at the start): below it the two count as in contact.
+    /// threshold(pair, initial distance): a smaller distance counts as contact.
     template <class Threshold>
     std::optional<Contact> first(std::span<const JointPositions> way, const Threshold& threshold) const;
 

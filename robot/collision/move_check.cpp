@@ -10,15 +10,15 @@
 namespace tiller::collision {
 namespace {
 
-constexpr int kJointPlaces = 48;       // of the TCP along a joint move, to draw it
-constexpr double kStepLength = 0.005;  // along a line [m]
+constexpr int kJointPlaces = 48;       // TCP positions for drawing a joint move
+constexpr double kStepLength = 0.005;  // step along a line [m]
 constexpr double kStepAngle = 0.02;    // [rad]
 constexpr int kMostSteps = 2000;
-constexpr double kJump = 0.5;  // of a joint in one step: another posture [rad]
-// Where a jog is held down most, too.
+constexpr double kJump = 0.5;  // joint change in one step that indicates another configuration [rad]
+// Same thresholds as the slow-down of a jog.
 constexpr double kNearWrist = 0.03;     // |sin q5|
 constexpr double kNearElbow = 0.05;     // |sin q3|
-constexpr double kNearShoulder = 0.02;  // of the wrist's centre from axis 1 [m]
+constexpr double kNearShoulder = 0.02;  // of the wrist centre from axis 1 [m]
 
 MoveLimit::Singular nearSingularity(const DhParameters& dh, const JointPositions& q, double widened) {
     const kinematics::SingularityMeasure measure = kinematics::singularityMeasure(dh, q);
@@ -28,13 +28,13 @@ MoveLimit::Singular nearSingularity(const DhParameters& dh, const JointPositions
                                                         : MoveLimit::Singular::None;
 }
 
-/// The joint that is out of its range; -1: none is.
+/// Index of a joint outside its range; -1 if there is none.
 int outOfRange(const JointPositions& q) {
     int joint = 0;
     return q.values.cwiseAbs().maxCoeff(&joint) > kJointPositionLimit ? joint : -1;
 }
 
-/// Follows the line step by step; says where and why it ends before its end.
+/// Follows the line step by step, and returns where and why it ends early.
 std::optional<MoveLimit> followLine(const RobotModel& model, const Pose& tcpOffset, const Move& move,
                                     MoveReport& report) {
     const Pose start = kinematics::forwardTcp(model.dh, move.from, tcpOffset);
@@ -64,7 +64,7 @@ std::optional<MoveLimit> followLine(const RobotModel& model, const Pose& tcpOffs
         }
         int joint = 0;
         if ((next->values - before.values).cwiseAbs().maxCoeff(&joint) > kJump) {
-            // By a whole turn: the joint would have gone on beyond its range.
+            // A full turn means that the joint would have exceeded its range.
             limit.kind = std::abs(next->values[joint] - before.values[joint]) > 6.0
                              ? MoveLimit::Kind::JointRange
                              : MoveLimit::Kind::Singularity;
@@ -95,7 +95,7 @@ std::optional<MoveLimit> collisionOn(const RobotModel& model, const CollisionChe
     MoveLimit limit;
     limit.kind = MoveLimit::Kind::Collision;
     limit.isInside = check.isInside(way.front(), *near);
-    // Otherwise a contact later on says more than the place where the safety distance ends.
+    // A later contact is more informative than the position at which the safety distance is violated.
     const std::optional<Contact> contact = limit.isInside ? std::nullopt : check.along(way);
     limit.contact = contact && contact->at > 0 ? *contact : *near;
     limit.safetyDistance = check.safetyDistance();
@@ -143,7 +143,7 @@ MoveReport examineMove(const RobotModel& model, const CollisionCheck& check, con
     turns.cwiseAbs().maxCoeff(&report.largestTurnJoint);
     report.largestTurn = turns[report.largestTurnJoint];
 
-    // Of the whole line, so that shares are of what was asked for.
+    // For the whole line, so that shares refer to the requested move.
     const bool endsBefore = report.limit && report.limit->ends();
     const double followed = move.linear && endsBefore ? report.limit->share : 1.0;
     if (std::optional<MoveLimit> limit = collisionOn(model, check, tcpOffset, report.way)) {

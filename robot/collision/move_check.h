@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A whole move, looked at before it is made: which way it takes, how long and how far the joints turn, and the first
-// thing that stands in its way.
+// Examines a complete move before it is executed: its path, duration and joint rotations, and the first limitation.
 
 #include <optional>
 #include <span>
@@ -12,58 +11,57 @@
 
 namespace tiller::collision {
 
-/// What is asked for. Joints in step, or the TCP along a straight line.
+/// The requested move: joint-interpolated, or a straight line of the TCP.
 struct Move {
     JointPositions from;
-    JointPositions
-        to;  ///< of a line: the TCP goes to where these bring it, in whatever posture it gets there
+    JointPositions to;  ///< for a line: the TCP moves to the pose of these positions, in any configuration
     bool linear = false;
-    double speed = 1.05;        ///< [rad/s] of the joint that turns most, or [m/s] when linear
+    double speed = 1.05;        ///< [rad/s] of the joint with the largest rotation, or [m/s] when linear
     double acceleration = 1.4;  ///< [rad/s2], or [m/s2]
 };
 
-/// The first thing that stands in the way.
+/// The first limitation of the move.
 struct MoveLimit {
     enum class Kind {
-        OutOfReach,       ///< the line leaves the reach of the arm
-        JointRange,       ///< a joint would leave its range
-        Singularity,      ///< the line cannot be followed: a joint would have to turn at once
-        NearSingularity,  ///< it can, but joints get fast: the arm slows down
+        OutOfReach,       ///< the line leaves the workspace
+        JointRange,       ///< a joint would exceed its range
+        Singularity,      ///< the line passes through a singularity and cannot be followed
+        NearSingularity,  ///< the line can be followed, but joints become fast: the arm slows down
         Collision,
     };
     enum class Singular { None, Wrist, Elbow, Shoulder };
     Kind kind = Kind::Collision;
-    Singular singular = Singular::None;  ///< which
-    Contact contact;            ///< for Collision, which is a contact or less than the safety distance
-    double safetyDistance = 0;  ///< for Collision: the one that is kept [m]
-    bool isInside = false;      ///< for Collision: the move begins nearer than that to the same thing
+    Singular singular = Singular::None;  ///< type of singularity
+    Contact contact;            ///< for Collision: a contact, or a distance below the safety distance
+    double safetyDistance = 0;  ///< for Collision: the configured safety distance [m]
+    bool isInside = false;      ///< for Collision: the move starts within this distance of the same object
     int joint = 0;              ///< for JointRange, 0 ... 5
-    double share = 0;           ///< of the way, 0 ... 1
-    Pose tcp;                   ///< there, base frame
+    double share = 0;           ///< position along the path, 0 ... 1
+    Pose tcp;                   ///< pose at this position, base frame
 
-    /// The move ends there; what is only near a singularity is slowed down.
+    /// True if the move ends at the limitation. Near a singularity it only slows down.
     bool ends() const { return kind != Kind::NearSingularity; }
 };
 
 struct MoveReport {
-    std::vector<JointPositions> way;      ///< as far as it can be followed; joints turn evenly in between
-    std::vector<Eigen::Vector3d> places;  ///< of the TCP along it, base frame [m]
+    std::vector<JointPositions> way;  ///< up to the end that can be reached; uniform joint motion in between
+    std::vector<Eigen::Vector3d> places;  ///< positions of the TCP, base frame [m]
     int largestTurnJoint = 0;             ///< 0 ... 5
     double largestTurn = 0;               ///< from start to end, with sign [rad]
-    double duration = 0;                  ///< of all of it [s]
+    double duration = 0;                  ///< total duration [s]
     std::optional<MoveLimit> limit;
 };
 
-/// The first thing that a path comes too near to; joints turn evenly between its positions. Nothing: it is free.
+/// The first collision on a path with uniform joint motion between its positions; empty if the path is free.
 /// Threads  any. Blocks: never. Real-time: no (a millisecond)
 std::optional<MoveLimit> collisionOn(const RobotModel& model, const CollisionCheck& check,
                                      const Pose& tcpOffset, std::span<const JointPositions> way);
 
-/// check          of the arm, its tool and what is around it, with the safety distance that is kept
-/// A move that leads out of the safety distance has no collision: see CollisionCheck::obstruction().
+/// check          for the arm, its tool and the surroundings, with the safety distance. A move that leaves the
+///                safety distance is not a collision: see CollisionCheck::obstruction().
 /// tcpOffset      flange to TCP [m, rad]
 /// speedFraction  speed slider, 0 < fraction <= 1
-/// Threads  any. Blocks: never. Real-time: no (a millisecond; a line ten)
+/// Threads  any. Blocks: never. Real-time: no (a millisecond; ten for a line)
 MoveReport examineMove(const RobotModel& model, const CollisionCheck& check, const Pose& tcpOffset,
                        const Move& move, double speedFraction);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the arm can run into besides itself, in its base frame, and the tool it carries.
+// Obstacles in the base frame and the tool, for the collision check.
 
 #include <QString>
 #include <vector>
@@ -13,11 +13,11 @@ namespace tiller::collision {
 /// A solid box.
 struct Obstacle {
     QString name;
-    Pose pose;                                              ///< of its centre, edges along its axes [m, rad]
+    Pose pose;  ///< of the centre; the edges are parallel to its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
 };
 
-/// Its XY plane is the border; the arm stays on the side of +Z.
+/// A plane: the XY plane of its pose; the arm stays on the +Z side.
 struct Border {
     QString name;  ///< empty: the floor
     Pose pose;     ///< [m, rad]
@@ -28,20 +28,20 @@ struct Surroundings {
     std::vector<Border> borders;
 };
 
-/// Distance that is kept from everything the arm can touch, unless the cell has another one [m].
+/// Default safety distance from all objects [m].
 inline constexpr double kSafetyDistance = 0.010;
 
-/// A round body from the flange to the TCP.
+/// A cylinder from the flange to the TCP.
 struct ToolBody {
     Pose tcpOffset;     ///< flange to TCP [m, rad]
-    double radius = 0;  ///< [m]; 0: there is none
+    double radius = 0;  ///< [m]; 0: no body
 };
 
-/// What is known of the cell that an arm works in.
+/// The surroundings of an arm.
 struct CellSurroundings {
     Surroundings around;
     double toolRadius = 0;                    ///< as ToolBody::radius [m]
-    double safetyDistance = kSafetyDistance;  ///< that moves and jogs keep [m]
+    double safetyDistance = kSafetyDistance;  ///< for moves and jogs [m]
 };
 
 }  // namespace tiller::collision

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Questions only the robot can answer: with its own calibration, limits and sensors.
+// Queries answered by the robot itself, based on its calibration, limits and sensors.
 
 #include <optional>
 #include <variant>
@@ -13,42 +13,44 @@
 namespace tiller::control {
 
 struct InverseOptions {
-    std::optional<JointPositions> near = {};  ///< the solution nearest to this; left out: to the present ones
-    double maxPositionError = 1e-10;          ///< [m]
-    double maxOrientationError = 1e-10;       ///< [rad]
+    /// the solution nearest to these positions; empty: nearest to the current ones
+    std::optional<JointPositions> near = {};
+    double maxPositionError = 1e-10;     ///< [m]
+    double maxOrientationError = 1e-10;  ///< [rad]
 };
 
 /// Errors   of every call: NotInControl, LinkLost, Timeout, Cancelled, InvalidArgument, VersionUnsupported
-/// Threads  any. Blocks: until the answer, some 6 ms, at most until the deadline
+/// Threads  any. Blocks: until the answer, typically 6 ms, at most until the deadline
 class ArmQueries {
 public:
     explicit ArmQueries(Controller& controller) : controller_(&controller) {}
 
-    /// Errors  also NoSolution. Source: URScript get_inverse_kin, and so below
+    /// Errors  also NoSolution
+    /// Source  URScript get_inverse_kin; the following functions use the URScript function of the same name
     Result<JointPositions> inverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                              const Deadline& deadline);
-    /// Whether there is one; errors as of inverseKinematics().
+    /// Whether a solution exists; errors as inverseKinematics().
     Result<bool> hasInverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                       const Deadline& deadline);
-    /// q, tcp   left out: the present ones
-    /// Returns  the TCP's pose in the base frame
+    /// q, tcp   empty: the current values
+    /// Returns  pose of the TCP in the base frame
     Result<Pose> forwardKinematics(const std::optional<JointPositions>& q, const std::optional<Pose>& tcp,
                                    const Deadline& deadline);
-    /// Of a TCP pose [m, rad], base frame.
+    /// For a TCP pose in the base frame [m, rad].
     Result<bool> isWithinSafetyLimits(const Pose& tcpPose, const Deadline& deadline);
-    /// Of joint positions [rad].
+    /// For joint positions [rad].
     Result<bool> isWithinSafetyLimits(const JointPositions& q, const Deadline& deadline);
     /// Torques without gravity and friction [Nm].
     Result<JointTorques> jointTorques(const Deadline& deadline);
-    /// True when the arm has stood still for half a second.
+    /// True if the arm has been at standstill for half a second.
     Result<bool> isSteady(const Deadline& deadline);
-    /// Returns  how many control steps ago the contact began; 0: none. Since 5.4
+    /// Returns  the number of control periods since the contact began; 0: no contact. Since 5.4
     Result<int> toolContact(const Twist& direction, const Deadline& deadline);
-    /// The TCP pose the present move heads for. Since 5.3
+    /// TCP pose of the target of the current move. Since 5.3
     Result<Pose> targetWaypoint(const Deadline& deadline);
-    /// steps  control steps ago, 0 or more. Since 5.4
+    /// steps  number of control periods in the past, 0 or more. Since 5.4
     Result<JointPositions> jointPositionsHistory(int steps, const Deadline& deadline);
-    Result<double> stepTime(const Deadline& deadline);  ///< [s]
+    Result<double> stepTime(const Deadline& deadline);  ///< control period [s]
     Result<Pose> tcpOffset(const Deadline& deadline);   ///< T_flange_tcp
     Result<Pose> flangePose(const Deadline& deadline);  ///< T_base_flange
     /// 0 normal, 1 near a singularity, 2 too near one. Since 5.10

@@ -33,7 +33,7 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
     const std::uint64_t stops = stops_.value_or(d.mailbox.epoch().stops());
     ArgumentCheck check = ArgumentCheck(kContext).pose("taskFrame", mode.taskFrame);
     const Vector6 wrench = mode.wrench.vector();
-    // No arm of this kind pushes harder; a controller limits it further.
+    // Above the forces of all arms; the controller has lower limits.
     constexpr double kHighestForce = 1000.0;
     constexpr double kHighestTorque = 200.0;
     for (int i = 0; i < 6; ++i) {
@@ -70,7 +70,7 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
         on = Error{ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
     }
     if (!on) {
-        d.loop.permitForce(false);  // should it have begun all the same
+        d.loop.permitForce(false);  // in case it has started nevertheless
     }
     return on;
 }
@@ -79,7 +79,7 @@ Result<void> Compliance::endForceMode(const Deadline& deadline) {
     auto& d = ControllerAccess::of(*controller_);
     const auto ended =
         d.requests.request(RequestKind::EndForceMode, 0, {}, QStringLiteral("end force mode"), deadline);
-    d.loop.permitForce(false);  // ends it too, should the answer be lost
+    d.loop.permitForce(false);  // also ends it if the answer is lost
     return noAnswer(ended);
 }
 

@@ -13,7 +13,7 @@ namespace tiller::control {
 
 namespace {
 
-// What is said to the control program before the connection ends gets so long to arrive.
+// Maximum time for the last commands to reach the control program before the connection ends.
 constexpr std::chrono::milliseconds kLastWords(160);
 
 Error stopCameFirst(const QString& context) {
@@ -67,7 +67,7 @@ Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
     return taken;
 }
 
-// Step by step, each with its own reason for not working.
+// Each step has a specific error.
 Result<void> Controller::Private::connect(const Deadline& deadline, bool join) {
     if (const Error error = checkLimits(options.limits, "take control"); error.code != ErrorCode::None) {
         return error;
@@ -97,7 +97,7 @@ Result<void> Controller::Private::connect(const Deadline& deadline, bool join) {
         program.setSession(session);
         loop.begin(session, link.period(), program.arm(), now());
         if (joined) {
-            // Nothing the client before us asked for may be taken for ours.
+            // Ignore the commands of the previous client.
             mailbox.skipTo(static_cast<std::uint64_t>(joined->epoch) + 1);
             loop.follow(*joined);
         }
@@ -115,13 +115,13 @@ void Controller::Private::disconnect() {
 
 void Controller::Private::end(const std::function<void()>& whenRunning) {
     {
-        const std::lock_guard lock(patience);
+        const std::lock_guard lock(tokenMutex);
         ++ending;
         underWay.cancel();
     }
     const std::lock_guard lock(taking);
     {
-        const std::lock_guard guard(patience);
+        const std::lock_guard guard(tokenMutex);
         --ending;
     }
     if (link.isRunning()) {
@@ -136,7 +136,7 @@ void Controller::release() {
     d_->end([this] {
         stop(StopCause::ControlLost);
         d_->loop.requestEnd();
-        // Enough to see the arm come to rest from a jog; a longer way it brakes without us.
+        // Sufficient for standstill after a jog; after a longer path the arm decelerates without supervision.
         waitUntil(Deadline::after(kLastWords), [this] { return !d_->isInControl(); });
     });
 }
@@ -153,11 +153,11 @@ void Controller::leave(Supervision supervision) {
         stopEndless();
         d_->loop.permitFinish();
         d_->link.wake();
-        // Some 5 ms, unless the robot hangs: then its program ends the motion by itself.
+        // Typically 5 ms, unless the robot hangs: then its program ends the motion by itself.
         waitUntil(Deadline::after(kLastWords),
                   [this] { return !d_->isInControl() || d_->loop.isFinishPermitted(); });
     });
-    stop(StopCause::ControlLost);  // for those who wait for it here: we hear no more of it
+    stop(StopCause::ControlLost);  // Completes waiting calls: no further data arrive.
 }
 
 Error Controller::Private::obstacle(const QString& context) const {
@@ -188,7 +188,7 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
     if (id == kNoMotion) {
         return stopCameFirst(context);
     }
-    // Control may have ended since it was looked at, and nobody else would end this motion then.
+    // Control may have ended since the check; in that case this motion has to be ended here.
     if (!loop.confirmControl()) {
         mailbox.end(id, StopCause::ControlLost, now());
         return Error{ErrorCode::NotInControl, context, {}};
@@ -205,7 +205,7 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
     if (!loop.isInControl()) {
         return Error{ErrorCode::NotInControl, context, {}};
     }
-    // Braking first, and nothing that is stopped from here on may begin.
+    // Stop first: nothing that was stopped may start from here on.
     const std::uint64_t epoch = mailbox.stop(Brake{}, StopCause::Superseded, now());
     if (mailbox.epoch().stops() != stops) {
         return stopCameFirst(context);
@@ -213,7 +213,7 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
     if (auto sent = program.restart(section, name, deadline); !sent) {
         Error error = sent.error();
         error.context = context;
-        // A section that does not compile must not cost the control.
+        // A section that does not compile must not cause a loss of control.
         if (error.code == ErrorCode::ScriptError) {
             if (auto back = program.restart({}, {}, deadline); !back) {
                 error.controllerMessage +=
@@ -254,7 +254,7 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
 
 std::uint64_t Controller::stop(StopCause cause) {
     const std::uint64_t epoch = d_->mailbox.stop(cause, d_->now());
-    d_->loop.permitForce(false);  // afterwards: see setForceMode()
+    d_->loop.permitForce(false);  // After the stop: see setForceMode().
     d_->link.wake();
     return epoch;
 }
@@ -307,7 +307,7 @@ Result<void> Controller::setSpeedCap(double metresPerSecond) {
         return check.error();
     }
     if (metresPerSecond != d_->loop.speedCap()) {
-        // In this order: what is begun in between has the new cap, or is stopped.
+        // The order matters: a motion started in between has the new cap, or is stopped.
         d_->loop.setSpeedCap(metresPerSecond);
         stop(StopCause::SelectionChanged);
     }

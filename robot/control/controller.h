@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Takes control of the arm, stops it and gives control back; motions.h moves it. Uploads our control program
-// once, tells it through RTDE registers what to do, and makes sure that whatever goes wrong (a key let go, a
-// hung interface, a dead process, a cut cable) ends in standstill.
+// Takes control of the arm, stops it and releases control; motions.h moves it. The controller uploads the control
+// program once and commands it through RTDE registers. Every failure (released key, blocked user interface, crashed
+// process, disconnected cable) stops the arm.
 //
-// The rules, in short: one slot, the last command wins, nothing is queued. Every motion has a number that is
-// also its epoch; every stop moves the epoch on, so that nothing commanded before a stop can move the arm
-// after it. A held motion whose holder falls silent for 100 ms ends. Nothing resumes by itself.
+// Rules: there is one command slot, the last command wins, nothing is queued. The number of a motion is also its
+// epoch; every stop increments the epoch, so that no earlier command can move the arm afterwards. A held motion
+// ends if it is not refreshed for 100 ms. Nothing resumes automatically.
 
 #include <QString>
 #include <chrono>
@@ -31,14 +31,14 @@ class CollisionCheck;
 
 namespace tiller::control {
 
-/// Which general purpose registers the control program talks through.
+/// General purpose registers used by the control program.
 enum class RegisterRange : std::uint8_t {
-    Lower,  ///< 0-23: every software version; a fieldbus on the robot may own them
-    Upper,  ///< 24-47: meant for programs like this one; from software 3.9 / 5.3
+    Lower,  ///< 0-23: all software versions; possibly used by a fieldbus
+    Upper,  ///< 24-47: intended for external clients; software 3.9 / 5.3 and later
 };
 
-/// How lively force mode is; left out: as the robot has it. Source: URScript force_mode_set_damping,
-/// force_mode_set_gain_scaling
+/// Force mode parameters; empty: value of the robot.
+/// Source: URScript force_mode_set_damping, force_mode_set_gain_scaling
 struct ForceSettings {
     std::optional<double> damping;      ///< 0 ... 1
     std::optional<double> gainScaling;  ///< 0 ... 2
@@ -51,41 +51,39 @@ struct ControllerOptions {
     int rtdePort = 0;     ///< 0: 30004 + portOffset
     const Clock* clock = &SteadyClock::shared();
     RegisterRange registers = RegisterRange::Upper;
-    int priority = 85;  ///< SCHED_FIFO; 0 = leave the thread as it is
-    /// The control thread stays on these CPUs, counted from 0; empty: where the system puts it. At a
-    /// real-time priority one is best, the receiver's: being woken up on another one takes longer.
+    int priority = 85;  ///< SCHED_FIFO priority; 0: unchanged
+    /// CPUs of the control thread, counted from 0; empty: chosen by the system. At a real-time priority use only
+    /// the CPU of the receiver: waking up on another CPU takes longer.
     std::vector<int> cpus = {};
     MotionLimits limits = {};
-    /// Used for the limiter until, or unless, the controller has told its own dimensions.
+    /// Model used by the limiter until the controller has reported its own dimensions.
     RobotModelId model = RobotModelId::UR5e;
-    /// Data older than this, or a command unanswered for longer, end the active motion; a move with a longer
-    /// silence of its own (MoveParameters::silence) ends after that. While the data are older than this,
-    /// status() reports no control. The robot ends the motion after 100 ms without a heartbeat, or after that
-    /// silence, in any case and by its own time; a program without a person at a key may leave it to the
-    /// robot, so that a hiccup of this computer that the robot did not notice ends nothing.
+    /// Maximum age of the data and maximum response time. If exceeded, the active motion ends; a move with a longer
+    /// timeout (MoveParameters::silence) ends after that. While the data are older, status() reports no control.
+    /// The robot itself always ends a motion after 100 ms without a heartbeat, or after the timeout of the move. A
+    /// program without hold-to-run operation may use a larger value, so that short delays of this computer that the
+    /// robot does not notice have no effect.
     std::chrono::milliseconds dataTimeout{100};
-    /// Without data for so long the connection counts as dead: it is closed and control is lost
-    /// (ControlLoss::LinkLost). Neither the end of the TCP connection nor an error is waited for, because
-    /// neither comes after a power cut or from a controller that has forgotten the connection. Never sooner
-    /// than `dataTimeout`, or than the silence of the move under way; 0: only when the connection ends.
+    /// Time without data after which the connection is closed and control is lost (ControlLoss::LinkLost). This
+    /// does not depend on TCP, which does not report a power failure of the peer. Not less than `dataTimeout` or
+    /// the timeout of the current move; 0: only when the connection ends.
     std::chrono::milliseconds connectionTimeout{450};
-    /// True: a control program that was paused may be played again (joinProgram()), without what it was told
-    /// before. False, and where force mode, freedrive or teach mode might go on in the pause: it is stopped.
+    /// True: a paused control program may be resumed (joinProgram()); earlier commands are discarded. If false, or
+    /// if force mode, freedrive or teach mode might continue during the pause, the program is stopped.
     bool keepPaused = false;
-    /// How the control program gets to the robot. Empty: sent to the primary interface.
+    /// Transfers the control program to the robot. Empty: sent to the primary interface.
     std::function<Result<void>(const QString& program, const Deadline& deadline)> deliver = {};
-    /// False: takeControl() does not wait for the program to run, which somebody else starts some time later.
+    /// False: takeControl() does not wait for the program, which is started later by other means.
     bool awaitProgram = true;
-    /// What the control program sets when it begins.
+    /// Applied at the start of the control program.
     ForceSettings force = {};
 };
 
-/// Thread: one, named "control", SCHED_FIFO at ControllerOptions::priority where permitted; started by
-/// takeControl(), ended by release(), by the loss of the connection and by the destructor. Into it cross
-/// the epoch (an atomic word), the newest command (a triple buffer) and the time of the last refresh; out of
-/// it the status (a seqlock). It reads and writes the descriptor of the RTDE socket itself and answers each
-/// received data package with one input package; when the stream stalls, a timer takes over so that a stop
-/// still goes out.
+/// Owns the thread "control", SCHED_FIFO at ControllerOptions::priority if permitted. It is started by
+/// takeControl(), and ended by release(), the loss of the connection, or the destructor. Inputs of the thread: the
+/// epoch (an atomic word), the newest command (a triple buffer) and the time of the last refresh. Output: the
+/// status (a seqlock). The thread reads and writes the RTDE socket and answers each data package with one input
+/// package; if the stream stalls, a timer takes over, so that a stop is still sent.
 class Controller {
 public:
     explicit Controller(const ControllerOptions& options);
@@ -93,64 +91,62 @@ public:
     Controller(const Controller&) = delete;
     Controller& operator=(const Controller&) = delete;
 
-    /// Connects, sets the registers up, uploads the control program and waits until it answers. Does nothing
-    /// when it already does. After any loss of control this is the only way back.
-    /// Errors   HostUnreachable, ConnectionRefused, Timeout, Cancelled, RegisterInUse, FieldUnknown,
-    ///          UnsafeState, RemoteControlRequired, ScriptError, ProtocolError, LinkLost; InvalidArgument and
-    ///          LimitExceeded naming what is wrong in ControllerOptions::limits
+    /// Connects, sets up the registers, uploads the control program and waits for its response. Returns immediately
+    /// if already in control. After a loss of control, only this call restores it.
+    /// Errors   HostUnreachable, ConnectionRefused, Timeout, Cancelled, RegisterInUse, FieldUnknown, UnsafeState,
+    ///          RemoteControlRequired, ScriptError, ProtocolError, LinkLost; InvalidArgument and LimitExceeded for
+    ///          invalid ControllerOptions::limits
     /// Threads  any but the control thread; one at a time. Blocks: until the deadline
     Result<void> takeControl(const Deadline& deadline);
 
-    /// Takes control through the control program that runs already: of a client that has gone (leave()), or
-    /// ours after a pause. Sends none.
-    /// Errors   as takeControl(); NotInControl when the program that runs is none of ours
+    /// Takes control of a running control program without sending one: the program of a client that has left
+    /// (leave()), or our own after a pause.
+    /// Errors   as takeControl(); NotInControl if the running program is not a control program
     /// Threads  as takeControl()
     Result<void> joinProgram(const Deadline& deadline);
 
     /// Closes the connection and leaves the control program running for another client (joinProgram()).
-    /// supervision  Heartbeat: stops what moves. Unattended: a move or path under way continues to its target
-    ///              with no client to stop it; everything else that moves the arm is ended, force mode too
-    /// Threads  and blocking as release()
+    /// supervision  Heartbeat: ends the active motion. Unattended: a current move or path continues to its target
+    ///              without a client that could stop it; all other motions end, including force mode
+    /// Threads      and blocking as release()
     void leave(Supervision supervision = Supervision::Heartbeat);
 
-    /// Stops what moves, ends the control program and closes the connection. Cancels a call that is waiting
-    /// (takeControl() and all that sends programs), through its deadline's token.
-    /// Threads  any but the control thread. Blocks: 250 ms at most, whatever the peer does; the arm brakes on
+    /// Ends the active motion and the control program, and closes the connection. Cancels waiting calls
+    /// (takeControl() and all functions that send programs) through the token of their deadline.
+    /// Threads  any but the control thread. Blocks: 250 ms at most, independent of the peer; the robot decelerates
     ///          by itself
     void release();
 
-    // All of the following: threads any; never block (callers wait for each other's copy of a command, some
-    // 100 ns; stop() not even for that).
+    // Threads of all following functions: any. They never block (callers wait about 100 ns for each other while
+    // copying a command; stop() does not wait).
 
-    /// Ends whatever is active, force mode too. When it returns, no command given before can move the arm any
-    /// more.
-    /// Returns  the epoch of this stop: once ControllerStatus::restingEpoch has reached it, the control program
-    ///          has confirmed that it moves nothing
+    /// Ends the active motion and force mode. After the return, no earlier command can move the arm.
+    /// Returns  the epoch of this stop. When ControllerStatus::restingEpoch has reached this value, the control
+    ///          program has confirmed standstill
     std::uint64_t stop(StopCause cause = StopCause::ApiCall);
-    /// How many stops there were, by whomever; the end of one motion, or its giving way to another, is none. Who
-    /// reads it before he prepares a motion can have it begin only if none came meanwhile: see Motions.
+    /// Number of stops so far, from any source. The end of a single motion and its replacement by another one do
+    /// not count. Read this value before preparing a motion that must not start after a stop: see Motions.
     std::uint64_t stops() const;
-    /// Ends this motion; another one goes on.
-    /// Returns  false when it had ended already
+    /// Ends this motion, but not a later one.
+    /// Returns  false if it has already ended
     bool end(MotionId motion, StopCause cause);
 
-    MotionState motionState(MotionId motion) const;  ///< Active, or how it ended.
-    /// Threads  any whose real-time priority is below the control thread's: on its CPU one above it could
-    ///          interrupt the writing, and wait for ever for its end
+    MotionState motionState(MotionId motion) const;  ///< Phase, and the cause after the end.
+    /// Threads  any with a real-time priority below that of the control thread: on the same CPU, a thread with
+    ///          higher priority could preempt a write and wait for its end forever
     ControllerStatus status() const;
-    MotionLimits limits() const;  ///< With the speed cap as it is now [m/s].
-    /// What the joints of this arm can: by its own configuration once control has been taken.
+    MotionLimits limits() const;  ///< Includes the current speed cap [m/s].
+    /// Limits of the joints, from the configuration of the arm once control has been taken.
     JointLimits jointLimits() const;
-    /// Whether there is a connection, in control or not.
+    /// True if connected, with or without control.
     bool isConnected() const;
-    /// From now on TCP and elbow get no faster than this [m/s]; 0.25 unless ControllerOptions::limits said
-    /// otherwise. Another cap than before ends whatever is active (StopCause::SelectionChanged): nothing goes
-    /// on under a cap it was not begun with.
-    /// Errors   InvalidArgument (not a number, or none above 0), LimitExceeded (above 3 m/s: millimetres?)
+    /// Sets the speed limit of TCP and elbow [m/s]; initially 0.25 unless set by ControllerOptions::limits.
+    /// Changing the limit ends the active motion (StopCause::SelectionChanged).
+    /// Errors   InvalidArgument (NaN, 0 or negative), LimitExceeded (above 3 m/s, e.g. a value in mm/s)
     Result<void> setSpeedCap(double metresPerSecond);
-    /// From now on every jog slows down and ends at the safety distance from whatever this check knows: the arm
-    /// itself, its tool and its surroundings. Motion away from it stays free. Null: there is nothing to keep away from.
-    /// Moves, paths and streams are not checked: see collision::CollisionCheck::obstruction.
+    /// Makes every jog slow down and end at the safety distance from the objects of this check: the arm itself, its
+    /// tool and its surroundings. Motion away from an object remains possible. Null: no check. Moves, paths and
+    /// streams are not checked: see collision::CollisionCheck::obstruction.
     /// Threads  any; one at a time. Blocks: never
     void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check);
     /// From the connection of the last takeControl(); zeros before.

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The handle of a jog: a velocity that somebody keeps asking for.
+// The handle of a jog: a velocity that has to be refreshed continuously.
 
 #include "robot/control/motion.h"
 
 namespace tiller::control {
 
-/// Made by Motions::startJog. A jog that has ended takes a new start.
+/// Created by Motions::startJog(). A jog that has ended cannot be continued.
 /// Threads  any. The controller must outlive it.
 class Jog : public Motion {
 public:
-    Jog() = default;  ///< of nothing: ended
+    Jog() = default;  ///< An ended jog.
 
     using Motion::refresh;
-    /// Keeps it alive, with this target from now on. One that holds no numbers ends it.
-    /// Returns  false when the jog has ended, if only by this call coming too late
+    /// Keeps the jog active with a new target. A target with NaN ends it.
+    /// Returns  false if the jog has ended, e.g. because this call came too late
     /// Blocks   never
     bool refresh(const JogTarget& target) const;
 

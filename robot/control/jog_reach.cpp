@@ -11,15 +11,15 @@
 namespace tiller::control {
 namespace {
 
-// The speeds it is followed with. A slower jog ends nearer to the limits by some tenths of a millimetre.
+// Speeds of the simulation. A slower jog ends closer to the limits by some tenths of a millimetre.
 constexpr double kFollowSpeed = 0.25;                      // [m/s]
 constexpr double kFollowTurnSpeed = std::numbers::pi / 4;  // [rad/s]
-constexpr double kFollowStep = 0.010;                      // in the open [m]
+constexpr double kFollowStep = 0.010;                      // without limits nearby [m]
 constexpr double kFollowTurnStep = 0.030;                  // [rad]
-constexpr double kSlowedStep = 0.2;                        // of a step, where the jog is slowed down already
+constexpr double kSlowedStep = 0.2;                        // fraction of a step where the jog is slowed down
 constexpr double kSlowed = 0.7;
-constexpr int kFollowHalvings = 12;  // of the step in which it ends
-// A joint that would turn more than this in one step is next to a singularity [rad].
+constexpr int kFollowHalvings = 12;  // bisections of the final step
+// A larger joint change in one step indicates a singularity [rad].
 constexpr double kFollowJump = 0.5;
 
 Pose movedBy(const Pose& pose, const Vector6& direction, double by) {
@@ -58,10 +58,10 @@ JogReach jogReach(const JogConditions& arm, const JointPositions& q, const Pose&
         JointPositions q;
         Limiter limiter;
     };
-    // Nothing where the arm cannot get to, or only by a jump.
+    // Empty if the position is unreachable, or only reachable with a jump.
     const auto placeAt = [&](double gone, const JointPositions& near) -> std::optional<Place> {
         const Pose pose = movedBy(start, direction, gone);
-        // Without the range of the joints: the limiter knows it.
+        // Joint ranges are ignored here: the limiter checks them.
         const auto next =
             gone == 0 ? std::optional(q)
                       : kinematics::inverseNearest(arm.dh, pose, tcpOffset, near, 4 * kJointPositionLimit);

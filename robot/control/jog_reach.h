@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How far a jog of the TCP would go before it ends by itself: followed with the limiter that ends it, so that the
-// distance shown before a jog is the distance that the jog makes.
+// Predicts the distance after which a Cartesian jog ends, by simulating it with the limiter that ends it, so that
+// the distance displayed before a jog is the distance it achieves.
 
 #include "robot/control/control_status.h"
 #include "robot/core/robot_model.h"
@@ -13,27 +13,27 @@ class CollisionCheck;
 
 namespace tiller::control {
 
-/// What the joints of this model can, where the robot does not report it.
+/// Joint limits of the model, for robots that do not report them.
 JointLimits jointLimitsOf(const RobotModel& model);
 
-/// The arm that would jog.
+/// The arm and the limits of the jog.
 struct JogConditions {
-    DhParameters dh;                                   ///< its own, where it reports a calibration
-    JointLimits joints;                                ///< its ranges
-    MotionLimits limits = {};                          ///< its decelerations; caps on speed do not end a jog
-    const collision::CollisionCheck* check = nullptr;  ///< what it keeps away from; null: nothing
+    DhParameters dh;           ///< of the individual arm, if it reports a calibration
+    JointLimits joints;        ///< joint limits
+    MotionLimits limits = {};  ///< for the decelerations; speed limits do not end a jog
+    const collision::CollisionCheck* check = nullptr;  ///< collision check; null: none
 };
 
 struct JogReach {
-    double distance = 0;  ///< of the TCP [m], or its turn [rad]
-    Limiter end;          ///< what ends the jog; LimiterKind::None: nothing within the distance followed
+    double distance = 0;  ///< of the TCP [m], or its rotation [rad]
+    Limiter end;          ///< the reason for the end; LimiterKind::None: no limit within `farthest`
 };
 
-/// A jog of the TCP from rest at q.
+/// Simulates a Cartesian jog from rest at q.
 /// tcpOffset  flange to TCP [m, rad]
-/// direction  in the base frame: a unit vector in one half (along, or about an axis through the TCP), zeros in the
-///            other
-/// farthest   where following it ends [m] or [rad]
+/// direction  in the base frame: a unit vector in one half (translation, or rotation about an axis through the
+///            TCP), zeros in the other
+/// farthest   maximum distance [m] or angle [rad]
 /// Threads    any. Blocks: never. Real-time: no (a millisecond)
 JogReach jogReach(const JogConditions& arm, const JointPositions& q, const Pose& tcpOffset,
                   const Vector6& direction, double farthest);

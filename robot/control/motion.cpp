@@ -31,7 +31,7 @@ double distance(const std::array<double, 6>& a, const std::array<double, 6>& b, 
     return std::sqrt(sum);
 }
 
-/// What an end other than the target means to who waits for it.
+/// The error returned to a waiting caller if the motion did not reach its target.
 Error errorOf(StopCause cause, MotionKind kind) {
     const QString context = QStringLiteral("wait for a motion");
     switch (cause) {
@@ -78,7 +78,7 @@ MotionState Motion::state() const {
     if (kind_ != MotionKind::Stop) {
         return controller_->motionState(id_);
     }
-    // Late data alone are no end: the stop may yet be confirmed.
+    // Late data alone do not end the wait: the stop may still be confirmed.
     const ControllerStatus status = ControllerAccess::of(*controller_).loop.status();
     if (!status.inControl) {
         return {MotionPhase::Ended, StopCause::ControlLost};
@@ -154,7 +154,7 @@ Result<void> Motion::wait(const Deadline& deadline) const {
         return {};
     }
     if (controller_ != nullptr && runsSection(kind_) && now.cause == StopCause::ControlLost) {
-        // The controller's own words come on another connection, a little later.
+        // The controller's message arrives slightly later on another connection.
         const Deadline soon =
             Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
         auto& d = ControllerAccess::of(*controller_);
@@ -182,10 +182,10 @@ Result<void> Motion::stop(const Deadline& deadline) const {
     const Epoch& epoch = d.mailbox.epoch();
     ControllerStatus status;
     const auto isOver = [&] {
-        // In this order: what rests in the status read afterwards rests at least since then.
+        // The order matters: an epoch confirmed in the status read afterwards is confirmed at this point.
         const std::uint64_t now = epoch.current();
         const bool isReplaced = epoch.activeMotion() != kNoMotion;
-        status = d.loop.status();  // late data alone are no end, as in state()
+        status = d.loop.status();  // late data alone do not end the wait, as in state()
         return isReplaced || !status.inControl || status.restingEpoch >= now;
     };
     if (!waitUntil(deadline, isOver)) {

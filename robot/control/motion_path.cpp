@@ -10,7 +10,7 @@ namespace tiller::control {
 namespace {
 
 QString number(double value) {
-    constexpr int kDigits = 17;  // as many as it takes to lose nothing
+    constexpr int kDigits = 17;  // full precision of a double
     return QString::number(value, 'g', kDigits);
 }
 
@@ -30,7 +30,7 @@ QString text(const PathEntry::Target& target) {
 }
 
 void check(ArgumentCheck& arguments, const char* name, const PathEntry::Target& target) {
-    // The ranges of the connected arm are looked at when it is known; these are every arm's.
+    // The union of all arms' limits; the limits of the connected arm are checked when it is known.
     static const ArmLimits kWidest = ArmLimits::of(robotModel(RobotModelId::UR3e));
     if (const auto* q = std::get_if<JointPositions>(&target)) {
         arguments.joints(name, *q, kWidest);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A path of many moves, joint, linear, process and circular, blended into each other. Sent to the robot as
-// script text, so that blends are the controller's own.
+// A path of joint, linear, process and circular moves with blends. It is sent to the robot as script text, so that
+// the controller computes the blends.
 
 #include <QString>
 #include <optional>
@@ -22,18 +22,18 @@ struct PathEntry {
 
     Kind kind = Kind::MoveJ;
     Target target;
-    std::optional<Target> via;  ///< MoveC: the point the arc goes through (only its position counts)
-    double speed = 0;           ///< MoveJ [rad/s], others [m/s]; 0 < speed
-    double acceleration = 0;    ///< MoveJ [rad/s2], others [m/s2]; 0 < acceleration
-    double blend = 0;           ///< radius around the target [m]; the last entry's is taken as 0
-    bool fixedToArc = false;    ///< MoveC: the orientation stays fixed to the arc
+    std::optional<Target> via;  ///< MoveC: intermediate point of the arc (orientation ignored)
+    double speed = 0;           ///< MoveJ [rad/s], others [m/s]; > 0
+    double acceleration = 0;    ///< MoveJ [rad/s2], others [m/s2]; > 0
+    double blend = 0;           ///< blend radius at the target [m]; 0 is used for the last entry
+    bool fixedToArc = false;    ///< MoveC: the orientation is constant relative to the arc
 };
 
 using MotionPath = std::vector<PathEntry>;
 
-/// Errors  InvalidArgument, LimitExceeded; the message names the entry (counted from 1) and the argument
+/// Errors  InvalidArgument, LimitExceeded; the message contains the entry (counted from 1) and the argument
 Result<void> checkPath(const MotionPath& path);
-/// One move a line, with numbers that lose nothing.
+/// URScript text, one move per line, with numbers of full precision.
 QString pathMove(const PathEntry& entry);
 
 }  // namespace tiller::control

@@ -17,7 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr SoftwareVersion kHasContact{5, 4, 0, 0};
-/// [m/s2] and [rad/s2]: a stop that brakes more softly is none.
+/// Minimum deceleration of a stop [m/s2] and [rad/s2].
 constexpr double kSoftestBrake = 0.1;
 
 MotionCommand program(ScriptCommand what, Holding holding) {
@@ -28,7 +28,7 @@ MotionCommand program(ScriptCommand what, Holding holding) {
     return command;
 }
 
-/// The joint positions nearest to where the arm stands, by the dimensions the robot told.
+/// The joint positions nearest to the current ones, with the dimensions reported by the robot.
 std::optional<JointPositions> reach(const ArmLimits& arm, const ControllerStatus& status,
                                     const Pose& target) {
     return kinematics::inverseNearest(arm.dh, target, Pose::fromArray(status.tcpOffset),
@@ -51,12 +51,12 @@ ArgumentCheck& checkSilence(ArgumentCheck& check, milliseconds silence) {
                        Seconds(kLongestSilence).count(), "s");
 }
 
-/// What a command needs of a silence that is none of its own.
+/// The timeout to send for a command; 0 for the default.
 milliseconds ownSilence(Holding holding, milliseconds silence) {
     return holding == Holding::Free && silence > kHoldTime ? silence : milliseconds(0);
 }
 
-/// The defaults of MoveParameters, filled in.
+/// MoveParameters with the defaults applied.
 struct Dynamics {
     double speed = 0;
     double acceleration = 0;
@@ -105,7 +105,7 @@ LimiterKind kindOf(kinematics::SpeedLimit limit) {
     return LimiterKind::None;
 }
 
-/// The asked-for speed, held to what TCP and elbow may have on this way.
+/// Reduces the requested speed to the limits of TCP and elbow along this path.
 MotionPlan planned(double length, const Dynamics& asked, const kinematics::SpeedBound& bound) {
     MotionPlan plan;
     plan.speed = std::min(asked.speed, bound.speed);
@@ -118,11 +118,11 @@ MotionPlan planned(double length, const Dynamics& asked, const kinematics::Speed
     return plan;
 }
 
-/// Where a move begins, and by which limits.
+/// The start position of a move and the applicable limits.
 struct Beginning {
     const char* context;
     Controller& controller;
-    std::uint64_t stops;  ///< before anything is looked at
+    std::uint64_t stops;  ///< read before anything else
     Controller::Private& d = ControllerAccess::of(controller);
     ArmLimits arm = d.program.arm();
     MotionLimits limits = d.limitsNow();
@@ -134,7 +134,7 @@ struct Beginning {
         return check.ok() ? d.obstacle(QString::fromLatin1(context)) : check.error();
     }
 
-    /// The parts of a command that all moves share.
+    /// The part of a command that is common to all moves.
     MotionCommand command(const MoveParameters& parameters, const std::array<double, 6>& target,
                           const MotionPlan& plan, double acceleration) const {
         MotionCommand command;
@@ -154,7 +154,7 @@ struct Beginning {
     }
 };
 
-/// To these joint positions; `toPose`: the robot finds them itself for this pose.
+/// Moves to these joint positions; with `toPose` the robot computes them from this pose.
 Result<Motion> jointMoveTo(const Beginning& from, const JointPositions& target, const Pose* toPose,
                            const MoveParameters& parameters) {
     const Dynamics asked = jointDynamics(parameters);
@@ -168,7 +168,7 @@ Result<Motion> jointMoveTo(const Beginning& from, const JointPositions& target, 
     return from.start(command, MotionKind::MoveJ, from.status.q, target.array(), plan);
 }
 
-/// Along a line to this pose; `toJoints`: given to the robot as these joint positions.
+/// Moves along a line to this pose; with `toJoints` the target is sent as joint positions.
 Result<Motion> lineTo(const Beginning& from, const Pose& target, const JointPositions* toJoints,
                       const MoveParameters& parameters) {
     const Dynamics asked = toolDynamics(parameters, from.limits.tcpSpeed);
@@ -183,7 +183,7 @@ Result<Motion> lineTo(const Beginning& from, const Pose& target, const JointPosi
     return from.start(command, MotionKind::MoveL, from.status.tcpPose, target.array(), plan);
 }
 
-/// The same path, no faster than the cap on TCP and elbow allows, and ending without a blend.
+/// The path with speeds reduced to the limits of TCP and elbow, and without a blend at the end.
 Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const ControllerStatus& status,
                           const MotionLimits& limits) {
     MotionPath out = path;
@@ -219,7 +219,7 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
                 !check.ok()) {
                 return inEntry(i, check.error());
             }
-            // An arc is looked at along its two chords.
+            // An arc is checked along its two chords.
             JointPositions from = q;
             if (entry.kind == PathEntry::Kind::MoveC && entry.via) {
                 Pose middle = kinematics::forwardTcp(arm.dh, q, tcp);
@@ -398,7 +398,7 @@ Result<Jog> Motions::startJog(const JogTarget& target, Holding holding) {
     if (!isFinite(target)) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("target: not a number")};
     }
-    constexpr double kHighestForce = 1000.0;  // [N]; no arm of this kind pushes harder
+    constexpr double kHighestForce = 1000.0;  // [N]; above the forces of all arms
     if (const auto check =
             ArgumentCheck("start a jog").range("contactForce", target.contactForce, 0, kHighestForce, "N");
         !check.ok()) {
@@ -463,7 +463,7 @@ Result<JointTorque> Motions::startTorque(const TorqueParameters& parameters, Hol
     const QString context = QStringLiteral("start a stream");
     auto& d = ControllerAccess::of(*controller_);
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
-        return error;  // without control the version is not known
+        return error;  // the version is not known without control
     }
     if (const auto known = d.program.needs(kOnESeries, {}, context, kOnPolyScopeX); !known) {
         return known.error();

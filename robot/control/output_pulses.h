@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Digital outputs that are switched for a time which the robot measures: they go back even when this process crashes,
-// hangs or loses its link. The control program counts the time, so a pulse needs control. A secondary program could
-// not do it: it must not take time.
+// Digital outputs that are switched for a time measured by the robot: they return to their level even if this
+// process crashes, hangs or loses the connection. The control program measures the time, so that a pulse requires
+// control. A secondary program cannot be used, because it must not take time.
 
 #include <chrono>
 #include <cstdint>
@@ -12,26 +12,27 @@
 
 namespace tiller::control {
 
-inline constexpr int kPulseOutputs = 18;  ///< 0 ... 7 standard, 8 ... 15 configurable, 16, 17 tool
+inline constexpr int kPulseOutputs = 18;  ///< 0 ... 7 standard, 8 ... 15 configurable, 16 and 17 tool
 inline constexpr std::chrono::hours kMaxPulse{1};
 
-/// What ends a pulse: its time, end(), the end of the control program (also Controller::release()), and for a Held one
-/// 100 ms without a heartbeat of this computer. A control program that hears nothing ends after 5 s; then Free pulses
-/// end as well. A program that is killed or paused from outside (pendant, protective stop) cannot end its pulses.
+/// A pulse ends after its time, by end(), at the end of the control program (also Controller::release()), and, if
+/// Held, after 100 ms without a heartbeat of this computer. A control program without a heartbeat ends after 5 s;
+/// then Free pulses end as well. A program that is killed or paused externally (pendant, protective stop) cannot
+/// end its pulses.
 ///
 /// Errors   of every call: NotInControl, LinkLost, Timeout, Cancelled, InvalidArgument, LimitExceeded
-/// Threads  any. Blocks: until the control program confirmed, some 6 ms, at most until the deadline
+/// Threads  any. Blocks: until confirmed by the control program, typically 6 ms, at most until the deadline
 class OutputPulses {
 public:
     explicit OutputPulses(Controller& controller) : controller_(&controller) {}
 
-    /// Sets the outputs whose bit is set in `mask` to their bit in `values`, and to the other level when the time is
-    /// over. An output that is pulsing begins again with the new time.
-    /// duration  above 0, at most kMaxPulse; the robot rounds to its control period
+    /// Sets the outputs selected by `mask` to the bits of `values`, and inverts them at the end of the time.
+    /// Restarts outputs that are already pulsing.
+    /// duration  above 0, at most kMaxPulse; rounded to the control period by the robot
     /// holding   Held: ends with the heartbeat of this computer
     Result<void> begin(std::uint32_t mask, std::uint32_t values, std::chrono::milliseconds duration,
                        Holding holding, const Deadline& deadline);
-    /// Ends the pulses of these outputs now; others of the mask stay as they are.
+    /// Ends the pulses of these outputs now; other outputs in the mask are unchanged.
     Result<void> end(std::uint32_t mask, const Deadline& deadline);
 
 private:

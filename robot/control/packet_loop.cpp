@@ -41,8 +41,8 @@ public:
 
     std::int64_t endedNs() const override { return endedNs_; }
 
-    // A path that has become longer for good, or a robot that stalls, is not to be outrun: the packets lead.
-    // Nor is anything made up for that this thread overslept.
+    // If the path has become permanently longer or the robot stalls, follow the packets instead of predicting them.
+    // Cycles missed by this thread are not made up for.
     std::int64_t dueNs(const realtime::ArrivalPace& pace) const override {
         if (!isEven_ || report.cycles == 0 || !pace.isSettled() || staleInARow_ >= kMostInARow) {
             return kNoCycleDue;
@@ -52,15 +52,15 @@ public:
         return clock_.nowNs() - due > periodNs / 2 ? kNoCycleDue : due;
     }
 
-    /// How long who waits for the end is to sleep, at least 1 ms, to wake up when a cycle has just been run:
-    /// at other times, perhaps at real-time priority, it would be in the way of the next one.
+    /// Sleep time for a thread that waits for the end, at least 1 ms: it wakes up just after a cycle, because at
+    /// another time (possibly at real-time priority) it would delay the next cycle.
     /// Threads  any
     std::chrono::nanoseconds quietIn() const {
         return std::chrono::nanoseconds(std::max(quietNs_.load() - clock_.nowNs(), kNsPerMs));
     }
 
-    /// A call so long that, with the way to the robot and back, the robot may have stopped for want of a
-    /// heartbeat; the newest one.
+    /// The newest call that took so long that, including the round trip, the robot may have stopped without a
+    /// heartbeat.
     struct LongCall {
         std::int64_t tookNs = 0;
         std::int64_t endedNs = 0;
@@ -72,10 +72,11 @@ public:
     Error error;
 
 private:
-    static constexpr int kMostInARow = 5;                  ///< cycles without their packets
-    static constexpr std::int64_t kLookNs = 9 * kNsPerMs;  ///< between two looks of who waits, about
+    static constexpr int kMostInARow = 5;  ///< cycles without their packets
+    /// approximate interval between two checks of a waiting thread
+    static constexpr std::int64_t kLookNs = 9 * kNsPerMs;
 
-    /// Its cycle has already been run without it.
+    /// Whether a cycle has already been run without this packet.
     bool isServed(const Feedback& data, double period) const {
         return report.cycles > 0 && data.timestamp > packetAt_ && data.timestamp < servedAt_ + period / 2;
     }
@@ -135,7 +136,7 @@ private:
         return true;
     }
 
-    /// What the next target is judged from: the one before, at first the arm itself.
+    /// Reference for checking the next target: the previous target, initially the position of the arm.
     Target place(const Feedback& data) {
         if (report.cycles > 1) {
             return last_;
@@ -148,7 +149,7 @@ private:
         }
     }
 
-    // In the control thread an exception would end the whole process.
+    // An exception in the control thread would terminate the process.
     std::optional<Target> ask(const CycleState& state) {
         QString what;
         try {
@@ -163,8 +164,8 @@ private:
         return {};
     }
 
-    // What is ended meanwhile is not sent any more: see ControlLoop::seal(). A callback that takes long
-    // leaves no time to spin away: others on this CPU, who may want to stop the arm, need some of it.
+    // Results of an ended motion are not sent: see ControlLoop::seal(). After a long callback there is no active
+    // wait, so that other threads on this CPU can run, e.g. to stop the arm.
     std::int64_t begin(bool fresh, std::int64_t evenNs, double period) {
         if (isEven_ && fresh) {
             const bool isLong = static_cast<double>(callNs_) > period * 1e9 / 4;
@@ -202,30 +203,29 @@ private:
     MotionId motion_;
     const Clock& clock_;
     bool isEven_;
-    std::int64_t awakeNs_;  ///< before a cycle
+    std::int64_t awakeNs_;  ///< active wait before a cycle
     Target last_;
-    double targetAt_ = 0;  ///< by the robot's clock [s]
+    double targetAt_ = 0;  ///< on the robot's clock [s]
     double beganAt_ = 0;
     double packetAt_ = 0;  ///< time stamp of the newest packet
-    double servedAt_ = 0;  ///< time stamp of the packet whose cycle was the last
+    double servedAt_ = 0;  ///< time stamp of the packet of the last cycle
     double period_ = 0;
     int staleInARow_ = 0;
     std::int64_t previousNs_ = 0;
     std::int64_t endedNs_ = 0;
     LongCall longCall_;
-    std::int64_t callNs_ = 0;  ///< how long the last call took
+    std::int64_t callNs_ = 0;  ///< duration of the last call
     std::atomic<std::int64_t> quietNs_{0};
 };
 
-// A thread that the system does not let go on at once is better not asleep when its packet has come: whatever
-// gets the CPU meanwhile may keep it for milliseconds. Without a real-time priority the scheduler would make
-// it pay for that.
+// A thread that the system wakes up late should not sleep until its packet arrives: other threads on the CPU may
+// delay it by milliseconds. Without a real-time priority the scheduler would penalize an active wait.
 std::int64_t awakeNs(const Controller::Private& d) {
-    constexpr std::int64_t kFromArrivalNs = kNsPerMs;  // ArrivalPace holds none back for longer
+    constexpr std::int64_t kFromArrivalNs = kNsPerMs;  // maximum delay by ArrivalPace
     return d.options.priority > 0 && d.loop.status().priorityGranted ? kFromArrivalNs : kWakeUpNs;
 }
 
-/// What ended a loop whose callback was so slow that the robot, or this computer, heard too late of the other.
+/// The error if the loop ended because the callback was too slow.
 Error slowCallback(std::int64_t tookNs, const CycleReport& report, double period) {
     return {
         ErrorCode::Stopped, QStringLiteral("run a packet loop"),

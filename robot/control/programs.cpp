@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// Where a program that replaces the control program finds the heartbeat of the control thread.
+/// Registers of the control thread's heartbeat, for a program that replaces the control program.
 script::Heartbeat heartbeatOf(const Controller::Private& d, std::uint64_t epoch) {
     const int first = firstRegister(d.options.registers);
     script::Heartbeat heartbeat;
@@ -33,13 +33,13 @@ Error stopped(const QString& context) {
     return {ErrorCode::Stopped, context, QStringLiteral("a stop or another motion came in between")};
 }
 
-/// Ends a script of the user's that still runs, and takes control again. Needs `taking`.
+/// Ends a running user script and takes control again. Needs `taking`.
 Result<void> bringBack(Controller::Private& d) {
-    // Its own time, which only release() may cut short: whatever ended the script, it must not go on.
+    // A separate time limit that only release() can shorten: the script must not continue after an error.
     const Deadline deadline = Deadline::after(milliseconds(5000));
     const UnderWay cancellable(d, deadline);
     const auto plays = [&d] { return d.loop.status().runtimeState == RuntimeState::Playing; };
-    bool told = true;
+    bool isStopSent = true;
     if (!d.link.isRunning() || plays()) {
         script::ScriptClient client(d.options.host, d.program.primaryPort());
         auto connected = client.connect(Deadline::after(milliseconds(1000), deadline.token()));
@@ -49,29 +49,31 @@ Result<void> bringBack(Controller::Private& d) {
         if (connected) {
             connected = client.send(QStringLiteral("stop program\n"), Deadline::after(milliseconds(100)));
         }
-        told = connected.ok();
-        // It must not reach the robot after the control program.
+        isStopSent = connected.ok();
+        // The stop must not reach the robot after the control program.
         waitUntil(Deadline::after(milliseconds(500), deadline.token()),
                   [&] { return !d.link.isRunning() || !plays(); });
     }
     if (!d.link.isRunning()) {
-        return Error{ErrorCode::LinkLost, QStringLiteral("send the control program again"),
-                     told ? QString() : QStringLiteral("the script could not be stopped and may go on")};
+        return Error{
+            ErrorCode::LinkLost, QStringLiteral("send the control program again"),
+            isStopSent ? QString() : QStringLiteral("the script could not be stopped and may go on")};
     }
     return d.program.sendAnew(deadline);
 }
 
-/// Waits until the script has ended. It has to begin before its end means anything.
+/// Waits for the start and then for the end of the script.
 Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint64_t played,
                          const QString& context, const Deadline& deadline) {
     const Deadline begun = Deadline::after(milliseconds(5000), deadline.token());
-    std::optional<Deadline> told;
+    std::optional<Deadline> messageDeadline;
     std::uint64_t statesAtEnd = 0;
     Error bad;
     const auto settled = [&] {
-        // Why it ended is told on another connection, a little later, but before the state after next: the
-        // first to come may have been under way.
-        const bool heardAll = told && (told->hasExpired() || d.program.statesHeard() > statesAtEnd + 1);
+        // The reason for the end arrives slightly later on another connection, but before the state after the next
+        // one: the next state may have been sent earlier.
+        const bool heardAll =
+            messageDeadline && (messageDeadline->hasExpired() || d.program.statesHeard() > statesAtEnd + 1);
         bad = d.program.complaint(context);
         if (bad.code != ErrorCode::None || heardAll) {
             return true;
@@ -92,12 +94,13 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
         if (bad.code != ErrorCode::None) {
             return true;
         }
-        // The shortest ones play in no package; a paused one has not ended.
+        // A short program may not be reported as playing in any package; a paused one has not ended.
         const ControlProgram::ScriptHeard heard = d.program.scriptHeard();
         if (d.loop.playing() != played || heard.stopped) {
             const bool over = now.runtimeState == RuntimeState::Stopped;
-            if (!told && (over || heard.stopped)) {
-                told = Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
+            if (!messageDeadline && (over || heard.stopped)) {
+                messageDeadline =
+                    Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
                 statesAtEnd = d.program.statesHeard();
             }
         } else if (begun.hasExpired() && !heard.started) {
@@ -105,7 +108,7 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
         }
         return bad.code != ErrorCode::None;
     };
-    // The deadline is one of the reasons to end it, and named among them.
+    // An expired deadline also ends the script, with an error below.
     waitUntil(Deadline::never(), settled);
     if (bad.code == ErrorCode::None && d.loop.scriptState() == ScriptState::HeartbeatExpired) {
         bad = {ErrorCode::LinkLost, context,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Script of the user's own, and the coming and going of the control program.
+// Runs user scripts, and ends and restarts the control program.
 
 #include <QString>
 
@@ -13,39 +13,38 @@ namespace tiller::control {
 
 /// Errors   of every call: NotInControl, UnsafeState, LinkLost, Timeout, Cancelled, ConnectionRefused,
 ///          HostUnreachable, RemoteControlRequired, ScriptError (with the line of the user's text and the
-///          controller's words)
+///          controller's message)
 /// Threads  any. Blocks: at most until the deadline
 class Programs {
 public:
     explicit Programs(Controller& controller) : controller_(&controller) {}
 
-    /// Runs the body of a function under the control program: stop and time-to-live hold for it too. The
-    /// handle completes when it returns.
-    /// name   of the function in messages: letters, digits and _, not beginning with a digit
-    /// body   script lines without def and end: each block in it has an `end` of its own (else InvalidArgument). It must not
-    ///        use names beginning with tiller_
+    /// Runs the body of a function inside the control program, with the same stop functions and heartbeat timeout.
+    /// The handle completes when the function returns.
+    /// name   of the function in messages: letters, digits and _, not starting with a digit
+    /// body   script lines without def and end; each block must be closed by its own `end` (else InvalidArgument).
+    ///        Names starting with tiller_ are reserved
     Result<Motion> startFunction(const Text& name, const Text& body, const Deadline& start,
                                  Holding holding = Holding::Free);
 
-    /// Runs a whole program in place of the control program, waits for its end and takes control again.
+    /// Runs a complete program instead of the control program, waits for its end and takes control again.
     /// Controller::stop() and the deadline end it.
-    /// program      `def ... end`, or lines, which run one after the other. It must not use names beginning
-    ///              with tiller_heartbeat
-    /// supervision  Heartbeat: a watchdog thread, sent in the program, ends it when the heartbeat of this
-    ///              process stays away for 100 ms; the controller then brakes the arm as at the end of any
-    ///              program. Unattended: the program is sent as it is; when this process is killed or the link
-    ///              is lost, the arm moves on until the program is done
+    /// program      `def ... end`, or a sequence of lines. Names starting with tiller_heartbeat are reserved
+    /// supervision  Heartbeat: an inserted watchdog thread ends the program after 100 ms without a heartbeat of
+    ///              this process; the controller then decelerates as at the end of any program. Unattended: the
+    ///              program is sent unchanged; if this process crashes or the connection is lost, the arm moves
+    ///              until the program is complete
     Result<void> runScript(const Text& program, const Deadline& deadline,
                            Supervision supervision = Supervision::Heartbeat);
 
-    /// Ends the control program; data go on coming. reupload() brings it back.
+    /// Ends the control program; data continue to arrive. Use reupload() to start it again.
     Result<void> endControlProgram(const Deadline& deadline);
-    /// Sends the control program anew, whether or not it runs.
+    /// Sends the control program again, whether or not it is running.
     Result<void> reupload(const Deadline& deadline);
-    /// Whether any program runs on the robot, by the newest data.
+    /// Whether any program is running on the robot, according to the newest data.
     bool isProgramRunning() const;
 
-    /// The control program as software of this version gets it, to be read, or started by other means than
+    /// The control program for this software version, e.g. to read it or to start it by means other than
     /// takeControl().
     static QString controlProgram(const SoftwareVersion& version,
                                   RegisterRange registers = RegisterRange::Upper);

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A stream of targets, one a control cycle: servo (positions), speed (velocities) and torque. The newest target
-// wins; the arm goes on with the last one until it is replaced, and brakes when the stream ends.
+// A stream of targets, one per control cycle: servo (positions), speed (velocities) and torque. The newest target
+// wins; the arm continues with the last target until it is replaced, and stops at the end of the stream.
 //
-// Torques accelerate: the same one, sent again and again, makes the arm faster and faster, and neither the speed
-// slider nor the cap on the speed of TCP and elbow slows it down. So the control program watches the cap: where
-// the arm is measured to be faster, the stream ends (StopCause::LimitReached; ControllerStatus::limiter says
-// whether the TCP or the elbow was). It is then a little faster still for some milliseconds. How fast the
-// joints may turn and where their ranges end only the controller watches, with a protective stop.
+// Torques accelerate: a constant torque makes the arm faster and faster, and neither the speed slider nor the speed
+// cap of TCP and elbow slows it down. Therefore the control program monitors the cap: if the measured speed exceeds
+// it, the stream ends (StopCause::LimitReached; ControllerStatus::limiter reports TCP or elbow). The speed may
+// increase slightly for some more milliseconds. Joint speeds and joint ranges are monitored only by the controller,
+// with a protective stop.
 //
-// However a stream of torques ends, the control program brakes in two steps. It goes on with torques against
-// the motion, as large as the inertia asks for and the joints can give, so that the speeds of all joints fall
-// with a time constant of 33 ms; the friction, not made up for any more, does the rest. When no joint is faster
-// than 0.05 rad/s, or after 100 ms, it brakes in position control as from everything else (or as stopJ, stopL
-// ask). Only where the program itself is ended or paused, by a stop of the safety system or a person, does the
-// controller brake in its own way.
+// At the end of a torque stream, the control program decelerates in two steps. First it applies torques against the
+// motion, within the inertia and the limits of the joints, so that all joint speeds decrease with a time constant
+// of 33 ms, supported by the uncompensated friction. When no joint is faster than 0.05 rad/s, or after 100 ms, it
+// stops in position control as after other motions (or as requested by stopJ, stopL). If the program itself is
+// ended or paused by the safety system or a person, the controller decelerates on its own.
 
 #include <array>
 
@@ -27,11 +26,11 @@
 namespace tiller::control {
 
 struct ServoParameters {
-    double duration = 0;     ///< time one target rules [s]; 0: the control period
-    double lookahead = 0.1;  ///< 0.03 ... 0.2 [s]; larger is smoother and lags more
+    double duration = 0;     ///< duration of one target [s]; 0: the control period
+    double lookahead = 0.1;  ///< 0.03 ... 0.2 [s]; larger values are smoother and have more delay
     double gain = 300;       ///< 100 ... 2000; larger is stiffer
-    /// False: a target may be any distance away; what happens then is up to the robot, which follows as fast
-    /// as it may or stops protectively.
+    /// False: targets at any distance are accepted; the reaction depends on the robot, which follows at its maximum
+    /// speed or makes a protective stop.
     bool guarded = true;
 };
 
@@ -44,37 +43,37 @@ struct CircularServoParameters {
 struct SpeedParameters {
     double acceleration = 0.5;        ///< joints [rad/s2], tool [m/s2]
     double rotationAcceleration = 0;  ///< tool [rad/s2]; 0: the same number as acceleration
-    /// How long each set point is held before the next one is looked at [s]; 0: the control period. Source:
-    /// URScript speedj, t
+    /// Duration of each set point before the next one is read [s]; 0: the control period. Source: URScript speedj,
+    /// t
     double duration = 0;
-    JogFrame frame = JogFrame::Base;  ///< tool: whose axes the twist is along
-    Pose T_base_frame = {};           ///< only for JogFrame::Custom; its rotation counts
+    JogFrame frame = JogFrame::Base;  ///< tool: frame of the twist
+    Pose T_base_frame = {};           ///< only for JogFrame::Custom; only the rotation is used
 };
 
-/// How much of the joints' friction the controller makes up for, 0 ... 1 each, base to wrist 3. Left out: as the
-/// controller has it. Source: URScript direct_torque
+/// Friction compensation by the controller, 0 ... 1 for each joint, base to wrist 3. Empty: settings of the
+/// controller. Source: URScript direct_torque
 struct TorqueParameters {
-    std::array<double, 6> viscousScale{0.9, 0.9, 0.8, 0.9, 0.9, 0.9};  ///< in steps of a thousandth
+    std::array<double, 6> viscousScale{0.9, 0.9, 0.8, 0.9, 0.9, 0.9};  ///< resolution 0.001
     std::array<double, 6> coulombScale{0.8, 0.8, 0.7, 0.8, 0.8, 0.8};
 };
 
-/// Made by Motions::start...; ends like any motion, through motion().cancel(), Motions::stopJ/stopL or a new
-/// motion. A stream that was ended can never move the arm again: it takes a new start.
-/// Threads  any, also several at once
+/// Created by Motions::start...; ends like any motion: motion().cancel(), Motions::stopJ/stopL or a new motion. An
+/// ended stream cannot move the arm again; start a new one.
+/// Threads  any, several at once
 template <class Target, class Parameters>
 class Setpoints {
 public:
     Setpoints() = default;
-    const Motion& motion() const { return motion_; }      ///< To wait for, or to cancel.
+    const Motion& motion() const { return motion_; }      ///< To wait for the stream or to cancel it.
     bool isActive() const { return motion_.isActive(); }  ///< Whether send() can still move the arm.
 
-    /// Errors   Stopped (the stream has ended), InvalidArgument (not a number, wrong unit by magnitude),
-    ///          LimitExceeded (outside what the arm can, of torques too; a servo target too far from the one before, or at
-    ///          first from the arm: see kJointLeeway). A target that is refused has not been sent; the stream
-    ///          goes on
-    /// Blocks   never. Real-time: yes, as long as there is no error to tell
+    /// Errors   Stopped (the stream has ended), InvalidArgument (NaN, or a value that suggests a wrong unit),
+    ///          LimitExceeded (outside the limits of the arm, including torques; a servo target too far from the
+    ///          previous one, or the first target too far from the arm: see kJointLeeway). A refused target is not
+    ///          sent, and the stream continues
+    /// Blocks   never. Real-time: yes, unless an error is returned
     Result<void> send(const Target& target);
-    /// The same with other parameters from here on.
+    /// Sends a target with new parameters, which remain active.
     Result<void> send(const Target& target, const Parameters& parameters);
 
 private:
@@ -90,6 +89,6 @@ using PoseServo = Setpoints<Pose, ServoParameters>;              ///< base frame
 using CircularServo = Setpoints<Pose, CircularServoParameters>;  ///< base frame [m, rad]
 using JointSpeed = Setpoints<JointVelocities, SpeedParameters>;  ///< [rad/s]
 using ToolSpeed = Setpoints<Twist, SpeedParameters>;             ///< [m/s, rad/s]
-using JointTorque = Setpoints<JointTorques, TorqueParameters>;   ///< [Nm], without those against gravity
+using JointTorque = Setpoints<JointTorques, TorqueParameters>;   ///< [Nm], without gravity compensation
 
 }  // namespace tiller::control

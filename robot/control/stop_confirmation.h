@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Follows a stop until the robot's own data confirm it, and decides when to stop on every route to the robot, the
-// end of the control program included: when the control connection is silent, when the robot's data are late, and
-// when the arm moves on although everything seems to work, because another program has replaced ours.
+// Monitors a stop until the robot's data confirm it, and decides when to stop through all interfaces, including the
+// end of the control program: if the control connection does not respond, if the robot's data are late, or if the
+// arm keeps moving because another program has replaced the control program.
 
 #include <cstdint>
 #include <optional>
 
 namespace tiller::control {
 
-/// What is known at one moment. Speeds, standstill and `stopped` come from the receiver, not from the control
+/// A snapshot for the decision. Speeds, standstill and `stopped` are based on the receiver, not on the control
 /// connection.
 struct StopEvidence {
     std::int64_t nowNs = 0;
-    bool fresh = false;               ///< the receiver's data are no older than 100 ms
-    std::int64_t dataNs = 0;          ///< when its newest sample arrived
-    bool moving = true;               ///< by that sample
+    bool fresh = false;               ///< the receiver's data are not older than 100 ms
+    std::int64_t dataNs = 0;          ///< arrival of the newest sample
+    bool moving = true;               ///< according to this sample
     double tcpSpeed = 0;              ///< [m/s]
     double jointSpeed = 0;            ///< of the fastest joint [rad/s]
-    bool stopped = false;             ///< no program runs
-    bool inControl = false;           ///< by control data no older than 100 ms
+    bool stopped = false;             ///< no program is running
+    bool inControl = false;           ///< according to control data not older than 100 ms
     std::uint64_t restingEpoch = 0;   ///< ControllerStatus::restingEpoch
-    std::uint64_t executedEpoch = 0;  ///< of the motion that the control program executes; 0: none
+    std::uint64_t executedEpoch = 0;  ///< of the motion executed by the control program; 0: none
 };
 
 /// Threads  one
@@ -31,16 +31,16 @@ public:
     /// epoch  of the stop: Controller::stop()
     StopConfirmation(std::uint64_t epoch, const StopEvidence& evidence);
 
-    /// Another stop before the verdict. It is to be confirmed in place of the first, in the time of the first: who presses
-    /// again and again does not postpone the verdict.
+    /// Another stop before the verdict. It has to be confirmed instead of the first one, within the time of the
+    /// first one, so that repeated requests do not postpone the verdict.
     void repeat(std::uint64_t epoch) { epoch_ = epoch; }
 
     enum class Verdict {
         Waiting,
-        Confirmed,   ///< the arm is at standstill, and our program says so or none runs
-        EveryRoute,  ///< nothing confirms it in time: stop on every route
+        Confirmed,  ///< the arm is at standstill, and the control program confirms this or no program is running
+        EveryRoute,  ///< not confirmed in time: stop through all interfaces
     };
-    /// To be asked every 20 ms or so, until the verdict is another than Waiting.
+    /// Call this about every 20 ms until it no longer returns Waiting.
     Verdict look(const StopEvidence& evidence);
 
 private:
@@ -49,8 +49,8 @@ private:
 
     std::uint64_t epoch_;
     std::int64_t requestNs_;
-    std::int64_t lookNs_;  ///< when the speed is compared next
-    double tcpSpeed_;      ///< when it was compared last
+    std::int64_t lookNs_;  ///< time of the next comparison of the speeds
+    double tcpSpeed_;      ///< speed at the last comparison
     double jointSpeed_;
 };
 

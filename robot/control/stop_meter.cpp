@@ -9,7 +9,7 @@ namespace tiller::control {
 
 namespace {
 
-/// Data that stay away for longer do not tell when the arm stood.
+/// After a longer gap in the data the time of standstill is unknown.
 constexpr std::int64_t kBlindNs = 100 * kNsPerMs;
 
 }  // namespace
@@ -25,9 +25,9 @@ void StopMeter::begin(StopCause cause, std::int64_t requestNs) {
 bool StopMeter::add(const Sample& sample) {
     const bool still = sample.tcpSpeed < kStillTcpSpeed && sample.jointSpeed < kStillJointSpeed;
     moving_ = !still;
-    // What was received before the request does not count, nor does standing still by chance in between.
+    // Samples received before the request are ignored, including an accidental standstill.
     if (measuring_ && hasSample_ && sample.hostNs - previous_.hostNs > kBlindNs) {
-        measuring_ = false;  // how it came to rest nobody saw
+        measuring_ = false;  // standstill was reached during a gap in the data
     }
     const bool counts = measuring_ && sample.hostNs >= requestNs_;
     if (counts && hasSample_) {

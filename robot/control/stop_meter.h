@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Measures how long and how far the arm still moved after a stop was asked for, on what the robot reports.
+// Measures the stopping time and distance after a stop request from the data of the robot.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tiller::control {
 
-/// Slower than this counts as standing: below the noise of a standing arm would be never.
+/// Lower speeds count as standstill; the values are above the measurement noise of an arm at rest.
 inline constexpr double kStillTcpSpeed = 0.001;     ///< [m/s]
 inline constexpr double kStillJointSpeed = 0.0035;  ///< [rad/s] 0.2 deg/s
 
@@ -18,21 +18,21 @@ inline constexpr double kStillJointSpeed = 0.0035;  ///< [rad/s] 0.2 deg/s
 class StopMeter {
 public:
     struct Sample {
-        std::int64_t hostNs = 0;  ///< when it was received
+        std::int64_t hostNs = 0;  ///< time of reception
         Eigen::Vector3d tcpPosition = Eigen::Vector3d::Zero();
         double tcpSpeed = 0;    ///< [m/s]
         double jointSpeed = 0;  ///< of the fastest joint [rad/s]
     };
 
-    /// requestNs  when the stop was asked for. One that is being measured is finished as it is.
+    /// requestNs  time of the stop request. A measurement in progress is not interrupted.
     void begin(StopCause cause, std::int64_t requestNs);
-    void cancel() { measuring_ = false; }  ///< Forgets the stop under way.
-    /// Returns  true when this sample completed a measurement
+    void cancel() { measuring_ = false; }  ///< Cancels the measurement in progress.
+    /// Returns  true if this sample completed a measurement
     bool add(const Sample& sample);
 
-    bool isMeasuring() const { return measuring_; }        ///< From the stop to standstill.
-    bool isMoving() const { return moving_; }              ///< By the newest data.
-    const StopMeasurement& last() const { return last_; }  ///< The newest that was complete.
+    bool isMeasuring() const { return measuring_; }        ///< True from the stop to standstill.
+    bool isMoving() const { return moving_; }              ///< According to the newest data.
+    const StopMeasurement& last() const { return last_; }  ///< The last complete measurement.
 
 private:
     bool measuring_ = false;

@@ -12,8 +12,9 @@ namespace tiller::control {
 
 namespace {
 
-constexpr double kHeaviestPayload = 50.0;  ///< [kg] above that of every model; the controller knows its own
-constexpr double kFarthest = 2.0;          ///< [m] from the flange
+/// [kg] above the payload of all models; the controller checks its own limit
+constexpr double kHeaviestPayload = 50.0;
+constexpr double kFarthest = 2.0;  ///< [m] from the flange
 
 std::array<double, 7> numbersOf(double first, const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b = Eigen::Vector3d::Zero()) {
@@ -179,14 +180,14 @@ Result<void> ToolSetup::triggerProtectiveStop(const Deadline& deadline) {
     if (!d.loop.isInControl()) {
         return Error{ErrorCode::NotInControl, context, {}};
     }
-    // The program is paused by it, so that the answer may never come: what counts is the safety mode.
+    // The protective stop pauses the program, so that the answer may not arrive: the safety mode is decisive.
     const Deadline answerTime =
         Deadline::after(std::min(std::chrono::milliseconds(100), deadline.remaining()), deadline.token());
     const auto asked = d.requests.request(RequestKind::ProtectiveStop, 0, {}, context, answerTime);
     if (!asked && asked.error().code == ErrorCode::Cancelled) {
         return asked.error();
     }
-    // Control that was lost before it was asked for will not bring it about.
+    // If control was lost before the request, no protective stop will occur.
     const Deadline soon = Deadline::after(std::chrono::seconds(2), deadline.token());
     Error failed;
     const auto settled = [&] {

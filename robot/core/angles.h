@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Degrees are for people, for scripts and for files of others; inside, every angle is in radians.
+// Conversion between degrees (user interface, scripts, foreign files) and radians (used internally for every
+// angle).
 
 #include <numbers>
 
 namespace tiller {
 
-/// Units    [rad] to [deg], also of speeds
+/// Units    [rad] to [deg], also for velocities
 /// Threads  any. Real-time: yes
 constexpr double toDegrees(double radians) {
     return radians * 180.0 / std::numbers::pi;
 }
 
-/// Units    [deg] to [rad], also of speeds
+/// Units    [deg] to [rad], also for velocities
 /// Threads  any. Real-time: yes
 constexpr double toRadians(double degrees) {
     return degrees * std::numbers::pi / 180.0;

@@ -19,7 +19,7 @@ namespace tiller {
 
 namespace {
 
-/// Devices, pipes and some file systems have nothing to flush.
+/// Devices, pipes and some file systems do not support flushing.
 bool hasNothingToSync(int systemError) {
     return systemError == EINVAL || systemError == ENOTSUP || systemError == EROFS;
 }
@@ -39,17 +39,17 @@ int syncDescriptor(int descriptor) {
     return result == 0 || hasNothingToSync(errno) ? 0 : errno;
 }
 
-/// Flushes the entry of `path` in its folder: without it, a power failure can leave the data without a name.
+/// Flushes the directory entry of `path`. Without this, a power failure can leave the data without a name.
 /// Returns  0, or the system's error number
 int syncFolderOf(const QString& path) {
 #ifdef Q_OS_WIN
-    Q_UNUSED(path)  // MOVEFILE_WRITE_THROUGH has flushed it
+    Q_UNUSED(path)  // already flushed by MOVEFILE_WRITE_THROUGH
     return 0;
 #else
     const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
     const int descriptor = ::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) {
-        return 0;  // a folder that may be written to, but not read
+        return 0;  // a folder with write permission only
     }
     const int error = syncDescriptor(descriptor);
     ::close(descriptor);
@@ -65,7 +65,7 @@ bool isDiskFull(int systemError) {
 #endif
 }
 
-/// Follows symbolic links, also one whose target does not exist yet.
+/// Follows symbolic links, including links to files that do not exist yet.
 QString resolved(const QString& path) {
     QFileInfo info(path);
     constexpr int kMaxLinks = 40;
@@ -76,7 +76,7 @@ QString resolved(const QString& path) {
 }
 
 QString temporaryNameFor(const QString& path) {
-    // Independent of the file's name, which may already have the maximum length.
+    // Independent of the name of the file, which may already have the maximum length.
     return QFileInfo(path).absoluteDir().filePath(
         QStringLiteral(".tiller-%1.tmp").arg(QUuid::createUuid().toString(QUuid::Id128)));
 }
@@ -94,7 +94,7 @@ int renameOver(const QString& from, const QString& to) {
 #ifdef Q_OS_WIN
     const auto* source = reinterpret_cast<const wchar_t*>(from.utf16());
     const auto* target = reinterpret_cast<const wchar_t*>(to.utf16());
-    // ReplaceFile() keeps the access rights of the old file; without an old file it fails.
+    // ReplaceFile() keeps the access rights of the existing file; it fails if there is none.
     if (ReplaceFileW(target, source, nullptr, REPLACEFILE_IGNORE_MERGE_ERRORS, nullptr, nullptr) != 0 ||
         MoveFileExW(source, target, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0) {
         return 0;
@@ -107,7 +107,7 @@ int renameOver(const QString& from, const QString& to) {
 }
 
 #ifdef Q_OS_LINUX
-/// A file without a name: a killed process leaves nothing of it behind.
+/// Opens a file without a name, so that a killed process leaves no file.
 int openUnnamed(const QString& folder) {
     return ::open(QFile::encodeName(folder).constData(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
 }
@@ -118,7 +118,7 @@ bool giveName(int descriptor, const QString& path) {
                     AT_SYMLINK_FOLLOW) == 0;
 }
 
-/// Whether giveName() works at all: not without /proc.
+/// Whether giveName() works; it needs /proc.
 bool canGiveNames() {
     return ::access("/proc/self/fd", X_OK) == 0;
 }
@@ -183,7 +183,7 @@ Result<void> AtomicFile::open() {
     file_.open(descriptor, QIODevice::WriteOnly | QIODevice::Unbuffered, QFileDevice::AutoCloseHandle);
     struct stat status {};
     if (::stat(QFile::encodeName(path_).constData(), &status) == 0) {
-        // Changing the owner needs rights that only some users have; it clears bits of the mode, so it is first.
+        // Change the owner first: this clears mode bits. It needs rights that only some users have.
         if (::fchown(descriptor, status.st_uid, status.st_gid) != 0) {
             errno = 0;
         }

@@ -21,7 +21,7 @@ namespace tiller {
 /// Threads  one at a time. Blocks: for the file system. Real-time: no
 class AtomicFile {
 public:
-    /// path  of the file; a symbolic link is followed. The permissions and the owner of an existing file are kept.
+    /// path  target file; a symbolic link is followed. The permissions and the owner of an existing file are kept.
     /// what  context of errors, e.g. "export to plot.csv"; "write PATH" when empty
     explicit AtomicFile(const QString& path, const QString& what = {});
     ~AtomicFile();
@@ -32,7 +32,7 @@ public:
     Result<void> open();
     /// Appends to the temporary file.
     Result<void> write(std::string_view bytes);
-    Result<void> write(const QByteArray& bytes);  ///< As above.
+    Result<void> write(const QByteArray& bytes);  ///< Appends to the temporary file.
     /// Replaces the old file. Afterwards the object is closed.
     Result<void> commit();
 
@@ -42,19 +42,19 @@ private:
 
     QString path_;       ///< with symbolic links resolved
     QString what_;       ///< context of errors
-    QString temporary_;  ///< name of the temporary file; empty while it has none
+    QString temporary_;  ///< name of the temporary file; empty if it has no name
     QFile file_;
-    Error error_;  ///< of the first step that failed
+    Error error_;  ///< error of the first failed step
 };
 
-/// Replaces the file `path` by one with this content in one step.
+/// Replaces the content of the file `path` in one step.
 /// what     context of errors, e.g. "export to plot.csv"; "write PATH" when empty
 /// Errors   DiskFull, FileNotWritable
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<void> writeFileAtomically(const QString& path, const QByteArray& content, const QString& what = {});
 
-/// Flushes the closed file `part`, which a library has written, and renames it to `path` in the same folder,
-/// replacing what is there. On an error `part` remains.
+/// Flushes the closed file `part`, written by a library, and renames it to `path` in the same folder, replacing an
+/// existing file. On an error `part` remains.
 /// what     context of errors; "write PATH" when empty
 /// Errors   DiskFull, FileNotWritable
 /// Threads  any. Blocks: for the file system. Real-time: no

@@ -13,7 +13,7 @@ namespace tiller {
 
 void SteadyClock::sleepUntil(std::int64_t ns) {
 #ifdef __linux__
-    // std::chrono::steady_clock is CLOCK_MONOTONIC here.
+    // std::chrono::steady_clock is CLOCK_MONOTONIC on Linux.
     const timespec until{static_cast<time_t>(ns / kNsPerSecond), static_cast<long>(ns % kNsPerSecond)};
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
     }

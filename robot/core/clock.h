@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where time comes from. The product runs on the steady clock; tests put a virtual one in its place, so that
-// nothing they check depends on how fast the machine is.
+// Interface to the time source. The product uses the steady clock; tests use a virtual clock, so that their results
+// do not depend on the speed of the machine.
 
 #include <atomic>
 #include <chrono>
@@ -16,10 +16,10 @@ class Clock {
 public:
     virtual ~Clock() = default;
     virtual std::int64_t nowNs() const = 0;  ///< [ns]
-    /// False where time stands still until it is told to go on: nothing may wait for it then.
+    /// False for a clock that is only advanced manually; waiting for it would never end.
     virtual bool runsByItself() const = 0;
-    /// Returns at this moment and no earlier, to within microseconds if the machine is there: the last
-    /// `awakeNs` are spun away. At once where time does not run by itself.
+    /// Returns at the time `ns`, to within microseconds if the CPU is available: the last `awakeNs` are spent in a
+    /// busy wait. Returns immediately if the clock does not run by itself.
     virtual void waitUntil(std::int64_t ns, std::int64_t awakeNs) const = 0;
 };
 
@@ -30,25 +30,27 @@ public:
                    std::chrono::steady_clock::now().time_since_epoch())
             .count();
     }
-    bool runsByItself() const override { return true; }                    ///< Real time.
-    void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override;  ///< Sleeps, then spins.
-    /// Sleeps until this moment at least, without spinning.
+    bool runsByItself() const override { return true; }
+    void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override;  ///< Sleeps, then waits actively.
+    /// Sleeps until `ns` or later, without waiting actively.
     static void sleepUntil(std::int64_t ns);
-    /// For owners that were given no clock: it has no state, so one serves all.
+    /// The default clock. It has no state and is shared by all users.
     static const SteadyClock& shared() {
         static const SteadyClock clock;
         return clock;
     }
 };
 
-/// Stands still until told to go on.
+/// A clock that only advances by advanceNs().
 class VirtualClock final : public Clock {
 public:
     explicit VirtualClock(std::int64_t startNs = 1'000'000'000) : now_(startNs) {}
     std::int64_t nowNs() const override { return now_.load(std::memory_order_acquire); }  ///< [ns]
-    bool runsByItself() const override { return false; }  ///< Only advanceNs() moves it.
-    void waitUntil(std::int64_t /*ns*/, std::int64_t /*awakeNs*/) const override {}     ///< Returns at once.
-    void advanceNs(std::int64_t ns) { now_.fetch_add(ns, std::memory_order_acq_rel); }  ///< [ns], any thread
+    bool runsByItself() const override { return false; }
+    void waitUntil(std::int64_t /*ns*/, std::int64_t /*awakeNs*/) const override {}  ///< Returns at once.
+    void advanceNs(std::int64_t ns) {
+        now_.fetch_add(ns, std::memory_order_acq_rel);
+    }  ///< [ns]. Threads: any
 
 private:
     std::atomic<std::int64_t> now_;
@@ -56,7 +58,7 @@ private:
 
 inline constexpr std::int64_t kNsPerMs = 1'000'000;
 inline constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-/// How late a sleeping thread wakes up at most, mostly.
+/// Typical maximum wake-up delay of a sleeping thread [ns].
 inline constexpr std::int64_t kWakeUpNs = 100'000;
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How long a blocking call may take, and how to end it sooner. Every call of this library that can wait takes
-// one.
+// The time limit of a blocking call, with an optional cancel token. Every blocking call of this library takes a
+// Deadline.
 
 #include <algorithm>
 #include <atomic>
@@ -13,17 +13,17 @@
 
 namespace tiller {
 
-/// Shared between the one who waits and the one who may lose patience. Copies refer to the same flag.
+/// Lets another thread cancel a wait. Copies refer to the same flag.
 /// Threads  any
 class CancelToken {
 public:
     CancelToken() : CancelToken(nullptr) {}
-    /// Also cancelled once `asked` says true; it is asked in the thread that waits, about every 10 ms. For
-    /// hosts that can tell only there that the user lost patience, as Python does.
+    /// The token is also cancelled once `asked` returns true. The waiting thread calls `asked` about every 10 ms.
+    /// For hosts such as Python that can detect an interrupt only in this thread.
     explicit CancelToken(std::function<bool()> asked) : state_(std::make_shared<State>(std::move(asked))) {}
-    /// Every copy is cancelled.
+    /// Cancels all copies.
     void cancel() const { state_->cancelled.store(true, std::memory_order_release); }
-    bool isCancelled() const {  ///< By any copy.
+    bool isCancelled() const {  ///< True if any copy was cancelled.
         if (!state_->cancelled.load(std::memory_order_acquire) && state_->asked && state_->asked()) {
             cancel();
         }
@@ -43,8 +43,8 @@ class Deadline {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// time  in any unit and representation: 5s, 0.5s, std::chrono::duration<double>(x). Longer than a
-    ///       century means never; below zero, or not a number, now.
+    /// time  in any unit and representation, e.g. 5s, 0.5s, std::chrono::duration<double>(x). More than a century
+    ///       means no limit; a negative value or NaN means immediately.
     template <class Rep, class Period>
     static Deadline after(std::chrono::duration<Rep, Period> time, const CancelToken& token = CancelToken()) {
         using Seconds = std::chrono::duration<double>;
@@ -57,15 +57,15 @@ public:
                    : Deadline(Clock::now() + std::chrono::ceil<Clock::duration>(time), token);
     }
 
-    /// For waits that only the event itself, or the token, may end: a move at 2 % speed takes its time.
+    /// A deadline without a time limit; only the event or the token ends the wait. Example: a move at 2 % speed.
     static Deadline never(const CancelToken& token = CancelToken()) {
         return Deadline(Clock::time_point::max(), token);
     }
 
-    /// By time or by the token.
+    /// True if the time is over or the token is cancelled.
     bool hasExpired() const { return token_.isCancelled() || Clock::now() >= end_; }
-    bool isCancelled() const { return token_.isCancelled(); }  ///< By the token, not by time.
-    std::chrono::milliseconds remaining() const {              ///< 0 when over; a day when never.
+    bool isCancelled() const { return token_.isCancelled(); }  ///< True only if the token is cancelled.
+    std::chrono::milliseconds remaining() const {  ///< 0 if expired; one day if there is no time limit.
         if (token_.isCancelled()) {
             return std::chrono::milliseconds(0);
         }
@@ -75,12 +75,12 @@ public:
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now());
         return std::max(left, std::chrono::milliseconds(0));
     }
-    /// The longest a poll may sleep before it looks at the token again: at most 10 ms, so that a cancel
-    /// takes effect within 20 ms.
+    /// Maximum sleep time until the token has to be checked again: 10 ms, so that cancelling takes effect within 20
+    /// ms.
     std::chrono::milliseconds nextPoll() const {
         return std::min(remaining(), std::chrono::milliseconds(10));
     }
-    /// To end the wait, or to make another deadline with.
+    /// The token, e.g. to create another deadline.
     const CancelToken& token() const { return token_; }
 
 private:

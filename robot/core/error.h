@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What can go wrong, as a code a program can test, with the context and the controller's own words.
-// The texts for people, with what to do next, are in widgets/.
+// Error codes for programs, with the context and the message of the controller. The texts for users, with a
+// suggested action, are in widgets/.
 
 #include <QMetaType>
 #include <QString>
@@ -14,49 +14,49 @@ namespace tiller {
 
 enum class ErrorCode {
     None,
-    // reaching the controller
+    // connection
     AddressInvalid,     ///< not an address or a host name that resolves
-    HostUnreachable,    ///< no route, or nobody answers
-    ConnectionRefused,  ///< the host answers, nothing listens on the port
+    HostUnreachable,    ///< no route, or no response
+    ConnectionRefused,  ///< the host responds, but no process listens on the port
     ConnectionClosed,   ///< the peer ended the connection
-    Timeout,            ///< no answer in time
-    Cancelled,          ///< the caller ended the wait
-    LinkLost,           ///< data stopped coming on a connection that worked
-    // understanding it
-    ProtocolError,       ///< bytes that are not what the protocol says
-    VersionUnsupported,  ///< the controller's software lacks what was asked
-    FieldUnknown,        ///< an RTDE field the controller does not have
-    RegisterInUse,       ///< another client or a fieldbus owns an RTDE input
-    // moving
+    Timeout,            ///< no response in time
+    Cancelled,          ///< the caller cancelled the wait
+    LinkLost,           ///< no more data on a working connection
+    // protocol
+    ProtocolError,       ///< received bytes violate the protocol
+    VersionUnsupported,  ///< not supported by the software version of the controller
+    FieldUnknown,        ///< the controller does not have this RTDE field
+    RegisterInUse,       ///< an RTDE input is used by another client or a fieldbus
+    // motion
     NotConnected,
-    NotInControl,  ///< our control script does not run
-    UnsafeState,   ///< robot mode or safety mode do not allow it
+    NotInControl,  ///< the control program is not running
+    UnsafeState,   ///< not allowed in the current robot mode or safety mode
     RemoteControlRequired,
-    LimitExceeded,    ///< a value or a target outside what is allowed
-    InvalidArgument,  ///< wrong size, not a number, wrong unit by magnitude
+    LimitExceeded,    ///< a value or target outside the allowed range
+    InvalidArgument,  ///< wrong size, NaN, or a value that suggests a wrong unit
     NoSolution,       ///< a pose the arm cannot reach
-    Stopped,          ///< a stop came between the command and its end
-    Rejected,         ///< the controller said no
+    Stopped,          ///< stopped before the command was complete
+    Rejected,         ///< the controller refused
     ScriptError,      ///< the controller could not compile or run a script
     // files
     FileNotReadable,
     FileNotWritable,
     FileCorrupt,
     DiskFull,
-    Internal,  ///< a defect of ours
+    Internal,  ///< defect in this library
 };
 
-/// A stable name for logs, `--json` and tests: "ConnectionRefused".
+/// Stable name for logs, `--json` and tests, e.g. "ConnectionRefused".
 QString errorCodeName(ErrorCode code);
 
 struct Error {
     ErrorCode code = ErrorCode::None;
-    QString context;            ///< what was being done, to what: "connect to 192.168.0.10:30004"
-    QString controllerMessage;  ///< the controller's or the system's own words, possibly empty
+    QString context;            ///< the attempted action and its object, e.g. "connect to 192.168.0.10:30004"
+    QString controllerMessage;  ///< original message of the controller or the system; may be empty
 
-    /// One line for a log: "ConnectionRefused: connect to 192.168.0.10:30004 (Connection refused)".
+    /// One line for logs, e.g. "ConnectionRefused: connect to 192.168.0.10:30004 (Connection refused)".
     QString toString() const;
-    /// The same as UTF-8, for programs without Qt.
+    /// Like toString(), in UTF-8, for programs without Qt.
     std::string message() const { return toString().toStdString(); }
     friend std::ostream& operator<<(std::ostream& out, const Error& error) { return out << error.message(); }
 };

@@ -35,11 +35,11 @@ Result<void> openForReading(QFile& file, const QString& path) {
     if (!path.startsWith(QLatin1Char(':'))) {
         const QByteArray name = QFile::encodeName(path);
         struct stat status {};
-        // Before opening: opening a device can have an effect.
+        // Check before opening: opening a device can have an effect.
         if (::stat(name.constData(), &status) == 0 && !S_ISREG(status.st_mode)) {
             return readFailure(path, notRegular());
         }
-        // O_NONBLOCK: the name may have become a pipe meanwhile.
+        // O_NONBLOCK: the file may have been replaced by a pipe since the check.
         const int descriptor = ::open(name.constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
         if (descriptor < 0) {
             return readFailure(path, qt_error_string(errno));
@@ -78,7 +78,7 @@ Result<QByteArray> readWholeFile(const QString& path, qint64 maxBytes) {
     }
     QByteArray bytes;
     if (file.size() <= maxBytes) {
-        // In pieces, up to one byte too many: files of the system report no size, and some have no end.
+        // Read in chunks, up to one byte beyond the limit: system files report no size, and some are endless.
         constexpr qint64 kPiece = 1 << 20;
         bytes.reserve(file.size());
         for (QByteArray piece; bytes.size() <= maxBytes; bytes += piece) {

@@ -21,9 +21,9 @@ inline constexpr qint64 kMaxScriptBytes = 16 << 20;
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<void> openForReading(QFile& file, const QString& path);
 
-/// The whole content of the regular file `path`.
-/// maxBytes  larger files are refused, whatever size the file system reports for them
-/// Errors    FileNotReadable; FileCorrupt when it is larger than maxBytes
+/// Reads the regular file `path` completely.
+/// maxBytes  larger files are refused, regardless of the size that the file system reports
+/// Errors    FileNotReadable; FileCorrupt if the file is larger than maxBytes
 /// Threads   any. Blocks: for the file system. Real-time: no
 Result<QByteArray> readWholeFile(const QString& path, qint64 maxBytes);
 

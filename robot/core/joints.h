@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Six numbers, one a joint, in the order base, shoulder, elbow, wrist 1, wrist 2, wrist 3.
-// Positions, velocities and torques are different types, so that one cannot be passed for another.
+// Six joint values in the order base, shoulder, elbow, wrist 1, wrist 2, wrist 3. Positions, velocities,
+// accelerations and torques are different types, so that they cannot be confused.
 
 #include <Eigen/Core>
 #include <array>
@@ -30,7 +30,7 @@ struct JointArray {
         values << base, shoulder, elbow, wrist1, wrist2, wrist3;
     }
     explicit JointArray(const std::array<double, 6>& v) : values(Eigen::Map<const Vector6>(v.data())) {}
-    /// Errors  std::invalid_argument unless there are six
+    /// Errors   std::invalid_argument if the size is not 6
     template <std::same_as<std::vector<double>> List>
     explicit JointArray(const List& v) : values(Eigen::Map<const Vector6>(sixOf(v).data())) {}
 
@@ -40,7 +40,7 @@ struct JointArray {
         return {values[0], values[1], values[2], values[3], values[4], values[5]};
     }
     std::vector<double> toStdVector() const { return {begin(), end()}; }  ///< Base to wrist 3.
-    bool allFinite() const { return values.allFinite(); }                 ///< No NaN, no infinity.
+    bool allFinite() const { return values.allFinite(); }  ///< True if no value is NaN or infinite.
 
     double* begin() { return values.data(); }
     double* end() { return values.data() + kJointCount; }
@@ -74,7 +74,7 @@ using JointVelocities = JointArray<struct JointVelocityQuantity>;         ///< q
 using JointAccelerations = JointArray<struct JointAccelerationQuantity>;  ///< qdd [rad/s2]
 using JointTorques = JointArray<struct JointTorqueQuantity>;              ///< [Nm]
 
-/// Names an operator knows, for screens and messages: "Base" ... "Wrist 3".
+/// Names of the joints for the user interface and messages.
 inline constexpr std::array<const char*, 6> kJointNames = {"Base",    "Shoulder", "Elbow",
                                                            "Wrist 1", "Wrist 2",  "Wrist 3"};
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Every value of the controller's enumerations, in the order of its number: for tables that must miss none,
-// and for the tests that check them.
+// All values of the controller's enumerations in numeric order, for complete tables and the tests that check them.
 
 #include <vector>
 
@@ -10,14 +9,15 @@
 
 namespace tiller {
 
-/// RTDE's safety_status tells causes apart that older software reports as one safety mode; same numbers.
+/// RTDE's safety_status distinguishes causes that older software reports as one safety mode; the numbers are the
+/// same.
 using SafetyStatus = SafetyMode;
 
-/// Seen as a safety status only, so far. Source: SafetyStatus.msg of the ROS 2 driver
+/// So far known as a safety status only. Source: SafetyStatus.msg of the ROS 2 driver
 inline constexpr SafetyStatus kIoPlaneStop = static_cast<SafetyStatus>(23);
 
-std::vector<RobotMode> robotModes();         ///< In the order of their numbers.
-std::vector<SafetyStatus> safetyStatuses();  ///< In the order of their numbers.
-std::vector<RuntimeState> runtimeStates();   ///< In the order of their numbers.
+std::vector<RobotMode> robotModes();         ///< In numeric order.
+std::vector<SafetyStatus> safetyStatuses();  ///< In numeric order.
+std::vector<RuntimeState> runtimeStates();   ///< In numeric order.
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The controller's own state enumerations, with the numbers RTDE uses.
+// State enumerations of the controller, with the numbers used by RTDE.
 // Source: RTDE guide; numbers above 13 from newer software.
 
 #include <QString>
@@ -65,11 +65,11 @@ enum class JointMode : std::int32_t {
     Idle = 255,
 };
 
-/// The controller's spelling: "POWER_OFF", "PROTECTIVE_STOP". Unknown numbers give "UNKNOWN_<n>".
+/// Spelling of the controller, e.g. "POWER_OFF". Unknown numbers return "UNKNOWN_<n>".
 QString robotModeName(RobotMode mode);
-QString safetyModeName(SafetyMode mode);       ///< "PROTECTIVE_STOP"
-QString runtimeStateName(RuntimeState state);  ///< "PLAYING"
-QString jointModeName(JointMode mode);         ///< "RUNNING"
+QString safetyModeName(SafetyMode mode);       ///< e.g. "PROTECTIVE_STOP"
+QString runtimeStateName(RuntimeState state);  ///< e.g. "PLAYING"
+QString jointModeName(JointMode mode);         ///< e.g. "RUNNING"
 inline std::ostream& operator<<(std::ostream& out, RobotMode mode) {
     return out << robotModeName(mode).toStdString();
 }
@@ -83,7 +83,7 @@ inline std::ostream& operator<<(std::ostream& out, JointMode mode) {
     return out << jointModeName(mode).toStdString();
 }
 
-/// True in the two safety modes in which the arm may be moved.
+/// True for the two safety modes in which the arm may move.
 inline bool allowsMotion(SafetyMode mode) {
     return mode == SafetyMode::Normal || mode == SafetyMode::Reduced;
 }

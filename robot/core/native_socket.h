@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reading and writing a connected TCP socket by its descriptor: what the 500 Hz loops and the simulated
-// controller use, because QTcpSocket allocates on the way. tcp_connect.h opens such sockets.
+// Reads and writes connected TCP sockets by descriptor, for the 500 Hz loops and the simulated controller
+// (QTcpSocket allocates memory). tcp_connect.h opens such sockets.
 
 #include <chrono>
 #include <cstddef>
@@ -14,10 +14,10 @@ namespace tiller::native_socket {
 using Descriptor = std::intptr_t;
 
 enum class Status {
-    Ok,          ///< some bytes were moved
-    WouldBlock,  ///< none now; try again when the socket is ready
-    Closed,      ///< the peer ended the connection in good order
-    Failed,      ///< the connection is broken
+    Ok,          ///< some bytes were transferred
+    WouldBlock,  ///< no bytes transferred; retry when the socket is ready
+    Closed,      ///< the peer closed the connection
+    Failed,      ///< the connection failed
 };
 
 struct Transfer {
@@ -25,23 +25,26 @@ struct Transfer {
     std::size_t bytes = 0;
 };
 
-/// Makes the socket non-blocking, switches Nagle's algorithm off, keeps SIGPIPE away.
+/// Makes the socket non-blocking, disables Nagle's algorithm and suppresses SIGPIPE.
 void prepare(Descriptor socket);
 
-/// After so long without a sign of life from the peer's system a connection ends, idle or not. Long enough for the
-/// hiccups of a network that TCP bridges; code that has to know sooner watches what the peer sends.
+/// A connection ends if the peer's system has not responded for this time, even when idle. The time is long enough
+/// to bridge network interruptions that TCP recovers from; code that needs a faster reaction monitors the received
+/// data.
 inline constexpr std::chrono::milliseconds kPeerTimeout(5000);
 
-/// Has the system probe the peer: one without power never ends the connection. On Linux within kPeerTimeout,
-/// elsewhere as the system is set up.
+/// Enables keep-alive probes, because a peer without power never closes the connection. On Linux the connection
+/// ends within kPeerTimeout, on other systems according to their configuration.
 void watchPeer(Descriptor socket);
 
 /// Threads  one reader and one writer at a time. Blocks: never. Real-time: one system call each
 Transfer receive(Descriptor socket, std::span<std::uint8_t> into);
-Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);  ///< As receive().
+/// Threads, blocking and real-time as receive().
+Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);
 
-/// Ends the wait of another thread in waitReadable(). Where the system has no means for it, it does nothing
-/// and the wait lasts as long as it would have. Threads  any. Blocks: never. Real-time: one system call each
+/// Ends the wait of another thread in waitReadable(). Without effect on systems that do not support it; the wait
+/// then lasts until its timeout.
+/// Threads  any. Blocks: never. Real-time: one system call each
 class Waker {
 public:
     Waker();
@@ -49,28 +52,28 @@ public:
     Waker(const Waker&) = delete;
     Waker& operator=(const Waker&) = delete;
 
-    void wake() const;  ///< Ends the wait under way, or the next one.
-    /// Forgets the calls of wake() until now.
-    /// Returns  whether there were any
+    void wake() const;  ///< Ends the current wait, or the next one.
+    /// Resets the object after calls of wake().
+    /// Returns  whether wake() was called
     bool take() const;
-    Descriptor descriptor() const { return descriptor_; }  ///< negative: there is no means
+    Descriptor descriptor() const { return descriptor_; }  ///< negative: not supported by the system
 
 private:
     Descriptor descriptor_ = -1;
 };
 
-/// Waits until the socket can be read (data, end of stream or error), the waker, if any, wakes, or the time
-/// is over. Returns  true when the socket can be read
+/// Waits until the socket is readable (data, end of stream or error), the waker is triggered, or the time is over.
+/// Returns  true if the socket is readable
 bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Waker* waker = nullptr);
 
-/// Waits until something can be sent, or the connection has failed, or the time is over.
+/// Waits until the socket is writable, the connection has failed, or the time is over.
 /// Returns  true in the first two cases
 bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
-void close(Descriptor socket);  ///< Frees the descriptor.
+void close(Descriptor socket);  ///< Closes the descriptor.
 
-/// A second descriptor of the same connection, so that it can outlive the Qt socket that opened it. Negative
-/// when the system has none left.
+/// Duplicates the descriptor, so that the connection outlives the Qt socket that opened it.
+/// Returns  negative if the system has no free descriptors
 Descriptor duplicate(Descriptor socket);
 
 }  // namespace tiller::native_socket

@@ -7,12 +7,12 @@ namespace tiller {
 
 namespace {
 
-// Initialized while the library is loaded, in that thread. Asking for the thread is what makes Qt remember it.
+// Initialized in the thread that loads the library. The call makes Qt remember this thread.
 const QThread* const loadingThread = QThread::currentThread();
 
 }  // namespace
 
-// The work is done by then: a call makes the linker keep this file.
+// The initialization above does the work; calling this function makes the linker keep the file.
 void adoptMainThread() {
     static_cast<void>(loadingThread);
 }

@@ -3,10 +3,10 @@
 
 namespace tiller {
 
-/// Has Qt take the thread that loaded this library for the main thread, as it is in a program of Qt's. Qt itself takes the
-/// first thread that makes an object of its classes, and uses the data of that thread until the process exits: a thread of
-/// ours that had ended by then would leave freed memory behind.
-/// To be called before a thread of the library makes such an object. Threads: any
+/// Makes Qt treat the thread that loaded this library as the main thread, as in a Qt program. Otherwise Qt uses the
+/// first thread that creates a QObject, and accesses the data of that thread until the process exits, which would
+/// be freed memory if the thread has ended. Call this before a library thread creates a QObject.
+/// Threads  any
 void adoptMainThread();
 
 }  // namespace tiller

@@ -3,25 +3,25 @@
 
 #include "robot/core/angles.h"
 
-// Where the figures come from. "Description" means the vendor's public description files (which cite its
-// articles on DH parameters, joint torques and speeds); "assumed" marks a choice of ours.
+// Sources of the values. "Description" means the vendor's public description files (which cite its articles on DH
+// parameters, joint torques and speeds); "assumed" marks values chosen for this project.
 //
-// - DH: description files; UR7e has the UR5e's arm, UR12e the UR10e's. The controller itself rounds pi/2 to
-//   1.570796327, and so do we: forward kinematics then agrees with a recorded pose to the last digit.
-// - Speeds: the rated ones. The controller's ConfigurationData reports 0.2 rad/s more (seen on a UR5e).
-// - UR18 and UR8 Long torques and speeds: assumed as UR15, whose shoulder and wrists they share.
-// - Dashboard names of UR7e, UR12e and UR8 Long: assumed to be the names their simulator image has.
-// - Inertia of UR3, UR3e, UR5, UR5e, UR7e: cylinders, the only figures in public.
-// - Inertia of UR30: assumed. Shoulder and wrists as UR20 (same masses); upper arm and forearm scaled from
-//   the UR20's by mass and length, because the public file repeats another robot's.
-// - Torque per current: UR5e and UR7e from a simulated controller (gravity torque over reported current).
-//   UR10e, UR10, UR12e, UR16e: gains measured on a UR10e. All others assumed: 9.93052 (T/150)^k with T the
-//   joint's maximum torque, k = 0.146 below 150 Nm and 0.441 above, which runs through the known joints.
+// - DH: description files; UR7e has the UR5e's arm, UR12e the UR10e's. Like the controller, this file rounds pi/2
+//   to 1.570796327; forward kinematics then agrees with a recorded pose to the last digit.
+// - Speeds: the rated values. The controller's ConfigurationData reports 0.2 rad/s more (observed on a UR5e).
+// - UR18 and UR8 Long torques and speeds: assumed as UR15, which has the same shoulder and wrists.
+// - Dashboard names of UR7e, UR12e and UR8 Long: assumed to be the names in their simulator image.
+// - Inertia of UR3, UR3e, UR5, UR5e, UR7e: cylinders, the only published values.
+// - Inertia of UR30: assumed. Shoulder and wrists as UR20 (same masses); upper arm and forearm scaled from the
+//   UR20's by mass and length, because the public file repeats another robot's values.
+// - Torque per current: UR5e and UR7e from a simulated controller (gravity torque divided by reported current).
+//   UR10e, UR10, UR12e, UR16e: gains measured on a UR10e. All others assumed: 9.93052 (T/150)^k with T the joint's
+//   maximum torque, k = 0.146 below 150 Nm and 0.441 above, fitted to the known joints.
 
 namespace tiller {
 namespace {
 
-constexpr double kHalfPi = 1.570796327;  // the controller's own rounding
+constexpr double kHalfPi = 1.570796327;  // rounded as in the controller
 
 DhParameters dh(double d1, double a2, double a3, double d4, double d5, double d6) {
     DhParameters result;
@@ -46,12 +46,12 @@ Links links(const Masses& masses, const Centres& centres, const Tensors& tensors
 }
 
 struct Cylinder {
-    double across;  // about a diameter
-    double along;   // about its axis
+    double across;  // moment of inertia about a diameter
+    double along;   // moment of inertia about the cylinder axis
 };
 
-// The axis of shoulder, wrist 1 and wrist 2 is the joint before them, which is y of their DH frame; the upper
-// arm and the forearm lie along x; wrist 3 turns about z.
+// The cylinder axis of shoulder, wrist 1 and wrist 2 is the axis of the preceding joint (y of their DH frame); the
+// upper arm and the forearm extend along x; wrist 3 rotates about z.
 Tensors cylinders(const std::array<Cylinder, 6>& c) {
     Tensors result;
     for (const std::size_t i : {0U, 3U, 4U}) {
@@ -95,7 +95,7 @@ constexpr Tensors kTensorsUr10 = {{{0.03408, 0.00002, -0.00425, 0.03529, 0.00008
                                    {0.00296, -0.00001, 0, 0.00222, -0.00024, 0.00258},
                                    {0.0004, 0, 0, 0.00041, 0, 0.00034}}};
 
-// UR8 Long, UR15 and UR18 differ in upper arm and forearm only.
+// UR8 Long, UR15 and UR18 differ only in the upper arm and forearm.
 struct LongLinks {
     double upperMass;
     double foreMass;
@@ -128,7 +128,7 @@ constexpr Six kWrist1Ur20 = {0.00555, -0.00001, -0.00002, 0.00537, 0.00036, 0.00
 constexpr Six kWrist2Ur20 = {0.00586, -0.00001, -0.00002, 0.00578, -0.00037, 0.00427};
 constexpr Six kWrist3Ur20 = {0.00092, 0, 0, 0.00091, 0, 0.00117};
 
-// A tube along x, shortened: its girth stays, so what depends on the length goes with the length.
+// Shortens a tube along x. The cross-section is unchanged, so only the length-dependent terms are scaled.
 constexpr Six shortened(const Six& tensor, double massRatio, double lengthRatio) {
     return {tensor[0] * massRatio,
             tensor[1] * massRatio * lengthRatio,

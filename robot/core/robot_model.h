@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The arms this project knows: kinematics, limits, masses and identity, as data.
-// Source: Universal Robots' DH-parameter article and description files; see each figure's note in
-// robot_model.cpp.
+// Supported robot models: kinematics, limits, masses and identification, as data.
+// Source: Universal Robots' DH-parameter article and description files; see the notes in robot_model.cpp.
 
 #include <QString>
 #include <array>
@@ -21,7 +20,7 @@ struct DhParameters {
     std::array<double, 6> d{};      ///< [m]
     std::array<double, 6> alpha{};  ///< [rad]
     std::array<double, 6> theta{};  ///< joint offsets of a calibrated robot [rad]
-    /// Where the axes of a calibrated robot are not quite parallel [rad]: see kinematics/parallel_axes.h
+    /// Deviation of nearly parallel axes of a calibrated robot [rad]: see kinematics/parallel_axes.h
     std::array<double, 6> beta{};
 
     bool operator==(const DhParameters&) const = default;
@@ -54,32 +53,33 @@ enum class RobotModelId {
 
 struct RobotModel {
     RobotModelId id = RobotModelId::UR5e;
-    const char* name = "";           ///< "UR5e"
-    const char* dashboardName = "";  ///< what `get robot model` answers: "UR5"
-    int robotType = 0;               ///< ConfigurationData robot_type
+    const char* name = "";           ///< e.g. "UR5e"
+    const char* dashboardName = "";  ///< answer to `get robot model`, e.g. "UR5"
+    int robotType = 0;               ///< robot_type in ConfigurationData
     double reach = 0;                ///< [m]
     double maxPayload = 0;           ///< [kg]
     DhParameters dh;
-    std::array<double, 6> maxJointSpeed{};     ///< [rad/s], the robot's own limit
+    std::array<double, 6> maxJointSpeed{};     ///< [rad/s], limit of the robot
     std::array<double, 6> maxTorque{};         ///< [Nm]
-    std::array<double, 6> torquePerCurrent{};  ///< [Nm/A], joint side
+    std::array<double, 6> torquePerCurrent{};  ///< [Nm/A], on the joint side
     std::array<LinkInertia, 6> links;
 
-    bool isCb3() const {  ///< UR3, UR5, UR10.
+    bool isCb3() const {  ///< True for UR3, UR5 and UR10.
         return id == RobotModelId::UR3 || id == RobotModelId::UR5 || id == RobotModelId::UR10;
     }
 };
 
 /// Joint range of every model: +-363 deg [rad]. Source: ConfigurationData of a simulated UR5e.
 inline constexpr double kJointPositionLimit = 6.3355451848;
-/// Joint acceleration limit [rad/s2]. Source: as above.
+/// Joint acceleration limit [rad/s2]. Source: ConfigurationData of a simulated UR5e.
 inline constexpr double kJointAccelerationLimit = 40.0;
 
-const RobotModel& robotModel(RobotModelId id);  ///< Its data, for the life of the program.
-std::span<const RobotModel> robotModels();      ///< All there are.
-/// By name, case ignored: "ur5e", "UR8Long", "ur8 long".
+const RobotModel& robotModel(RobotModelId id);  ///< Data of one model, valid for the whole program.
+std::span<const RobotModel> robotModels();      ///< All supported models.
+/// Looks a model up by name, ignoring case: "ur5e", "UR8Long", "ur8 long".
 std::optional<RobotModelId> robotModelByName(const Text& name);
-/// By ConfigurationData robot_type; the first of those that share it, whose joints are the same.
+/// Looks a model up by robot_type in ConfigurationData. If several models share the type, returns the first; their
+/// joints are identical.
 std::optional<RobotModelId> robotModelByType(int robotType, bool isCb3);
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Keeps other processes of Tiller from writing files of the same folder while one of them compares a file with what it
-// read and then replaces it. The system releases the guard when its process ends, however it ends.
+// Prevents other Tiller processes from writing files in the same folder while one process compares a file with the
+// version it read and then replaces it. The system releases the lock when the process ends for any reason.
 
 #include <QString>
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace tiller {
 
-/// Held for milliseconds, by one thread. File systems without locks give none; the guard then counts as held, and only
-/// the comparison before the write protects the file.
+/// Held for milliseconds by one thread. On file systems without locks the guard counts as held, and only the
+/// comparison before the write protects the file.
 class SaveGuard {
 public:
     /// Waits until no other process or thread holds the guard for the folder of `path`.

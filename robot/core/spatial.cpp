@@ -16,7 +16,7 @@ Eigen::Isometry3d Pose::transform() const {
 }
 
 Pose Pose::fromStdVector(const std::vector<double>& v) {
-    const JointPositions six(v);  // says what is wrong
+    const JointPositions six(v);  // throws a descriptive exception
     return fromArray(six.array());
 }
 
@@ -102,7 +102,7 @@ std::ostream& operator<<(std::ostream& out, const Wrench& wrench) {
 Eigen::Matrix3d rotationMatrix(const Eigen::Vector3d& rotationVector) {
     const double angle = rotationVector.norm();
     if (angle < 1e-12) {
-        // First order is exact to 1e-24 here, and avoids dividing by the angle.
+        // First order is exact to 1e-24 here and avoids dividing by the angle.
         Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
         R(0, 1) = -rotationVector.z();
         R(0, 2) = rotationVector.y();
@@ -116,7 +116,7 @@ Eigen::Matrix3d rotationMatrix(const Eigen::Vector3d& rotationVector) {
 }
 
 Eigen::Vector3d rotationVector(const Eigen::Matrix3d& R) {
-    // By way of the quaternion: well conditioned over the whole range, pi included.
+    // The quaternion is well conditioned over the whole range, including pi.
     Eigen::Quaterniond q(R);
     q.normalize();
     if (q.w() < 0) {
@@ -134,7 +134,7 @@ Eigen::Vector3d rpyFromRotationVector(const Eigen::Vector3d& rotationVector) {
     const double cosPitch = std::hypot(R(0, 0), R(1, 0));
     const double pitch = std::atan2(-R(2, 0), cosPitch);
     if (cosPitch < 1e-9) {
-        // Gimbal lock: only the sum or difference of roll and yaw is defined, so yaw is taken as 0.
+        // Gimbal lock: only the sum or difference of roll and yaw is defined, so yaw is set to 0.
         const double roll = std::atan2(-R(1, 2), R(1, 1));
         return {roll, pitch, 0.0};
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Poses, twists and wrenches as the controller writes them: metres, radians, newtons, and orientations as
-// rotation vectors (axis times angle, angle in [0, pi]). Names carry the frame: T_base_tool maps tool
+// Poses, twists and wrenches in the controller's representation: metres, radians, newtons, and orientations as
+// rotation vectors (axis times angle, angle in [0, pi]). Names contain the frames: T_base_tool maps tool
 // coordinates to base coordinates.
 
 #include <Eigen/Core>
@@ -28,36 +28,36 @@ struct Pose {
 
     /// x y z rx ry rz [m, rad]
     static Pose fromArray(const std::array<double, 6>& v) { return {v[0], v[1], v[2], v[3], v[4], v[5]}; }
-    /// Errors  std::invalid_argument unless there are six
+    /// Errors   std::invalid_argument if the size is not 6
     static Pose fromStdVector(const std::vector<double>& v);
     std::vector<double> toStdVector() const;  ///< x y z rx ry rz [m, rad]
-    /// 0, 1, 2: position [m]; 3, 4, 5: rotation vector [rad].
+    /// Index 0, 1, 2: position [m]; 3, 4, 5: rotation vector [rad].
     double& operator[](int i) { return i < 3 ? position[i] : rotation[i - 3]; }
     double operator[](int i) const { return i < 3 ? position[i] : rotation[i - 3]; }
     std::array<double, 6> array() const {  ///< x y z rx ry rz [m, rad]
         return {position.x(), position.y(), position.z(), rotation.x(), rotation.y(), rotation.z()};
     }
-    Eigen::Isometry3d transform() const;  ///< Of points in it to its reference frame.
-    /// T_b_a of T_a_b.
+    Eigen::Isometry3d transform() const;  ///< Maps coordinates in this pose's frame to its reference frame.
+    /// For T_a_b returns T_b_a.
     Pose inverse() const;
-    bool allFinite() const;  ///< No NaN, no infinity.
+    bool allFinite() const;  ///< True if no value is NaN or infinite.
     friend bool operator==(const Pose&, const Pose&) = default;
-    /// T_a_c of T_a_b and T_b_c. Source: URScript pose_trans
+    /// T_a_c = T_a_b * T_b_c. Source: URScript pose_trans
     friend Pose operator*(const Pose& T_a_b, const Pose& T_b_c);
-    /// The point in the axes of a of a point in the axes of b.
+    /// Transforms a point from frame b to frame a.
     friend Eigen::Vector3d operator*(const Pose& T_a_b, const Eigen::Vector3d& point);
-    /// As URScript writes it: "p[0.1, 0.2, 0.3, 0, 3.14159, 0]".
+    /// In URScript notation, e.g. "p[0.1, 0.2, 0.3, 0, 3.14159, 0]".
     friend std::ostream& operator<<(std::ostream& out, const Pose& pose);
 };
 
-/// Linear [m/s] and angular [rad/s] velocity, in the frame the holder names.
+/// Linear [m/s] and angular [rad/s] velocity, in the frame documented by the user of the type.
 struct Twist {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();
 
     Vector6 vector() const;                     ///< vx vy vz wx wy wz
     static Twist fromVector(const Vector6& v);  ///< vx vy vz wx wy wz
-    bool isZero() const;                        ///< Exactly.
+    bool isZero() const;                        ///< True if all components are exactly 0.
     friend Twist operator+(const Twist& a, const Twist& b);
     friend Twist operator-(const Twist& a, const Twist& b);
     friend Twist operator*(const Twist& a, double f);
@@ -66,7 +66,7 @@ struct Twist {
     friend bool operator==(const Twist&, const Twist&) = default;
 };
 
-/// Force [N] and torque [Nm], in the frame the holder names.
+/// Force [N] and torque [Nm], in the frame documented by the user of the type.
 struct Wrench {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Vector3d torque = Eigen::Vector3d::Zero();
@@ -81,12 +81,14 @@ struct Wrench {
     friend std::ostream& operator<<(std::ostream& out, const Wrench& wrench);
 };
 
-/// Rotation vector [rad] to matrix and back; the angle of the result is in [0, pi].
+/// Rotation vector [rad] to rotation matrix.
 Eigen::Matrix3d rotationMatrix(const Eigen::Vector3d& rotationVector);
-Eigen::Vector3d rotationVector(const Eigen::Matrix3d& R);  ///< [rad], 0 ... pi long
+/// Rotation matrix to rotation vector [rad], length 0 ... pi.
+Eigen::Vector3d rotationVector(const Eigen::Matrix3d& R);
 
 /// Roll, pitch, yaw [rad], R = Rz(yaw) Ry(pitch) Rx(roll). At pitch = +-90 deg yaw is set to 0.
 Eigen::Vector3d rpyFromRotationVector(const Eigen::Vector3d& rotationVector);
-Eigen::Vector3d rotationVectorFromRpy(const Eigen::Vector3d& rpy);  ///< Both [rad].
+/// The inverse of rpyFromRotationVector(). Both [rad].
+Eigen::Vector3d rotationVectorFromRpy(const Eigen::Vector3d& rpy);
 
 }  // namespace tiller

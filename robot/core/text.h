@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Text across the border of this library: taken from whatever string a program has, given as whatever it
-// wants; and how values of this library are written to a std::ostream.
+// Strings at the interface of this library: accepts and returns the string types of Qt and of the standard library,
+// and writes values of this library to a std::ostream.
 
 #include <QString>
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace tiller {
 
-/// A QString that is made from std::string (UTF-8) too, and becomes one.
+/// A QString that converts from and to std::string (UTF-8).
 class Text : public QString {
 public:
     Text() = default;
@@ -33,12 +33,13 @@ public:
     friend std::ostream& operator<<(std::ostream& out, const Text& text) { return out << text.toStdString(); }
 };
 
-/// Numbers between brackets, with the stream's own precision: "[0, -1.5708, 0]".
+/// Writes numbers in brackets with the precision of the stream, e.g. "[0, -1.5708, 0]".
 std::ostream& writeNumbers(std::ostream& out, std::span<const double> numbers);
 
 namespace detail {
 
-/// What the compiler calls this value: "Active" for MotionPhase::Active; empty for a number without a name.
+/// Name of an enumerator as the compiler prints it, e.g. "Active" for MotionPhase::Active; empty for a number
+/// without a name.
 template <auto value>
 constexpr std::string_view enumeratorName() {
 #ifdef _MSC_VER
@@ -58,20 +59,20 @@ constexpr std::string_view enumeratorName() {
     return colon == std::string_view::npos ? kName : kName.substr(colon + 1);
 }
 
-// Enumerators are looked for among these: -1 ... 255 and the powers of two above.
+// Enumerators are searched among -1 ... 255 and the larger powers of two.
 inline constexpr std::size_t kPlainCandidates = 257;
 inline constexpr std::size_t kCandidates = kPlainCandidates + 23;
-constexpr std::int64_t candidate(std::size_t i) {  ///< The i-th of them.
+constexpr std::int64_t candidate(std::size_t i) {  ///< The candidate number i.
     return i < kPlainCandidates ? static_cast<std::int64_t>(i) - 1
                                 : std::int64_t(1) << (i - kPlainCandidates + 8);
 }
 
 template <class E>
-constexpr bool holds(std::int64_t number) {  ///< E can hold it.
+constexpr bool holds(std::int64_t number) {  ///< True if E can represent the number.
     return std::in_range<std::underlying_type_t<E>>(number);
 }
 template <class E, std::size_t i>
-constexpr std::string_view candidateName() {  ///< Empty: none of E.
+constexpr std::string_view candidateName() {  ///< Empty if the candidate is not an enumerator of E.
     if constexpr (holds<E>(candidate(i))) {
         return enumeratorName<static_cast<E>(candidate(i))>();
     } else {
@@ -85,7 +86,7 @@ inline constexpr auto kNames = []<std::size_t... i>(std::index_sequence<i...>) {
 (std::make_index_sequence<kCandidates>());
 
 template <class E>
-constexpr std::string_view nameOf(E value) {  ///< Empty: not found.
+constexpr std::string_view nameOf(E value) {  ///< Empty if not found.
     for (std::size_t i = 0; i < kCandidates; ++i) {
         if (holds<E>(candidate(i)) && static_cast<E>(candidate(i)) == value) {
             return kNames<E>[i];
@@ -99,16 +100,16 @@ concept ScopedEnum = std::is_enum_v<E> && !std::is_convertible_v<E, int>;
 
 }  // namespace detail
 
-/// Writes an enumerator's name as the header spells it ("LinkLost"), a number without a name as a number.
-/// The robot's own modes are written in the controller's spelling instead: see modes.h.
+/// Writes the name of an enumerator as in the header (e.g. "LinkLost"), and a number without a name as a number.
+/// Robot modes use the controller's spelling instead: see modes.h.
 template <detail::ScopedEnum E>
 std::ostream& operator<<(std::ostream& out, E value) {
     const std::string_view name = detail::nameOf(value);
     return name.empty() ? out << static_cast<std::int64_t>(value) : out << name;
 }
 
-/// toString(value): what operator<< writes, as a std::string. An object and not a function, so that it is not
-/// found where others look for a toString of their own (Qt Test does).
+/// toString(value) returns the output of operator<< as a std::string. An object instead of a function, so that
+/// argument-dependent lookup does not find it in place of another toString (Qt Test has one).
 struct ToString {
     template <class T>
     std::string operator()(const T& value) const {

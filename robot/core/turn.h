@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One after the other, with a limit to the patience. std::timed_mutex would do, but ThreadSanitizer does not
-// know the call by which it waits (pthread_mutex_clocklock) and so takes every such lock for a fault.
+// A mutex with timeout. std::timed_mutex would be sufficient, but ThreadSanitizer does not know its wait function
+// (pthread_mutex_clocklock) and reports every such lock as an error.
 
 #include <chrono>
 #include <condition_variable>
@@ -10,27 +10,27 @@
 
 namespace tiller {
 
-/// A mutex to wait for with a limit; for std::unique_lock and std::lock_guard.
+/// A mutex with a timeout, for std::unique_lock and std::lock_guard.
 /// Threads  any
 class Turn {
 public:
-    void lock() {  ///< Blocks: until its turn comes
+    void lock() {  ///< Blocks: until the mutex is free
         std::unique_lock guard(guard_);
         free_.wait(guard, [this] { return !taken_; });
         taken_ = true;
     }
-    bool try_lock() { return try_lock_for(std::chrono::nanoseconds(0)); }  ///< Without waiting.
-    /// Returns  false when the turn did not come within `patience`
-    /// Threads  any. Blocks: at most `patience`
-    bool try_lock_for(std::chrono::nanoseconds patience) {
+    bool try_lock() { return try_lock_for(std::chrono::nanoseconds(0)); }  ///< Blocks: never
+    /// Returns  false if the mutex was not free in time
+    /// Threads  any. Blocks: for the given time at most
+    bool try_lock_for(std::chrono::nanoseconds timeout) {
         std::unique_lock guard(guard_);
-        if (!free_.wait_for(guard, patience, [this] { return !taken_; })) {
+        if (!free_.wait_for(guard, timeout, [this] { return !taken_; })) {
             return false;
         }
         taken_ = true;
         return true;
     }
-    void unlock() {  ///< The next one's turn.
+    void unlock() {
         const std::lock_guard guard(guard_);
         taken_ = false;
         free_.notify_one();

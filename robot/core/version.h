@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Controller software version, as the RTDE reply and the dashboard give it.
+// Software version of the controller, as reported by RTDE and the dashboard.
 
 #include <compare>
 #include <cstdint>
@@ -17,16 +17,16 @@ struct SoftwareVersion {
 
     friend auto operator<=>(const SoftwareVersion&, const SoftwareVersion&) = default;
 
-    /// "5.21.1.0".
+    /// e.g. "5.21.1.0"
     friend std::ostream& operator<<(std::ostream& out, const SoftwareVersion& v) {
         return out << v.major << '.' << v.minor << '.' << v.bugfix << '.' << v.build;
     }
 
     bool isCb3() const { return major > 0 && major < 5; }  ///< Software 3.x.
     bool isPolyScopeX() const { return major >= 10; }      ///< Software 10.x.
-    /// Control period [s]: 8 ms on CB3, 2 ms on everything later.
+    /// Control period [s]: 8 ms on CB3, 2 ms on later controllers.
     double controlPeriod() const { return isCb3() ? 0.008 : 0.002; }
-    /// The highest RTDE rate [Hz].
+    /// Maximum RTDE rate [Hz].
     double maxFrequency() const { return isCb3() ? 125.0 : 500.0; }
 };
 

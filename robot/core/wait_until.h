@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Waiting for what nobody announces.
+// Waits for a condition by polling.
 
 #include <algorithm>
 #include <chrono>
@@ -11,9 +11,9 @@
 
 namespace tiller {
 
-/// Waits for what happens in a thread that must not ring a bell, because it makes no system call for others, or
-/// in another program: by looking every `look`.
-/// Returns  whether it happened before the deadline
+/// Polls `happened` every `look`, for conditions set by another process or by a thread that must not make the
+/// system call of a notification.
+/// Returns  whether the condition was true before the deadline
 template <class Happened>
 bool waitUntil(const Deadline& deadline, Happened happened,
                std::chrono::nanoseconds look = std::chrono::milliseconds(1)) {

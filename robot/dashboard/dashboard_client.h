@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The dashboard server of CB3 and e-Series (port 29999): power, brakes, recovery, programs, identity. One
-// line out, one line back.
+// Client of the dashboard server of CB3 and e-Series (port 29999): power, brakes, recovery, programs,
+// identification.
+// One line per request, one line per reply.
 
 #include <QString>
 #include <memory>
@@ -17,24 +18,24 @@ class QTcpSocket;
 
 namespace tiller::dashboard {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 inline constexpr int kDashboardPort = 29999;
 
 struct ProgramState {
     enum class Run { Stopped, Playing, Paused };
     Run run = Run::Stopped;
-    QString program;  ///< empty when none is loaded
+    QString program;  ///< empty if none is loaded
 };
 
-/// Threads  one at a time, the one that connected; for a thread that must not wait there is
-///          service_worker.h. Every call blocks until the reply or the deadline.
-/// Errors   of every call: NotConnected, ConnectionClosed, Timeout (the server is mute), Cancelled,
-///          RemoteControlRequired (the robot is in Local), Rejected (any other reply than the documented one,
-///          which is then in controllerMessage), InvalidArgument (a line break in a text). The context names
-///          address and command. After Timeout or Cancelled the connection is closed, because a late reply
-///          would be taken for the answer to the next command; and after RemoteControlRequired, because
-///          controllers honour the switch to Remote on new connections only.
+/// Threads  one at a time: the thread that connected. For threads that must not block see service_worker.h. Every
+///          call blocks until the reply or the deadline.
+/// Errors   of every call: NotConnected, ConnectionClosed, Timeout (no reply), Cancelled, RemoteControlRequired
+///          (the robot is in Local), Rejected (an undocumented reply, see controllerMessage), InvalidArgument (a
+///          line break in a text). The context contains address and command. Timeout and Cancelled close the
+///          connection, because a late reply would be taken for the reply to the next command.
+///          RemoteControlRequired closes it, because controllers apply the switch to Remote to new connections
+///          only.
 class DashboardClient {
 public:
     explicit DashboardClient(Text host, int port = kDashboardPort);
@@ -45,45 +46,47 @@ public:
     /// Connects and reads the greeting.
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
-    void close();              ///< Harmless when not connected.
-    bool isConnected() const;  ///< As of the last call.
-    /// Looks whether the server has hung up since the last reply, and closes this end then too.
+    void close();              ///< Allowed when not connected.
+    bool isConnected() const;  ///< State after the last call.
+    /// Checks whether the server has closed the connection since the last reply, and closes the socket in this
+    /// case.
     /// Returns  isConnected(). Blocks: never
     bool checkConnection();
 
-    // Power and recovery. A reply means "begun": the change shows in robotMode().
+    // Power and recovery commands return when the action has started; robotMode() shows the progress.
     Result<void> powerOn(const Deadline& deadline);
-    Result<void> powerOff(const Deadline& deadline);      ///< Engages the brakes.
-    Result<void> brakeRelease(const Deadline& deadline);  ///< To RUNNING; powers on if need be.
+    Result<void> powerOff(const Deadline& deadline);      ///< Switches the power off; the brakes engage.
+    Result<void> brakeRelease(const Deadline& deadline);  ///< Changes to RUNNING; powers on if necessary.
     /// Refused (Rejected) for 5 s after the stop.
     Result<void> unlockProtectiveStop(const Deadline& deadline);
-    Result<void> closeSafetyPopup(const Deadline& deadline);  ///< Closes one popup.
-    Result<void> restartSafety(const Deadline& deadline);     ///< After a violation or a fault.
+    Result<void> closeSafetyPopup(const Deadline& deadline);  ///< Closes one safety popup.
+    Result<void> restartSafety(const Deadline& deadline);     ///< After a safety violation or fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline);    ///< Of the newest state.
-    Result<SafetyMode> safetyMode(const Deadline& deadline);  ///< Of the newest state.
-    /// false also where remote control is switched off in the settings. Since 5.6
+    Result<RobotMode> robotMode(const Deadline& deadline);    ///< Current robot mode.
+    Result<SafetyMode> safetyMode(const Deadline& deadline);  ///< Current safety mode.
+    /// Also false if remote control is disabled in the settings. Since 5.6
     Result<bool> isInRemoteControl(const Deadline& deadline);
 
-    // Identity
+    // Identification
     Result<SoftwareVersion> polyscopeVersion(const Deadline& deadline);
     Result<QString> serialNumber(const Deadline& deadline);  ///< since 3.12 / 5.6
-    Result<QString> robotModel(const Deadline& deadline);    ///< "UR5" for a UR5e too; since 3.12 / 5.6
+    Result<QString> robotModel(const Deadline& deadline);    ///< "UR5" also for a UR5e; since 3.12 / 5.6
 
     // Programs
     Result<ProgramState> programState(const Deadline& deadline);
-    /// path  below the programs folder
+    /// path  relative to the programs folder
     Result<void> loadProgram(const Text& path, const Deadline& deadline);
     Result<void> play(const Deadline& deadline);   ///< Starts or resumes the loaded program.
-    Result<void> pause(const Deadline& deadline);  ///< Pauses the program that runs.
-    Result<void> stop(const Deadline& deadline);   ///< Stops the program that runs.
+    Result<void> pause(const Deadline& deadline);  ///< Pauses the running program.
+    Result<void> stop(const Deadline& deadline);   ///< Stops the running program.
 
     // Pendant
     Result<void> popup(const Text& text, const Deadline& deadline);
-    Result<void> closePopup(const Deadline& deadline);                  ///< Closes the one popup() opened.
-    Result<void> addToLog(const Text& text, const Deadline& deadline);  ///< On the teach pendant.
+    Result<void> closePopup(const Deadline& deadline);  ///< Closes the popup opened by popup().
+    /// Adds an entry to the log of the teach pendant.
+    Result<void> addToLog(const Text& text, const Deadline& deadline);
 
-    /// Any command; the reply as it came.
+    /// Sends any command and returns the reply.
     /// Errors   as above, without Rejected
     Result<QString> command(const Text& line, const Deadline& deadline);
 

@@ -36,9 +36,9 @@ bool isTooEarly(const RobotApiClient&, const Error& error) {
 void closePopup(DashboardClient& client, const Deadline& deadline) {
     (void)client.closeSafetyPopup(deadline);
 }
-void closePopup(RobotApiClient&, const Deadline&) {}  // it shows none
+void closePopup(RobotApiClient&, const Deadline&) {}  // PolyScope X has no such popup
 
-/// Unlocks as soon as the controller lets it.
+/// Unlocks as soon as the controller permits.
 template <class Client>
 Result<void> unlock(Client& client, const Deadline& deadline, const RecoveryProgress& progress) {
     bool waiting = false;
@@ -63,12 +63,12 @@ Result<void> unlock(Client& client, const Deadline& deadline, const RecoveryProg
 template <class Client>
 Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const Deadline& deadline,
                          const RecoveryProgress& progress) {
-    const auto tell = [&](RecoveryStep step) {
+    const auto report = [&](RecoveryStep step) {
         if (progress) {
             progress(step);
         }
     };
-    tell(RecoveryStep::Look);
+    report(RecoveryStep::Look);
     RecoveryStep last = RecoveryStep::Look;
     while (!deadline.hasExpired()) {
         const auto safety = client.safetyMode(deadline);
@@ -86,10 +86,10 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
                              .arg(safetyModeName(*safety))};
         }
         if (next == RecoveryStep::Done) {
-            tell(RecoveryStep::Done);
+            report(RecoveryStep::Done);
             return {};
         }
-        // Each step is begun once; after that it is waited for.
+        // Each step is started once; later iterations wait for its effect.
         Result<void> done;
         if (next != RecoveryStep::Look && next != last) {
             switch (next) {
@@ -97,30 +97,30 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
                     if (!consent.causeInspected) {
                         return missing("protective stop: it is only unlocked once its cause was inspected");
                     }
-                    tell(RecoveryStep::CloseSafetyPopup);
+                    report(RecoveryStep::CloseSafetyPopup);
                     closePopup(client, deadline);
-                    tell(next);
+                    report(next);
                     done = unlock(client, deadline, progress);
                     break;
                 case RecoveryStep::RestartSafety:
                     if (!consent.restartSafety) {
                         return missing("the safety system has to be restarted, which needs your consent");
                     }
-                    tell(next);
+                    report(next);
                     done = client.restartSafety(deadline);
                     break;
                 case RecoveryStep::PowerOn:
                     if (!consent.powerOn) {
                         return missing("the arm is off; to power it on needs your consent");
                     }
-                    tell(next);
+                    report(next);
                     done = client.powerOn(deadline);
                     break;
                 default:
                     if (!consent.releaseBrakes) {
                         return missing("the brakes are on; to release them needs your consent");
                     }
-                    tell(next);
+                    report(next);
                     done = client.brakeRelease(deadline);
                     break;
             }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The way back from a stop to a robot that runs, as one guided operation: looks what is wrong, does step
-// after step, tells each. What a person has to decide is asked for beforehand, by name: nothing here unlocks
-// a protective stop or restarts the safety system unless the caller says so (the manufacturer forbids
-// automatic reset).
+// Guided recovery from a stop to a running robot: checks the state and performs and reports one step after the
+// other.
+// Decisions of a person are required in advance as explicit consents: without them, no protective stop is unlocked
+// and the safety system is not restarted (the manufacturer forbids automatic reset).
 
 #include <functional>
 
@@ -14,48 +14,47 @@
 
 namespace tiller::dashboard {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
-/// What the caller takes upon himself, each for one recovery. The default permits nothing.
+/// Explicit consents of the caller for one recovery. The default permits no action.
 struct RecoveryConsent {
-    bool causeInspected = false;  ///< "I have seen why it stopped": the unlock of a protective stop
-    bool restartSafety = false;   ///< violation or fault: the arm loses power
-    bool powerOn = false;         ///< the arm gets power
-    bool releaseBrakes = false;   ///< the arm may move a little
+    bool causeInspected = false;  ///< the cause was inspected: required to unlock a protective stop
+    bool restartSafety = false;   ///< after a violation or fault: the arm loses power
+    bool powerOn = false;         ///< the arm is powered
+    bool releaseBrakes = false;   ///< the arm may move slightly
 };
 
 enum class RecoveryStep {
-    Look,              ///< also: nothing to do but wait until the modes change
+    Look,              ///< also: wait until the modes change
     CloseSafetyPopup,  ///< once, before an unlock
     WaitForUnlock,     ///< the controller refuses for kUnlockAfter
-    Unlock,            ///< of a protective stop
-    RestartSafety,     ///< after a violation or a fault
+    Unlock,            ///< unlock a protective stop
+    RestartSafety,     ///< after a violation or fault
     PowerOn,
     ReleaseBrakes,
-    AskPerson,  ///< it ends when somebody at the robot ends it: emergency stop, safeguard, enabling device
-    Done,       ///< RUNNING, and the safety system lets the arm move
+    AskPerson,  ///< an action at the robot is required: emergency stop, safeguard, enabling device
+    Done,       ///< RUNNING, and the safety mode allows motion
 };
 
-/// For so long a controller refuses to unlock a protective stop [s].
+/// Time during which a controller refuses to unlock a protective stop [s].
 /// Source  Dashboard Server guide, "unlock protective stop"
 inline constexpr double kUnlockAfter = 5.0;
 
-/// The one rule of the way back: what leads on from these modes.
+/// Selects the next recovery step for the current modes.
 /// Returns  Look, Unlock, RestartSafety, PowerOn, ReleaseBrakes, AskPerson or Done
 /// Threads  any. Blocks: never. Real-time: yes
 RecoveryStep nextRecoveryStep(SafetyMode safety, RobotMode mode);
 
-/// Called in the thread of recover(), before each step.
+/// Called in the thread of recover() before each step.
 using RecoveryProgress = std::function<void(RecoveryStep)>;
 
-/// Leads the robot to RUNNING in NORMAL or REDUCED.
-/// Errors   as DashboardClient; Rejected with what is missing when a step needs a consent that was not given,
-///          or a person at the robot (emergency stop pressed, safeguard open): nothing was done then beyond
-///          the steps told
-/// Threads  the one that connected the client. Blocks: until the deadline
+/// Brings the robot to RUNNING in NORMAL or REDUCED.
+/// Errors   as DashboardClient; Rejected with the reason if a step needs a missing consent or an action at the
+///          robot (emergency stop pressed, safeguard open); only the reported steps were performed then
+/// Threads  the thread that connected the client. Blocks: until the deadline
 Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
-/// The same on PolyScope X.
+/// The same for PolyScope X.
 Result<void> recover(RobotApiClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
 

@@ -33,7 +33,7 @@ QByteArray header(const QByteArray& head, const QByteArray& name) {
     return {};
 }
 
-/// Lengths and line ends of the chunks taken out; nothing while it is not whole.
+/// Removes chunk lengths and line ends; empty while the data are incomplete.
 std::optional<QByteArray> unchunked(const QByteArray& chunks) {
     QByteArray body;
     for (qsizetype at = 0;;) {
@@ -52,7 +52,8 @@ std::optional<QByteArray> unchunked(const QByteArray& chunks) {
     }
 }
 
-/// What has come so far as a whole reply, if it is one. over  the peer sends no more
+/// Parses the received bytes as a reply, if complete.
+/// over  true if the peer has closed the connection
 std::optional<Reply> parsed(const QByteArray& bytes, bool over) {
     const qsizetype end = bytes.indexOf("\r\n\r\n");
     if (end < 0 || !bytes.startsWith("HTTP/1.")) {
@@ -71,12 +72,12 @@ std::optional<Reply> parsed(const QByteArray& bytes, bool over) {
         reply.body = *body;
         return reply;
     }
-    bool told = false;
-    const qsizetype length = header(head, "content-length").toLongLong(&told);
-    if (told ? rest.size() < length : !over) {
+    bool hasLength = false;
+    const qsizetype length = header(head, "content-length").toLongLong(&hasLength);
+    if (hasLength ? rest.size() < length : !over) {
         return {};
     }
-    reply.body = told ? rest.left(length) : rest;
+    reply.body = hasLength ? rest.left(length) : rest;
     return reply;
 }
 
@@ -133,7 +134,7 @@ Result<QJsonObject> RobotApiClient::request(const QByteArray& method, const QStr
         if (reply.status < 300 || reply.status >= 400 || reply.location.isEmpty()) {
             break;
         }
-        // Only to another place of the same robot.
+        // Redirects are limited to the same robot.
         target = QUrl::fromEncoded(reply.location).path(QUrl::FullyEncoded).toLatin1();
     }
     const QJsonObject object = QJsonDocument::fromJson(reply.body).object();
@@ -223,7 +224,7 @@ Result<SafetyMode> RobotApiClient::safetyMode(const Deadline& deadline) const {
         return name.error();
     }
     if (*name == QLatin1String("EMERGENCY_STOP")) {
-        return SafetyMode::RobotEmergencyStop;  // the API does not tell whose
+        return SafetyMode::RobotEmergencyStop;  // the API does not report which emergency stop
     }
     for (int mode = static_cast<int>(SafetyMode::Normal); mode <= static_cast<int>(SafetyMode::Fault);
          ++mode) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Power, safety and programs of a PolyScope X robot, which has no dashboard server: its Robot API over HTTP,
-// from software 10.11 on (questions from 10.12).
+// Client of the Robot API (HTTP) of PolyScope X, which replaces the dashboard server: power, safety and programs.
+// Software 10.11 or later (queries: 10.12).
 
 #include <QJsonObject>
 #include <QString>
@@ -17,39 +17,38 @@ namespace tiller::dashboard {
 
 inline constexpr int kRobotApiPort = 80;
 
-/// Every call is a connection of its own, so there is nothing to connect and nothing to lose.
+/// Every call uses a separate connection, so there is no connect function.
 /// Threads  any, several at once. Every call blocks until the reply or the deadline.
 /// Errors   of every call: AddressInvalid, HostUnreachable, ConnectionRefused, ConnectionClosed, Timeout,
-/// Cancelled,
-///          ProtocolError (not what the API answers with), RemoteControlRequired (403), VersionUnsupported
-///          (404 of a question: software before 10.12), Rejected (anything else; the robot's words are in
-///          controllerMessage)
+///          Cancelled, ProtocolError (not a reply of the API), RemoteControlRequired (403), VersionUnsupported (404
+///          for a query: software before 10.12), Rejected (other failures; see controllerMessage)
 /// Source   Robot API of PolyScope X
 class RobotApiClient {
 public:
     explicit RobotApiClient(Text host, int port = kRobotApiPort) : host_(std::move(host)), port_(port) {}
 
-    /// The version the API gives itself, as in "3.1.4": whether it is there at all.
+    /// Version of the API, e.g. "3.1.4". Use this call to check whether the API is available.
     Result<QString> apiVersion(const Deadline& deadline) const;
 
-    // A reply means "begun": the change shows in robotMode().
+    // The power and recovery functions return when the action has started; robotMode() shows the progress.
     Result<void> powerOn(const Deadline& deadline);
-    Result<void> powerOff(const Deadline& deadline);              ///< Engages the brakes.
-    Result<void> brakeRelease(const Deadline& deadline);          ///< To RUNNING.
-    Result<void> unlockProtectiveStop(const Deadline& deadline);  ///< After a look at the arm.
-    Result<void> restartSafety(const Deadline& deadline);         ///< After a violation or a fault.
+    Result<void> powerOff(const Deadline& deadline);      ///< Switches the power off; the brakes engage.
+    Result<void> brakeRelease(const Deadline& deadline);  ///< Changes to RUNNING.
+    Result<void> unlockProtectiveStop(const Deadline& deadline);  ///< Call only after inspecting the arm.
+    Result<void> restartSafety(const Deadline& deadline);         ///< After a safety violation or fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline) const;     ///< Of the newest state.
-    Result<SafetyMode> safetyMode(const Deadline& deadline) const;   ///< Of the newest state.
-    Result<bool> isInRemoteControl(const Deadline& deadline) const;  ///< Else automatic or manual.
+    Result<RobotMode> robotMode(const Deadline& deadline) const;     ///< Current robot mode.
+    Result<SafetyMode> safetyMode(const Deadline& deadline) const;   ///< Current safety mode.
+    Result<bool> isInRemoteControl(const Deadline& deadline) const;  ///< False in automatic and manual mode.
 
-    /// name  without its ending
+    /// name  without the file extension
     Result<void> loadProgram(const Text& name, const Deadline& deadline);
     /// action  "play", "pause", "resume" or "stop"
     Result<void> runProgram(const Text& action, const Deadline& deadline);
-    Result<ProgramState::Run> programState(const Deadline& deadline) const;  ///< Of the loaded program.
+    Result<ProgramState::Run> programState(const Deadline& deadline) const;  ///< State of the loaded program.
 
-    /// Any request below /universal-robots/robot-api; the object of the reply, empty when it has none.
+    /// Sends any request below /universal-robots/robot-api and returns the JSON object of the reply; empty if there
+    /// is none.
     Result<QJsonObject> request(const QByteArray& method, const QString& path, const QJsonObject& body,
                                 const Deadline& deadline) const;
 

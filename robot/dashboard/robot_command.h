@@ -3,15 +3,15 @@
 
 #include "robot/core/text.h"
 
-// What can be asked of the controller itself, apart from motion, and which way it takes. Names only: what
-// carries them out is robot_service.h.
+// Commands for the controller other than motion, and the service that executes them. This file contains names only;
+// robot_service.h executes the commands.
 
 namespace tiller::dashboard {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 enum class ServiceKind {
-    Unknown,    ///< not asked yet, or nobody answers
+    Unknown,    ///< not determined yet, or no response
     Dashboard,  ///< CB3 and e-Series
     RobotApi,   ///< PolyScope X
 };
@@ -20,14 +20,14 @@ enum class RobotCommand {
     PowerOn,
     ReleaseBrakes,
     PowerOff,
-    RestartSafety,  ///< after a violation or a fault; leaves the arm powered off
-    ClosePopups,    ///< the ordinary popup and the safety popup on the pendant
+    RestartSafety,  ///< after a violation or fault; the arm remains powered off
+    ClosePopups,    ///< both the ordinary popup and the safety popup on the pendant
     Play,           ///< starts or resumes the loaded program
     Pause,
     StopProgram,
 };
 
-/// Whether a service of this kind has the command at all: the Robot API closes no popups.
+/// Whether a service of this kind supports the command: the Robot API cannot close popups.
 inline bool offers(ServiceKind kind, RobotCommand command) {
     return kind != ServiceKind::RobotApi || command != RobotCommand::ClosePopups;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which arm this is, as far as a controller tells: for recordings and reports.
+// Identification of the arm for recordings and reports.
 
 #include <QString>
 
@@ -11,14 +11,14 @@
 namespace tiller::dashboard {
 
 struct RobotIdentity {
-    QString model;         ///< "UR5e"; empty: not told
-    QString serialNumber;  ///< empty: not told
+    QString model;         ///< e.g. "UR5e"; empty: unknown
+    QString serialNumber;  ///< empty: unknown
 };
 
-/// Asks primary interface and dashboard one after the other; what either does not tell in time stays empty.
+/// Queries the primary interface and the dashboard one after the other; values not received in time remain empty.
 /// portOffset  added to every port number
-/// isCb3       the series, which the controller's version tells
-/// Threads  any. Blocks: until both have answered, the deadline at most
+/// isCb3       from the version of the controller
+/// Threads  any. Blocks: until both have replied, at most until the deadline
 RobotIdentity askIdentity(const Text& host, int portOffset, bool isCb3, const Deadline& deadline);
 
 }  // namespace tiller::dashboard

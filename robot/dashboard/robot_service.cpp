@@ -54,16 +54,16 @@ public:
         }
         ServiceReport report;
         report.kind = kind();
-        if (!*cb3_) {  // older series have no such switch
+        if (!*cb3_) {  // CB3 has no remote control switch
             const Result<bool> remote = client_->isInRemoteControl(deadline);
             if (!remote && remote.error().code != ErrorCode::Rejected) {
                 return remote.error();
             }
-            if (remote) {  // not understood before 5.6
+            if (remote) {  // not supported before 5.6
                 report.remoteControl = *remote;
             }
             if (const auto mode = client_->command(QStringLiteral("get operational mode"), deadline)) {
-                // Anything but the two modes means that none is set, or that the software has none.
+                // Other replies mean that no mode is set, or that the software does not support it.
                 const QString word = mode->trimmed().toUpper();
                 if (word == QLatin1String("MANUAL") || word == QLatin1String("AUTOMATIC")) {
                     report.operationalMode = word;
@@ -102,7 +102,7 @@ public:
             case RobotCommand::ClosePopups:
                 return Error{ErrorCode::VersionUnsupported, QStringLiteral("close popups"), {}};
             case RobotCommand::Play: {
-                // A paused program is refused a play here.
+                // The Robot API does not accept "play" for a paused program.
                 const auto state = client_.programState(deadline);
                 const bool paused = state && *state == ProgramState::Run::Paused;
                 return noted(
@@ -134,7 +134,7 @@ public:
         ServiceReport report;
         report.kind = kind();
         if (version_ < kAsksAndLoads) {
-            // It can only be told what to do. Is it still there?
+            // This version supports no queries; only check whether the API still responds.
             const auto state = noted(client_.programState(deadline));
             return state ? Result<ServiceReport>(report) : Result<ServiceReport>(state.error());
         }
@@ -153,7 +153,7 @@ public:
     }
 
 private:
-    /// From this version of the API on it answers questions, and loads under another name.
+    /// First version of the API that supports queries and the other load command.
     static inline const QVersionNumber kAsksAndLoads{3, 1, 4};
 
     template <class T>
@@ -177,7 +177,7 @@ ServiceAddress serviceAt(const Text& host, int portOffset) {
 
 Result<std::unique_ptr<RobotService>> openService(const ServiceAddress& address, const Deadline& deadline) {
     auto dashboard = std::make_unique<DashboardClient>(address.host, address.dashboardPort);
-    // A firewall may swallow the port: the other one shall have its time too.
+    // A firewall may drop the packets: reserve time for the other port.
     const auto connected = dashboard->connect(Deadline::after(deadline.remaining() / 2, deadline.token()));
     if (connected) {
         return std::unique_ptr<RobotService>(std::make_unique<DashboardService>(std::move(dashboard)));

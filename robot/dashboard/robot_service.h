@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a person does at the pendant and a PC can do too: power, recovery, programs. One face for the two ways
-// there are, the dashboard server of CB3 and e-Series and the Robot API of PolyScope X; which of them a robot
-// has is found out by asking it.
+// Pendant functions that are also available to a PC: power, recovery, programs. A common interface for the
+// dashboard server of CB3 and e-Series and the Robot API of PolyScope X; the available service is detected
+// automatically.
 
 #include <QString>
 #include <memory>
@@ -16,31 +16,32 @@
 
 namespace tiller::dashboard {
 
-/// What RTDE does not tell.
+/// Values that RTDE does not report.
 struct ServiceReport {
     ServiceKind kind = ServiceKind::Unknown;
-    std::optional<bool> remoteControl;  ///< nothing where the software does not say
-    QString operationalMode;            ///< "MANUAL", "AUTOMATIC"; empty: none set, or not said
-    QString program;                    ///< loaded on the robot; empty: none, or not said
+    std::optional<bool> remoteControl;  ///< empty if the software does not report it
+    QString operationalMode;            ///< "MANUAL", "AUTOMATIC"; empty: not set or not reported
+    QString program;                    ///< loaded on the robot; empty: none or not reported
 };
 
 /// Threads  one at a time. Every call blocks until the reply or the deadline.
-/// Errors   of every call: those of the client behind it; VersionUnsupported for what offers() denies
+/// Errors   of every call: those of the underlying client; VersionUnsupported for commands without support, see
+///          offers()
 class RobotService {
 public:
     virtual ~RobotService() = default;
 
-    virtual ServiceKind kind() const = 0;  ///< Dashboard or Robot API.
-    /// False once the way to the robot is gone: it takes openService() again.
+    virtual ServiceKind kind() const = 0;  ///< Type of the service in use.
+    /// False after the connection is lost; call openService() again.
     virtual bool isConnected() = 0;
 
-    /// Returns when the controller has taken the command.
+    /// Returns when the controller has accepted the command.
     virtual Result<void> perform(RobotCommand command, const Deadline& deadline) = 0;
-    /// Only ever on a person's explicit word: the manufacturer forbids automatic reset.
+    /// Requires an explicit confirmation by a person: the manufacturer forbids automatic reset.
     virtual Result<void> unlockProtectiveStop(const Deadline& deadline) = 0;
-    /// name  as the controller's programs folder has it; PolyScope X takes it with and without its ending
+    /// name  as in the programs folder of the controller; for PolyScope X with or without the file extension
     virtual Result<void> loadProgram(const Text& name, const Deadline& deadline) = 0;
-    /// What RTDE does not tell: control mode, operational mode, loaded program.
+    /// Reads control mode, operational mode and loaded program.
     virtual Result<ServiceReport> look(const Deadline& deadline) = 0;
 };
 
@@ -50,12 +51,12 @@ struct ServiceAddress {
     int robotApiPort = kRobotApiPort;
 };
 
-/// Where the services of a robot listen whose ports are all moved by the same number.
+/// Address of the services if all ports of the robot are shifted by the same offset.
 ServiceAddress serviceAt(const Text& host, int portOffset = 0);
 
-/// Connects to the dashboard, or, where there is none, to the Robot API.
-/// Errors   of the dashboard where neither answers: AddressInvalid, HostUnreachable, ConnectionRefused,
-///          Timeout, Cancelled
+/// Connects to the dashboard or, if there is none, to the Robot API.
+/// Errors   of the dashboard if neither responds: AddressInvalid, HostUnreachable, ConnectionRefused, Timeout,
+///          Cancelled
 Result<std::unique_ptr<RobotService>> openService(const ServiceAddress& address, const Deadline& deadline);
 
 }  // namespace tiller::dashboard

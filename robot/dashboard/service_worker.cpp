@@ -9,7 +9,7 @@
 
 namespace tiller::dashboard {
 
-// A signal is the one way to another thread's object that survives that object being deleted meanwhile.
+// A queued signal is the only safe way to call an object in another thread that may be deleted meanwhile.
 class Completion : public QObject {
     Q_OBJECT
 Q_SIGNALS:
@@ -26,11 +26,11 @@ struct ServiceWorker::Private {
     ServiceAddress address;
     std::thread thread;
     CancelToken cancel;
-    std::atomic<bool> anew{false};  ///< the next call wants a new connection
+    std::atomic<bool> renew{false};  ///< the next call opens a new connection
 
     std::mutex mutex;
     std::condition_variable wake;
-    std::deque<Entry> waiting;  // under the mutex
+    std::deque<Entry> waiting;  // protected by the mutex
 
     void run();
     std::function<void()> perform(Entry& entry, std::unique_ptr<RobotService>& service,
@@ -60,7 +60,7 @@ void ServiceWorker::Private::run() {
 
 std::function<void()> ServiceWorker::Private::perform(Entry& entry, std::unique_ptr<RobotService>& service,
                                                       const Deadline& deadline) {
-    if (anew.exchange(false) || !service || !service->isConnected()) {
+    if (renew.exchange(false) || !service || !service->isConnected()) {
         service.reset();
         auto opened = openService(address, deadline);
         if (!opened) {
@@ -100,7 +100,7 @@ void ServiceWorker::stop() {
 }
 
 void ServiceWorker::reconnect() {
-    d_->anew = true;
+    d_->renew = true;
 }
 
 void ServiceWorker::enqueue(Job job, QObject* context, std::chrono::milliseconds atMost) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The robot's service for power and programs, for threads that must not wait: calls are queued, run one after
-// the other on a thread of their own, and their results are posted back to the caller's event loop.
+// Access to the robot's service for threads that must not block: calls are queued and run one after the other in a
+// worker thread; results are posted to the event loop of the caller.
 
 #include <QObject>
 #include <QString>
@@ -16,8 +16,8 @@
 
 namespace tiller::dashboard {
 
-/// Thread: one, normal priority; started by the constructor's owner through start(), ended by stop() or the
-/// destructor, which cancel the call under way and drop those that wait. Calls cross to it, results from it.
+/// Owns one thread with normal priority; started by start(), ended by stop() or the destructor, which cancel the
+/// current call and drop all waiting calls.
 class ServiceWorker {
 public:
     explicit ServiceWorker(ServiceAddress address);
@@ -25,19 +25,20 @@ public:
     ServiceWorker(const ServiceWorker&) = delete;
     ServiceWorker& operator=(const ServiceWorker&) = delete;
 
-    /// Starts the thread; it looks for the service when the first call comes, and again after it was lost.
+    /// Starts the thread. It connects to the service at the first call, and again after a loss of the connection.
     void start();
-    void stop();  ///< Ends the thread; what waits is dropped.
+    void stop();  ///< Ends the thread and drops waiting calls.
 
-    /// The next call is made on a new connection: the controller may have forgotten the one there is without a
-    /// sign. Threads  any. Blocks: never
+    /// Makes the next call use a new connection, because the controller may have dropped the current one without
+    /// closing it.
+    /// Threads  any. Blocks: never
     void reconnect();
 
-    /// Runs `call` on the worker, then `done` with its result in the thread of `context` (not at all once
-    /// context is gone, or the worker stopped).
+    /// Runs `call` in the worker, then `done` with its result in the thread of `context` (unless context is
+    /// destroyed or the worker is stopped first).
     /// call     (RobotService&, const Deadline&) -> Result<T>
     /// done     (const Result<T>&)
-    /// atMost   for the whole call, connecting included
+    /// atMost   for the whole call, including connecting
     /// Example  worker.post([](auto& s, auto& d) { return s.look(d); }, this, [this](auto& report) { ... });
     /// Threads  any; context must outlive this call and be deleted in its own thread. Blocks: never
     template <class Call, class Done>
@@ -55,7 +56,7 @@ public:
     }
 
 private:
-    /// Runs with the service, or with null and the reason; gives what to run for the caller.
+    /// Runs with the service, or with null and the error; returns the function to run in the caller's thread.
     using Job = std::function<std::function<void()>(RobotService*, const Error&, const Deadline&)>;
     void enqueue(Job job, QObject* context, std::chrono::milliseconds atMost);
 

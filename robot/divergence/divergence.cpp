@@ -18,12 +18,12 @@ namespace {
 using simulator::arm::DrivenArm;
 using simulator::arm::Payload;
 
-constexpr double kPeriod = 0.002;     // s, of the control
-constexpr double kPeriodCb3 = 0.008;  // s
-constexpr double kLongestStep = 0.1;  // s from one row to the next; the motion between is not known beyond
-constexpr int kSettling = 10;         // control periods in which a model that was just placed is not compared
+constexpr double kPeriod = 0.002;     // control period [s]
+constexpr double kPeriodCb3 = 0.008;  // [s]
+constexpr double kLongestStep = 0.1;  // [s] between two rows; the motion during a longer gap is unknown
+constexpr int kSettling = 10;         // control periods without comparison after the model was initialized
 constexpr double kGravity = 9.82;     // m/s2
-constexpr double kMostJoint = 100;    // rad: no joint ever was there, the file is broken
+constexpr double kMostJoint = 100;    // rad: larger values mean a damaged file
 constexpr double kMostMass = 1000;    // kg
 constexpr std::uint64_t kRowsAtOnce = 4096;
 constexpr double kTeachButton = 4;  // of robot_status_bits
@@ -31,16 +31,16 @@ constexpr double kTeachButton = 4;  // of robot_status_bits
 const Quantity kQuantities[kQuantityCount] = {Quantity::JointPosition, Quantity::TcpPosition,
                                               Quantity::JointCurrent, Quantity::TcpForce};
 
-/// The numbers of a field in a recording, one column each.
+/// The components of a field in a recording, one column each.
 struct Field {
     const char* name;
     int count;
-    int first = -1;  // in what is read; -1: it was not recorded
+    int first = -1;  // first column; -1: not recorded
 
     bool isThere() const { return first >= 0; }
 };
 
-/// What of a recording is needed, and the rows that are being read.
+/// The required columns of a recording, and the rows read from it.
 class Rows {
 public:
     explicit Rows(const recording::Recording& recording) : recording_(recording) {
@@ -64,7 +64,7 @@ public:
         times_ = std::move(*times);
         return {};
     }
-    /// Of those read, at most so many.
+    /// Number of rows read, with a limit.
     std::size_t count() const {
         std::size_t least = times_.size();
         for (const auto& column : values_) {
@@ -126,7 +126,7 @@ bool isPlausible(const Vector6& q) {
     return q.allFinite() && q.cwiseAbs().maxCoeff() < kMostJoint;
 }
 
-/// Nothing: it makes no sense, or was not told.
+/// Empty if the payload is missing or implausible.
 std::optional<Payload> payloadAt(const Rows& rows, std::size_t row) {
     Payload payload;
     payload.mass = rows.number(rows.mass, row);
@@ -140,12 +140,12 @@ std::optional<Payload> payloadAt(const Rows& rows, std::size_t row) {
     return sane ? std::optional(payload) : std::nullopt;
 }
 
-/// How the arm is mounted is in no field. The torques that the controller expects at standstill tell it: they are
-/// linear in the gravity at the base.
+/// No field contains the mounting of the arm. It is derived from the target torques at standstill, which are linear
+/// in the gravity in the base frame.
 Result<Eigen::Vector3d> gravityOf(Rows& rows, const RobotModel& model, recording::RowRange range) {
     constexpr std::uint64_t kSpots = 40;
     constexpr double kStanding = 1e-4;  // rad/s
-    constexpr double kOffBy = 0.7;      // m/s2: beyond, the model does not explain them
+    constexpr double kOffBy = 0.7;      // m/s2: with a larger error the model does not explain the torques
     constexpr double kTilted = 0.05;    // rad
     const Eigen::Vector3d upright(0, 0, kGravity);
     if (!rows.targetMoment.isThere() || !rows.targetQd.isThere() || !rows.mass.isThere() ||
@@ -198,10 +198,10 @@ Result<Eigen::Vector3d> gravityOf(Rows& rows, const RobotModel& model, recording
     return Eigen::Vector3d(found.normalized() * kGravity);
 }
 
-/// Watches one number for the first stretch of time in which it is beyond its limit.
+/// Detects the first period during which a value exceeds its limit.
 class Stretch {
 public:
-    /// Returns  the stretch, once it has lasted: from its beginning, with the greatest amount so far
+    /// Returns  the period once it is long enough: its start, with the maximum so far
     std::optional<Difference> see(const Difference& now, double limit, double lasting) {
         if (!(now.amount > limit)) {
             begun_.reset();
@@ -211,7 +211,7 @@ public:
             begun_ = now;
         }
         begun_->amount = std::max(begun_->amount, now.amount);
-        // A hair less: times are sums of periods.
+        // With a tolerance: times are sums of periods.
         return now.seconds - begun_->seconds >= lasting * (1 - 1e-6) ? begun_ : std::nullopt;
     }
     void end() { begun_.reset(); }
@@ -220,7 +220,7 @@ private:
     std::optional<Difference> begun_;
 };
 
-/// Arm and model side by side, row by row.
+/// Compares arm and model row by row.
 class Comparison {
 public:
     Comparison(const Rows& rows, const RobotModel& model, const Limits& limits, Report& report)
@@ -241,7 +241,8 @@ public:
         need(Quantity::TcpForce, rows.actualForce);
     }
 
-    /// row  of those read; number  of the recording
+    /// row     index among the rows read
+    /// number  row number in the recording
     void look(std::size_t row, std::uint64_t number) {
         ++report_.rows;
         JointPositions q(rows_.vector<6>(rows_.targetQ, row));
@@ -287,7 +288,7 @@ private:
         }
     }
 
-    /// The drives hold the arm, and no hand leads it.
+    /// True if the drives hold the arm and it is not guided by hand.
     bool isDriven(std::size_t row) const {
         const bool running = !rows_.robotMode.isThere() ||
                              rows_.number(rows_.robotMode, row) == static_cast<double>(RobotMode::Running);
@@ -314,7 +315,7 @@ private:
         return isCompared(Quantity::JointCurrent) ? payloadAt(rows_, row) : std::nullopt;
     }
 
-    /// The model goes on to this target, by way of those that were not recorded.
+    /// Moves the model to this target, interpolating targets that were not recorded.
     void follow(const Target& to, const std::optional<Payload>& payload) {
         payloadKnown_ = payload.has_value();
         if (payload) {
@@ -356,7 +357,8 @@ private:
                      rows_.vector<3>(rows_.actualForce, row) - state.tcpForce.force);
         }
     }
-    /// From where the controller wants the TCP to be, which knows the calibration of the arm too; or else as it was told.
+    /// Computed from the controller's target TCP pose, which includes the calibration of the arm; otherwise as
+    /// recorded.
     std::optional<Eigen::Isometry3d> tcpOffsetAt(std::size_t row) const {
         const Field& field = rows_.targetPose.isThere() ? rows_.targetPose : rows_.tcpOffset;
         const Vector6 values = rows_.vector<6>(field, row);
@@ -377,7 +379,7 @@ private:
     void judgeTcp(Quantity quantity, std::size_t row, std::uint64_t number, const Eigen::Vector3d& apart) {
         outcomeOf(quantity).rows += judge({quantity, -1, number, rows_.time(row), apart.norm()}) ? 1 : 0;
     }
-    /// Returns  false: there is no value
+    /// Returns  false if there is no value
     bool judge(const Difference& now) {
         if (!std::isfinite(now.amount)) {
             return false;
@@ -389,7 +391,8 @@ private:
         const auto place = static_cast<std::size_t>(std::max(now.joint, 0));
         Stretch& stretch = stretches_[static_cast<std::size_t>(now.quantity)][place];
         const auto found = stretch.see(now, outcome.limit, limits_.lasting);
-        // Of joints that part in the same row, the one that goes farthest; of one, what it comes to.
+        // For joints that diverge in the same row, report the one with the largest deviation; for a single joint,
+        // its maximum.
         if (found && (!outcome.parted || found->row < outcome.parted->row ||
                       (found->row == outcome.parted->row && found->amount > outcome.parted->amount))) {
             outcome.parted = found;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// When an arm did not do what it should have: the targets of a recording, which are what the controller asked of its
-// joints, are given to the arm of the simulated controller, one by one in the recording's own time, and what its drives
-// and sensors answer is compared with what was recorded. Nothing touches that arm, it carries the payload that the
-// controller was told of, and it knows no friction. So they part when something pushes the arm or holds it, when the
-// payload is another one, or when a joint does not follow.
+// Finds out when an arm deviated from its expected behaviour: the recorded joint targets are applied to the arm of
+// the simulated controller with the timing of the recording, and the resulting drive and sensor values are compared
+// with the recorded ones. The simulated arm has no contact, carries the payload configured in the controller, and
+// has no friction. Therefore the two diverge if something pushes or blocks the arm, if the payload differs, or if a
+// joint does not follow.
 //
 //     const auto file = recording::openRecording(path).value();
 //     const auto report = divergence::compare(*file, {.limits = {.current = 3}});
@@ -25,79 +25,78 @@
 
 namespace tiller::divergence {
 
-/// What is compared.
+/// The compared quantities.
 enum class Quantity : std::uint8_t {
     JointPosition,  ///< actual_q [rad]
-    TcpPosition,    ///< the position of actual_TCP_pose [m]
+    TcpPosition,    ///< position in actual_TCP_pose [m]
     JointCurrent,   ///< actual_current [A]
-    TcpForce,       ///< the force of actual_TCP_force [N]
+    TcpForce,       ///< force in actual_TCP_force [N]
 };
 inline constexpr std::size_t kQuantityCount = 4;
 
-/// How far arm and model may be apart. A quantity with 0 is not compared.
-/// The defaults are meant to let pass what the model does not know of a healthy arm: lag of the drives, friction of the
-/// joints, drift of the force sensor.
+/// Permitted differences between arm and model. A quantity with limit 0 is not compared. The defaults allow for
+/// effects of a healthy arm that the model does not include: lag of the drives, friction of the joints, drift of
+/// the force sensor.
 struct Limits {
     double jointPosition = 0.00873;  ///< [rad], half a degree
     double tcpPosition = 0.005;      ///< [m]
     double current = 2.0;            ///< [A]
     double force = 30;               ///< [N]
-    double lasting = 0.01;           ///< what is beyond a limit for a shorter time is passed over [s]
+    double lasting = 0.01;           ///< minimum duration of a deviation [s]
 
-    double of(Quantity quantity) const;  ///< That of a quantity, in its unit.
+    double of(Quantity quantity) const;  ///< The limit of a quantity, in its unit.
     friend bool operator==(const Limits&, const Limits&) = default;
 };
 
 struct Choice {
     Limits limits = {};
-    /// Nothing: what the recording says itself.
+    /// Empty: as stated in the recording.
     std::optional<RobotModelId> model = {};
     double from = 0;                                         ///< [s] on the recording's time axis
     double until = std::numeric_limits<double>::infinity();  ///< [s]
-    /// Told how much of it is done, 0 to 1. Returns  false: give up, with Cancelled
+    /// Called with the completed fraction, 0 to 1. Returning false cancels with Cancelled
     std::function<bool(double)> progress = {};
 };
 
-/// How far arm and model were apart.
+/// A difference between arm and model.
 struct Difference {
     Quantity quantity = Quantity::JointPosition;
-    int joint = -1;         ///< 0 base ... 5 wrist 3; -1: it is of the TCP
-    std::uint64_t row = 0;  ///< of the recording
-    double seconds = 0;     ///< on its time axis
-    double amount = 0;      ///< in the quantity's unit
+    int joint = -1;         ///< 0 base ... 5 wrist 3; -1: TCP
+    std::uint64_t row = 0;  ///< row number in the recording
+    double seconds = 0;     ///< on the time axis of the recording
+    double amount = 0;      ///< in the unit of the quantity
 };
 
-/// What became of one quantity.
+/// The result for one quantity.
 struct Outcome {
     Quantity quantity = Quantity::JointPosition;
-    double limit = 0;                         ///< in its unit; 0: it was not to be compared
-    std::vector<std::string> missing = {};    ///< fields without which it could not be compared
-    std::uint64_t rows = 0;                   ///< compared
-    std::optional<Difference> greatest = {};  ///< of all rows; nothing: none was compared
-    /// The first instant from which on it was beyond the limit, and the greatest amount until it was back.
+    double limit = 0;                         ///< in its unit; 0: not requested
+    std::vector<std::string> missing = {};    ///< missing fields that prevented the comparison
+    std::uint64_t rows = 0;                   ///< number of compared rows
+    std::optional<Difference> greatest = {};  ///< over all rows; empty: not compared
+    /// The first deviation beyond the limit, with its maximum until the end of this deviation.
     std::optional<Difference> parted = {};
 };
 
 struct Report {
     RobotModelId model = RobotModelId::UR5e;
-    /// Acceleration the base experiences, as the controller's own torques tell it, or upright [m/s2].
+    /// Gravity vector in the base frame, derived from the controller's torques; upright otherwise [m/s2].
     Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, 9.82);
-    std::uint64_t rows = 0;     ///< looked at
-    std::uint64_t leftOut = 0;  ///< of these: arm without power, led by hand, or just behind a gap
-    std::optional<std::uint64_t> firstCompared = {};    ///< the first row that was not; nothing: none was
-    std::array<Outcome, kQuantityCount> outcomes = {};  ///< in the order of Quantity
+    std::uint64_t rows = 0;     ///< number of rows read
+    std::uint64_t leftOut = 0;  ///< rows excluded: arm without power, guided by hand, or after a gap
+    std::optional<std::uint64_t> firstCompared = {};    ///< the first compared row; empty: none
+    std::array<Outcome, kQuantityCount> outcomes = {};  ///< indexed by Quantity
 
-    /// The first instant of all at which they part; nothing: they never do.
+    /// The first deviation of any quantity; empty: none.
     std::optional<Difference> first() const;
-    /// They never were together: another arm, another payload, or something pushed from the beginning.
+    /// True if they deviated from the start: another arm, another payload, or an external force from the beginning.
     bool partedFromStart() const { return first() && first()->row == firstCompared; }
 };
 
 /// Compares a recording with the model of its arm.
-/// Errors   FieldUnknown, naming what the recording lacks of target_q and actual_q; InvalidArgument when neither recording
-///          nor choice say which arm it is, when a limit is none, or when rows are too far apart; Cancelled; those of
-///          Recording
-/// Threads  any, the recording's caller. Blocks: until it is done, some 5 us a row
+/// Errors   FieldUnknown if the recording does not contain target_q and actual_q; InvalidArgument if the robot
+///          model is unknown, a limit is invalid, or the rows are too far apart; Cancelled; those of Recording
+/// Threads  any: the thread that uses the recording. Blocks: about 5 us per row
 Result<Report> compare(const recording::Recording& recording, const Choice& choice = {});
 
 }  // namespace tiller::divergence

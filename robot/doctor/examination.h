@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Looks at everything that has to be right before a robot can be watched and moved from this PC: network,
-// ports, protocol, software, modes, registers, data rate. It asks only; it changes nothing on the robot. The
-// window's pre-flight page and `tiller-cli doctor` show the same report.
+// Checks all prerequisites for monitoring and moving a robot from this PC: network, ports, protocol, software,
+// modes, registers, data rate. The checks only read; they change no setting of the robot. The connection check in
+// the window and `tiller-cli doctor` show the same report.
 
 #include <QString>
 #include <functional>
@@ -26,7 +26,7 @@ struct Ports {
 struct Patient {
     Text host;  ///< address or name
     Ports ports;
-    /// SCHED_FIFO priority the receive thread will ask for.
+    /// SCHED_FIFO priority of the receive thread
     int priority = 90;
 };
 
@@ -34,11 +34,11 @@ struct Patient {
 /// portOffset  added to every port of the controller
 Patient patientAt(const Text& host, int portOffset = 0);
 
-/// Runs all conditions in order; one that cannot be looked at because of an earlier one is Skipped.
-/// each      called for every finding as it is made, from the calling thread; may be empty
-/// Returns   one finding for every condition, also after a cancel (the rest Skipped)
-/// Threads   any without events of the user's: call it from a worker. Blocks: some two seconds with a healthy
-///           robot, twelve at most; until the deadline at most
+/// Checks all conditions in order; conditions that depend on a failed one are Skipped.
+/// each      called with every finding from the calling thread; may be empty
+/// Returns   one finding per condition, also after a cancel (the rest Skipped)
+/// Threads   any; use a worker, because no events are processed. Blocks: about two seconds for a healthy robot, at
+///           most twelve, and at most until the deadline
 Report examine(const Patient& patient, const Deadline& deadline,
                const std::function<void(const Finding&)>& each = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// What the RTDE connection gives: protocol, software, registers, modes, data rate.
+// Checks of the RTDE connection: protocol, software, registers, modes, data rate.
 
 #include <QStringList>
 #include <QTcpSocket>
@@ -20,11 +20,11 @@ namespace {
 constexpr int kHandshakeMs = 2500;
 constexpr int kProbeMs = 1000;
 constexpr int kListenMs = 6000;
-/// So much of the controller's own time is looked at [s].
+/// Duration of the data rate measurement in controller time [s].
 constexpr double kLookSeconds = 0.5;
-/// Below this share of the packages the controller should send, its data rate is not what control needs.
+/// With a smaller share of the expected packages, the data rate is not sufficient for control.
 constexpr double kLeastShare = 0.9;
-/// The registers control.script talks through, counted from the first of a range.
+/// The registers used by control.script, counted from the start of a range.
 constexpr int kIntRegisters = 5;
 constexpr int kDoubleRegisters = 12;
 
@@ -39,8 +39,8 @@ std::vector<std::string> registersFrom(int first) {
     return names;
 }
 
-/// Whether anything at all comes back for the first request of RTDE: another protocol's text looks like the
-/// beginning of a package so long that it never ends.
+/// Whether there is any response to the first RTDE request: the text of another protocol looks like the start of a
+/// package that never ends.
 bool saysAnything(const QString& host, int port, const Deadline& deadline) {
     auto socket = script::openTcpSocket(host, port, deadline);
     if (!socket) {
@@ -204,7 +204,7 @@ void examineData(Examiner& examiner) {
                        DoctorText::tr("Close other RTDE programs, then restart the robot's controller."));
         return;
     }
-    // By the controller's own time stamps: how busy this PC is does not count against the robot.
+    // Based on the controller's time stamps, so that the load of this PC has no effect.
     const double wanted = receiver.version().maxFrequency();
     const double rate = last > first ? (packages - 1) / (last - first) : 0;
     const QString detail =
@@ -223,7 +223,7 @@ void examineData(Examiner& examiner) {
                        DoctorText::tr("the system does not grant this user real-time priority"),
                        priority.advice);
     }
-    // Without the privilege it makes no difference: that comes first.
+    // Only relevant with the priority privilege, which is reported first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
         examiner.good(Condition::WakeUpLatency,
@@ -235,7 +235,7 @@ void examineData(Examiner& examiner) {
     const receive::RobotState robot(sample);
     judgeModes(examiner, robot.robotMode(), robot.safetyMode());
     if (!robot.has("tcp_offset") || !robot.has("payload")) {
-        return;  // older software does not tell
+        return;  // not reported by older software
     }
     const bool noTool = robot.tcpOffset().position.norm() < 1e-6;
     const bool noPayload = robot.payloadMass() < 1e-6;

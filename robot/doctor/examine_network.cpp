@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Is there a host, and what listens on it.
+// Checks of the host and its open ports.
 
 #include <QHostAddress>
 #include <QHostInfo>
@@ -19,12 +19,12 @@ constexpr int kConnectMs = 2000;
 struct Door {
     Condition condition;
     int port;
-    bool needed;  ///< Tiller does not work without it
+    bool needed;  ///< required by Tiller
     const char* name;
-    Error error;  ///< code None: it opened
+    Error error;  ///< code None: the port is open
 };
 
-/// All at once: a host behind a firewall that swallows everything would else cost a time-out for each port.
+/// All ports in parallel: a firewall that drops packets would otherwise cost one timeout per port.
 void tryDoors(const QString& address, std::array<Door, 5>& doors, const Deadline& deadline) {
     std::array<std::thread, 5> knocking;
     for (std::size_t i = 0; i < doors.size(); ++i) {
@@ -107,7 +107,7 @@ void examinePorts(Examiner& examiner) {
             if (door.error.code == ErrorCode::None) {
                 examiner.good(door.condition, DoctorText::tr("dashboard, port %1").arg(door.port));
             }
-            continue;  // PolyScope X has another one: see examineService(examiner)
+            continue;  // PolyScope X has another service: see examineService(examiner)
         }
         if (door.error.code == ErrorCode::None) {
             examiner.good(door.condition, DoctorText::tr("port %1").arg(door.port));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What an examination of the way to a robot looks at, and what it found: one line per condition, each with
-// its cause and what to do about it.
+// The conditions that an examination checks, and its findings: one line per condition with cause and suggested
+// action.
 
 #include <QJsonObject>
 #include <QString>
@@ -12,16 +12,16 @@
 
 namespace tiller::doctor {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 enum class Verdict {
     Good,
-    Attention,  ///< works, but somebody should look
-    Bad,        ///< Tiller cannot work like this
-    Skipped,    ///< could not be looked at, because of another condition
+    Attention,  ///< works, but needs attention
+    Bad,        ///< prevents the use of Tiller
+    Skipped,    ///< not checked because of another condition
 };
 
-/// In the order in which they depend on each other.
+/// In the order of their dependencies.
 enum class Condition {
     Address,
     Host,
@@ -30,17 +30,17 @@ enum class Condition {
     SecondaryPort,
     RealtimePort,
     ServicePort,  ///< dashboard, or the Robot API of PolyScope X
-    Protocol,     ///< what answers on the RTDE port speaks RTDE
+    Protocol,     ///< the service on the RTDE port uses the RTDE protocol
     Software,
     Model,
     RemoteControl,
     Safety,
     Power,
-    UpperRegisters,  ///< 24-47: where the control program talks
-    LowerRegisters,  ///< 0-23: where fieldbus adapters talk
+    UpperRegisters,  ///< 24-47: used by the control program
+    LowerRegisters,  ///< 0-23: used by fieldbus adapters
     DataRate,
     Privilege,
-    WakeUpLatency,  ///< whether this PC may keep its processors from deep sleep
+    WakeUpLatency,  ///< whether this PC permits disabling deep sleep of its CPUs
     ToolAndPayload,
 };
 inline constexpr int kConditionCount = static_cast<int>(Condition::ToolAndPayload) + 1;
@@ -48,25 +48,26 @@ inline constexpr int kConditionCount = static_cast<int>(Condition::ToolAndPayloa
 struct Finding {
     Condition condition = Condition::Address;
     Verdict verdict = Verdict::Skipped;
-    QString cause;  ///< a stable name for programs and tests: "port.rtde.refused"; empty when Good or Skipped
-    QString detail;  ///< what was seen: "192.168.0.10", "500 of 500 packages a second"
-    QString fix;     ///< what to do, as sentences; empty when there is nothing to do
+    QString
+        cause;  ///< stable name for programs and tests, e.g. "port.rtde.refused"; empty if Good or Skipped
+    QString detail;  ///< observed value, e.g. "192.168.0.10", "500 of 500 packages per second"
+    QString fix;     ///< suggested action in sentences; empty if none
 };
 
 using Report = std::vector<Finding>;
 
-/// "address", "port.rtde", "registers.upper": stable, for `--json`.
+/// Stable name for `--json`, e.g. "address", "port.rtde", "registers.upper".
 QString conditionId(Condition condition);
-/// "Address resolves", for people.
+/// Title for users, e.g. "Address resolves".
 QString conditionTitle(Condition condition);
 /// "good", "attention", "bad", "skipped".
 QString verdictName(Verdict verdict);
 
-/// Bad when any finding is; else Attention when any is.
+/// Bad if any finding is Bad; otherwise Attention if any finding is.
 Verdict overall(const Report& report);
 /// {"verdict": ..., "findings": [{"condition", "title", "verdict", "cause", "detail", "fix"}, ...]}
 QJsonObject toJson(const Report& report);
-/// One line a condition, the fix indented below it.
+/// One line per condition, with an indented suggested action.
 QString toText(const Report& report);
 
 }  // namespace tiller::doctor

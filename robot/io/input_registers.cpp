@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 struct InputRegisters::Private {
     InputRegistersOptions options;
     Newest newest;
-    std::vector<std::string> names;  ///< one recipe each
+    std::vector<std::string> names;  ///< one recipe per name
     mutable std::mutex mutex;
     std::unique_ptr<rtde::Connection> connection;
     std::atomic<bool> connected{false};
@@ -68,7 +68,7 @@ struct InputRegisters::Private {
         return {};
     }
 
-    /// The robot sends nothing here, so a closed connection is only noticed by looking.
+    /// The robot sends no data on this connection, so a closed connection is only detected by checking.
     bool isAlive() const {
         return connection &&
                connection->readPackage({}, std::chrono::nanoseconds(0)) == rtde::Connection::Read::Nothing;
@@ -113,7 +113,7 @@ struct InputRegisters::Private {
         }
         const auto settled = [&] {
             const auto reported = newest(name);
-            return !reported || *reported == value;  // nobody follows it, or it is there
+            return !reported || *reported == value;  // not received, or confirmed
         };
         if (waitUntil(deadline, settled)) {
             return {};

@@ -19,12 +19,12 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// The recipes of the connection, one for what can be owned separately.
+/// The recipes of the connection: one per group that another client can use separately.
 enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kAnalog, kGroups };
 
 struct GroupFacts {
     const char* name;
-    std::array<const char*, 4> fields;  ///< the first ones that are not null
+    std::array<const char*, 4> fields;  ///< the entries before the first null
     int firstBit;
     int bits;
 };
@@ -52,7 +52,7 @@ constexpr std::array<GroupFacts, kGroups> kFacts = {{
 
 constexpr int kAnalogOutputs = 2;
 constexpr std::uint32_t kAllOutputs = (1U << kDigitalOutputs) - 1;
-// A slider is shown in whole percents; the robot may round to something of its own.
+// A slider is displayed in whole percent; the robot may round the value.
 constexpr double kSliderTolerance = 0.005;
 constexpr std::int64_t kFreshNs = 1 * kNsPerSecond;
 
@@ -70,7 +70,7 @@ Group groupOf(int output) {
     return output < kFirstConfigurable ? kStandard : output < kFirstTool ? kConfigurable : kTool;
 }
 
-/// Controllers report currents in mA or in A: the two cannot be mistaken for each other.
+/// Controllers report currents in mA or in A; the two ranges do not overlap.
 bool isLevel(double reported, AnalogDomain domain, double level) {
     constexpr double kTolerance = 0.01;  // of the range
     if (domain == AnalogDomain::Voltage) {
@@ -104,7 +104,7 @@ OutputFeedback OutputFeedback::fromReceiver(const receive::Receiver& receiver) {
             report.speedSlider = state.speedSlider();
         }
         if (const auto types = state.analogIoTypes(); types && state.has("standard_analog_output0")) {
-            constexpr unsigned kFirstOutput = 2;  // bits 0 and 1 are the inputs
+            constexpr unsigned kFirstOutput = 2;  // bits 0 and 1 are the analog inputs
             report.analogOutputs = {state.analogOutput(0), state.analogOutput(1)};
             report.analogDomains = *types >> kFirstOutput;
         }
@@ -115,7 +115,7 @@ OutputFeedback OutputFeedback::fromReceiver(const receive::Receiver& receiver) {
 struct Outputs::Link {
     OutputsOptions options;
     OutputFeedback feedback;
-    mutable std::mutex mutex;  ///< held while connecting and sending, never while waiting for the robot
+    mutable std::mutex mutex;  ///< locked while connecting and sending, never while waiting for the robot
     std::unique_ptr<rtde::Connection> connection;
     std::atomic<bool> connected{false};
     std::mutex waitMutex;
@@ -144,7 +144,7 @@ struct Outputs::Link {
         connection.reset();
     }
 
-    /// The robot sends nothing here, so a closed connection is only noticed by looking.
+    /// The robot sends no data on this connection, so a closed connection is only detected by checking.
     bool isAlive() const {
         if (!connection) {
             return false;
@@ -191,7 +191,7 @@ struct Outputs::Link {
         return error;
     }
 
-    /// Just before something is sent: only what comes later confirms it, or ends the wait for it.
+    /// The state just before sending: only later reports confirm the command or end the wait.
     struct Moment {
         std::uint64_t sequence = 0;
         std::uint64_t disconnects = 0;
@@ -213,7 +213,7 @@ struct Outputs::Link {
         if (deadline.isCancelled()) {
             return Error{ErrorCode::Cancelled, what, {}};
         }
-        // The controller may have forgotten the connection without a sign: the next call makes a new one.
+        // The controller may have dropped the connection without closing it: the next call opens a new one.
         lock.unlock();
         const std::lock_guard guard(mutex);
         drop();
@@ -261,7 +261,7 @@ Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values
                 return opened;
             }
         }
-        // All or nothing: look at every group before sending to the first.
+        // All or nothing: check every group before sending to the first.
         std::vector<Group> groups;
         for (const Group group : {kStandard, kConfigurable, kTool}) {
             const std::uint32_t ofGroup = ((1U << kFacts[group].bits) - 1) << kFacts[group].firstBit;

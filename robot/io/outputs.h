@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets digital and analog outputs and the speed slider through an RTDE connection of its own, whether or not
-// a program runs. Only the bits asked for are touched (masks), and a command is done when the robot reports
-// the new value, not when it was sent. Others may own some of these inputs: then only those are unavailable,
-// and say so.
+// Sets digital and analog outputs and the speed slider through an own RTDE connection, with or without a running
+// program. Masks leave all other outputs unchanged. A command completes when the robot reports the new value.
+// Inputs used by other clients are unavailable; all others remain usable.
 
 #include <QString>
 #include <array>
@@ -21,32 +20,33 @@
 
 namespace tiller::io {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
-/// Digital outputs as the robot numbers their bits.
+/// Bit numbers of the digital outputs.
 inline constexpr int kStandardOutputs = 8;    ///< 0 ... 7
 inline constexpr int kFirstConfigurable = 8;  ///< 8 ... 15
 inline constexpr int kFirstTool = 16;         ///< 16, 17
 inline constexpr int kDigitalOutputs = 18;
-/// The lowest place of the slider. Below it the arm would creep, and at zero it has caused protective stops:
-/// such wishes are refused, never carried out as another speed than was asked for. Whoever wants the arm to
-/// hold still stops or pauses it.
+/// Minimum of the speed slider. Lower values would make the arm creep, and zero has caused protective stops. Lower
+/// requests are refused rather than changed. To hold the arm, stop or pause it.
 inline constexpr double kLowestSpeedFraction = 0.02;
 
-/// What the robot reports, for confirmation.
+/// Values reported by the robot, used for confirmation.
 struct Report {
-    std::uint64_t sequence = 0;  ///< rises with every report; only newer ones than the command confirm it
+    std::uint64_t sequence =
+        0;  ///< increases with every report; only reports newer than the command confirm it
     std::optional<std::uint64_t> digitalOutputs;  ///< bits 0-7 standard, 8-15 configurable, 16-17 tool
     std::optional<double> speedSlider;            ///< 0 ... 1
-    /// Both analog outputs as the robot writes them (mA or A, V), and bit 0, 1: 0 current, 1 voltage.
+    /// Both analog outputs as reported by the robot (mA or A, V), and their domains in bits 0 and 1: 0 = current, 1
+    /// = voltage.
     std::optional<std::array<double, 2>> analogOutputs;
     unsigned analogDomains = 0;
 };
 struct OutputFeedback {
-    /// The newest report; called from the thread that waits for a confirmation.
+    /// Returns the newest report. Called from the thread that waits for a confirmation.
     std::function<Report()> newest;
 
-    /// From the newest sample of a receiver, which must outlive the Outputs.
+    /// Uses the newest sample of a receiver, which must outlive the Outputs.
     static OutputFeedback fromReceiver(const receive::Receiver& receiver);
 };
 
@@ -57,8 +57,8 @@ struct OutputsOptions {
     std::uint16_t port = rtde::kPort;
 };
 
-/// Threads  any; calls are carried out one after the other. Has no thread of its own: call from a worker,
-///          since confirmation waits.
+/// Threads  any; calls are serialized. There is no internal thread: call from a worker, because confirmation
+///          blocks.
 class Outputs {
 public:
     Outputs(OutputsOptions options, OutputFeedback feedback);
@@ -66,36 +66,38 @@ public:
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;
 
-    /// Connects anew, whatever there was before. Setting something without a connection tries it by itself.
-    /// Errors  as rtde::Connection::open; inputs owned by others are no error here
+    /// Opens a new connection, replacing an existing one. The set functions call it when there is no connection.
+    /// Errors  as rtde::Connection::open; inputs used by other clients do not cause an error here
     Result<void> connect(const Deadline& deadline);
-    /// Ends waiting calls too; waits for one that is connecting (its deadline's token cancels that).
+    /// Disconnects and ends waiting calls. Waits for a connection attempt in progress, which its deadline's token
+    /// can cancel.
     void disconnect();
-    /// Whether the connection stood when it was last used. Blocks: never
+    /// True if the connection was open when it was last used. Blocks: never
     bool isConnected() const;
 
-    /// Sets the outputs whose bit is set in `mask` to their bit in `values`, others stay.
-    /// Errors  NotConnected, InvalidArgument (no such output), RegisterInUse (who asks reads which inputs are
-    ///         owned by another client), FieldUnknown (this robot has no such input), LinkLost, Timeout
-    ///         (sent, but the robot does not report it), Cancelled
+    /// Sets the outputs selected by `mask` to the bits of `values`; all others stay unchanged.
+    /// Errors  NotConnected, InvalidArgument (no such output), RegisterInUse (with the inputs used by another
+    ///         client), FieldUnknown (the robot does not have the input), LinkLost, Timeout (sent, but the robot
+    ///         does not report the values), Cancelled
     /// Blocks  until the robot reports the new values, at most until the deadline
     Result<void> setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline);
-    /// Returns when the robot reports it.
+    /// Sets a single output. Errors and blocking as setDigitalOutputs().
     Result<void> setDigitalOutput(int output, bool on, const Deadline& deadline);
 
     /// fraction  0.02 ... 1
-    /// Errors    as setDigitalOutputs; InvalidArgument when it is no number or outside that range, 0 included
+    /// Errors    as setDigitalOutputs(); InvalidArgument for NaN or a value outside the range, including 0
     Result<void> setSpeedSlider(double fraction, const Deadline& deadline);
 
+    /// Sets level and domain of an output.
     /// output  0 or 1
-    /// level   0 ... 1 of 4 to 20 mA or 0 to 10 V. The domain is set with it: never left to what it was.
-    /// Errors  as setDigitalOutputs
+    /// level   0 ... 1, for 4 to 20 mA or 0 to 10 V
+    /// Errors  as setDigitalOutputs()
     Result<void> setAnalogOutput(int output, AnalogDomain domain, double level, const Deadline& deadline);
 
-    /// Whether a group of outputs can be set; the error says why not.
+    /// Whether a group of outputs can be set; otherwise the error is the reason.
     Result<void> canSetDigitalOutput(int output) const;
-    Result<void> canSetSpeedSlider() const;   ///< Why not, if not.
-    Result<void> canSetAnalogOutput() const;  ///< Why not, if not.
+    Result<void> canSetSpeedSlider() const;   ///< As canSetDigitalOutput().
+    Result<void> canSetAnalogOutput() const;  ///< As canSetDigitalOutput().
 
 private:
     struct Link;

@@ -16,12 +16,12 @@ namespace {
 using std::chrono::milliseconds;
 using Status = native_socket::Status;
 
-/// Longer than any answer [bytes]: who says more without a line end is no gripper.
+/// Longer than any valid reply [bytes]; a longer line does not come from a gripper.
 constexpr std::size_t kLongestReply = 1024;
-constexpr std::size_t kQuoted = 80;  // [bytes] of such an answer
-/// Between two questions of one wait.
+constexpr std::size_t kQuoted = 80;  // quoted length of an invalid reply [bytes]
+/// Interval between two requests of a wait.
 constexpr milliseconds kAskEvery(10);
-/// With less time left nothing more is asked: a question broken off ends the connection.
+/// With less time left no further request is sent: an interrupted request closes the connection.
 constexpr milliseconds kLastAnswer(250);
 
 std::optional<int> numberIn(std::string_view text) {
@@ -39,7 +39,8 @@ bool isByte(int value) {
     return value >= 0 && value <= kRobotiqMost;
 }
 
-/// Whether it is one of the gripper's registers, which are bytes. Others, the counter of cycles above all, go further.
+/// Whether the variable is a gripper register with a byte value. Other variables, such as the cycle counter, are
+/// larger.
 bool isRegister(std::string_view name) {
     constexpr std::string_view kRegisters[] = {"ACT", "GTO", "ATR", "ARD", "STA", "OBJ", "FLT",
                                                "POS", "PRE", "SPE", "FOR", "COU", "MOD"};
@@ -96,7 +97,7 @@ struct RobotiqClient::Link {
         return readReply(line, deadline);
     }
 
-    // Acknowledgements come without a line end from the real URCap, other answers with one.
+    // The real URCap sends acknowledgements without a line end, other replies with one.
     std::optional<std::string> takeReply() {
         while (true) {
             const std::size_t end = received.find('\n');
@@ -119,7 +120,7 @@ struct RobotiqClient::Link {
             if (auto reply = takeReply()) {
                 return std::move(*reply);
             }
-            // Every time round, since there is always something to receive from a peer that never pauses.
+            // Check in every iteration, because a peer that sends continuously never leaves the loop otherwise.
             if (received.size() > kLongestReply) {
                 const QString begin = QString::fromStdString(received.substr(0, kQuoted));
                 Error error = broken(ErrorCode::ProtocolError, line);
@@ -141,7 +142,8 @@ struct RobotiqClient::Link {
         }
     }
 
-    /// Until the next question; what comes unasked, the end of the connection above all, ends it sooner.
+    /// Waits until the next request; unexpected input, in particular the end of the connection, ends the wait
+    /// early.
     void pause(const Deadline& deadline) const {
         native_socket::waitReadable(descriptor, std::min(deadline.remaining(), kAskEvery));
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A Robotiq gripper at the robot's wrist, through the socket that its URCap opens on the controller: variables
-// by name (ACT, GTO, POS, ...), one line out, one answer back. The controller of the arm need not be in our
-// hands, no program has to run, and a stop of the arm does not reach the gripper: it goes on holding.
-// Source: the maker's instruction manual (registers and their meaning), and its URCap's own script.
+// Controls a Robotiq gripper at the robot's wrist through the socket of its URCap on the controller: named
+// variables
+// (ACT, GTO, POS, ...), one line per request, one reply. No control of the arm and no running program are needed. A
+// stop of the arm does not affect the gripper: it continues to hold.
+// Source: the manufacturer's instruction manual (registers and their meaning), and the script of its URCap.
 
 #include <cstdint>
 #include <memory>
@@ -19,39 +20,39 @@
 
 namespace tiller::io {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 inline constexpr int kRobotiqPort = 63352;
-/// Positions, speeds and forces go from 0 to this; position 0 is open.
+/// Maximum of positions, speeds and forces; the minimum is 0. Position 0 is open.
 inline constexpr int kRobotiqMost = 255;
 
 enum class RobotiqActivation { Reset = 0, Activating = 1, Active = 3 };
-/// What the fingers met, of the motion asked for last.
+/// Object detection during the last motion.
 enum class RobotiqObject { Moving = 0, StoppedOpening = 1, StoppedClosing = 2, AtDestination = 3 };
 enum class RobotiqFault {
     None = 0x00,
-    ActionDelayed = 0x05,  ///< asked to move while it is being activated
-    NotActivated = 0x07,   ///< asked to move before it was
+    ActionDelayed = 0x05,  ///< motion requested during activation
+    NotActivated = 0x07,   ///< motion requested before activation
     Temperature = 0x08,
     Communication = 0x09,
     UnderVoltage = 0x0A,
-    ReleaseActive = 0x0B,  ///< opens or closes slowly, by its automatic release
+    ReleaseActive = 0x0B,  ///< opening or closing slowly (automatic release)
     Internal = 0x0C,
     Activation = 0x0D,
     Overcurrent = 0x0E,
-    ReleaseFinished = 0x0F,  ///< has to be reset and activated
+    ReleaseFinished = 0x0F,  ///< reset and activation required
 };
 
-/// What the gripper says of itself, in one look.
+/// State reported by the gripper.
 struct RobotiqState {
     RobotiqActivation activation = RobotiqActivation::Reset;
     RobotiqObject object = RobotiqObject::Moving;
     RobotiqFault fault = RobotiqFault::None;
-    bool goTo = false;  ///< a motion was asked for since the activation: without one, `object` means nothing
+    bool goTo = false;  ///< a motion was requested since activation; otherwise `object` is undefined
     int position = 0;   ///< 0 open ... 255 closed
-    int requested = 0;  ///< where it was sent last
+    int requested = 0;  ///< last requested position
 
-    /// The fingers press on something, from outside or from inside.
+    /// True if the fingers hold an object from outside or inside.
     bool holds() const {
         return activation == RobotiqActivation::Active && goTo &&
                (object == RobotiqObject::StoppedClosing || object == RobotiqObject::StoppedOpening);
@@ -59,11 +60,11 @@ struct RobotiqState {
     friend bool operator==(const RobotiqState&, const RobotiqState&) = default;
 };
 
-/// Threads  one at a time. Has no thread of its own; every call blocks until the answer or the deadline.
-/// Errors   of every call: NotConnected, ConnectionClosed, Timeout (the URCap is mute), Cancelled. After one
-///          of them the connection is closed, because a late answer would be taken for that to the next line.
-///          ProtocolError: another answer than was asked for, which is in controllerMessage, or a register
-///          that is no byte. After an answer without an end the connection is closed too
+/// Threads  one at a time. There is no internal thread: every call blocks until the reply or the deadline.
+/// Errors   of every call: NotConnected, ConnectionClosed, Timeout (the URCap does not respond), Cancelled. These
+///          close the connection, because a late reply would be taken for the reply to the next request.
+///          ProtocolError: an unexpected reply (see controllerMessage), or a register value that is not a byte. A
+///          reply without a line end also closes the connection.
 class RobotiqClient {
 public:
     using Values = std::vector<std::pair<std::string, int>>;
@@ -75,27 +76,27 @@ public:
 
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused (no URCap), Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
-    void close();              ///< Harmless when not connected.
-    bool isConnected() const;  ///< As of the last call.
+    void close();              ///< Allowed without a connection.
+    bool isConnected() const;  ///< State after the last call.
 
-    /// Nothing where the URCap has no value: the gripper is without power, or there is no such variable.
+    /// Reads a variable; empty if the URCap has no value: the gripper has no power, or the variable does not exist.
     Result<std::optional<int>> get(const std::string& name, const Deadline& deadline);
-    /// Several at once.
-    /// Errors  Rejected: anything but an acknowledgement came back
+    /// Sets several variables at once.
+    /// Errors  Rejected: the reply was not an acknowledgement
     Result<void> set(const Values& values, const Deadline& deadline);
 
-    /// Reads all of RobotiqState; nothing where the gripper is without power or its cable is out.
+    /// Reads the complete RobotiqState; empty if the gripper has no power or its cable is disconnected.
     Result<std::optional<RobotiqState>> look(const Deadline& deadline);
-    /// Resets it and begins the activation, which opens and closes the fingers once: what they hold is let go.
-    /// look() tells when it is over.
-    /// Errors  Rejected: it does not become reset
+    /// Resets the gripper and starts the activation, which opens and closes the fingers once and releases a held
+    /// object. Use look() to find out when it is complete.
+    /// Errors  Rejected: the gripper does not reset
     Result<void> beginActivation(const Deadline& deadline);
-    /// Sends the fingers somewhere, and returns when the gripper has taken that: before, its state is that of
-    /// an earlier motion. look() tells when and where they stand.
+    /// Starts a motion, and returns when the gripper has accepted it; until then its state belongs to the previous
+    /// motion. Use look() to find out when and where the fingers stop.
     /// position, speed, force  0 ... 255
-    /// Errors  InvalidArgument; Rejected: it does not take the request
+    /// Errors  InvalidArgument; Rejected: the gripper does not accept the request
     Result<void> move(int position, int speed, int force, const Deadline& deadline);
-    /// Lets the fingers stand where they are; what they hold they go on holding. The next move() goes on.
+    /// Stops the fingers at their current position; a held object remains held. The next move() continues.
     Result<void> stop(const Deadline& deadline);
 
 private:

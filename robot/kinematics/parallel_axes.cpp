@@ -33,8 +33,8 @@ struct Link {
     double beta = 0;
 };
 
-/// Another description of a link that ends on the same axis: what its frame is shifted and turned by along that
-/// axis, the next joint takes up.
+/// Replaces a link by another description with the same end axis; the next joint compensates the shift and rotation
+/// of the frame along this axis.
 void replace(DhParameters& dh, int joint, const Link& with) {
     const auto i = static_cast<std::size_t>(joint);
     const Eigen::Isometry3d before = linkTransform(dh, joint, 0);
@@ -48,8 +48,8 @@ void replace(DhParameters& dh, int joint, const Link& with) {
     dh.theta[i + 1] = turnedBack(dh.theta[i + 1] + std::atan2(moved(1, 0), moved(0, 0)));
 }
 
-/// With the frame where the next axis meets the plane of this one.
-/// Returns  false when they are far from parallel, or the same
+/// Places the frame at the intersection of the next axis with the plane of this one.
+/// Returns  false if the axes are far from parallel, or identical
 bool toHayati(DhParameters& dh, int joint) {
     constexpr double kParallel = 0.9;   // cosine
     constexpr double kShortest = 1e-3;  // [m]
@@ -60,7 +60,7 @@ bool toHayati(DhParameters& dh, int joint) {
     }
     const Eigen::Vector3d met = T.translation() - axis * (T.translation().z() / axis.z());
     Link found;
-    found.a = -met.norm();  // both links point along -x in every model
+    found.a = -met.norm();  // both links point along -x in all models
     if (found.a > -kShortest) {
         return false;
     }
@@ -72,7 +72,7 @@ bool toHayati(DhParameters& dh, int joint) {
     return true;
 }
 
-/// With the frame at the foot of the common normal; parallel axes have none, and are left.
+/// Places the frame at the foot of the common normal; parallel axes have none and remain unchanged.
 void toDenavitHartenberg(DhParameters& dh, int joint) {
     const Eigen::Isometry3d T = linkTransform(dh, joint, 0);
     const Eigen::Vector3d axis = T.linear().col(2);
@@ -82,8 +82,8 @@ void toDenavitHartenberg(DhParameters& dh, int joint) {
         return;
     }
     const Eigen::Vector3d normal = across / sine;
-    const Eigen::Vector3d beside = Eigen::Vector3d::UnitZ().cross(normal);
-    const double along = -T.translation().dot(beside) / axis.dot(beside);
+    const Eigen::Vector3d lateral = Eigen::Vector3d::UnitZ().cross(normal);
+    const double along = -T.translation().dot(lateral) / axis.dot(lateral);
     replace(dh, joint,
             {std::atan2(normal.y(), normal.x()), T.translation().z() + along * axis.z(),
              T.translation().dot(normal), std::atan2(sine, axis.z()), 0});
@@ -91,10 +91,10 @@ void toDenavitHartenberg(DhParameters& dh, int joint) {
 
 }  // namespace
 
-DhParameters resolveParallelAxes(const DhParameters& told) {
-    DhParameters dh = told;
-    if (!isFinite(told) || !toHayati(dh, kUpperArm) || !toHayati(dh, kForearm)) {
-        return told;
+DhParameters resolveParallelAxes(const DhParameters& reported) {
+    DhParameters dh = reported;
+    if (!isFinite(reported) || !toHayati(dh, kUpperArm) || !toHayati(dh, kForearm)) {
+        return reported;
     }
     return dh;
 }
@@ -106,10 +106,10 @@ DhParameters asDenavitHartenberg(const DhParameters& arm) {
     return dh;
 }
 
-DhParameters calibrated(const RobotModel& model, const DhParameters& told) {
+DhParameters calibrated(const RobotModel& model, const DhParameters& reported) {
     constexpr double kLongest = 3;      // [m]
     constexpr double kShortest = 0.05;  // [m], of upper arm and forearm
-    const DhParameters arm = resolveParallelAxes(told);
+    const DhParameters arm = resolveParallelAxes(reported);
     const auto isOfAnArm = [](const std::array<double, 6>& lengths) {
         return std::ranges::all_of(lengths, [](double length) { return std::abs(length) < kLongest; });
     };

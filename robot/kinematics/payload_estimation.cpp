@@ -29,7 +29,7 @@ PayloadEstimate estimatePayload(std::span<const PayloadReading> readings, double
     if (count == 0) {
         return result;
     }
-    // force_i = R_i^T weight + zero: weight in the base frame, whichever way the arm is mounted.
+    // force_i = R_i^T weight + zero, with the weight in the base frame, for any mounting of the arm.
     Eigen::MatrixXd turns(3 * count, 6);
     Eigen::VectorXd forces(3 * count);
     Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
@@ -82,7 +82,7 @@ PayloadEstimate estimatePayload(std::span<const PayloadReading> readings, double
     result.torqueResidual = std::sqrt(torqueLeft.squaredNorm() / static_cast<double>(count));
     double worst = -1;
     for (Eigen::Index i = 0; i < count; ++i) {
-        // A newton at 0.1 m counts as much as a tenth of a newton metre.
+        // 1 N at a distance of 0.1 m counts as much as 0.1 Nm.
         const double left = forceLeft.segment<3>(3 * i).norm() + 10 * torqueLeft.segment<3>(3 * i).norm();
         if (left > worst) {
             worst = left;

@@ -33,7 +33,7 @@ SpeedBound jointSpeedBound(const DhParameters& dh, const JointPositions& from, c
     if (largest < 1e-9) {
         return {};
     }
-    // Speeds of the points while the joint that turns most turns at 1 rad/s.
+    // Speeds of the points if the joint with the largest rotation moves at 1 rad/s.
     const Vector6 qd = way / largest;
     double tcp = 0;
     double elbow = 0;
@@ -57,14 +57,14 @@ SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, co
     const double length = line.norm();
     const Eigen::Matrix3d R_start = rotationMatrix(start.rotation);
     const Eigen::Vector3d turn = rotationVector(R_start.transpose() * rotationMatrix(to.rotation));
-    // What an arm at rest measures of its own place trembles by some hundredths of a millimetre.
+    // The measured position of an arm at rest varies by some hundredths of a millimetre.
     constexpr double kOnTheSpot = 1e-4;  // [m]
     constexpr double kNoTurn = 1e-6;     // [rad]
     const bool onTheSpot = length < kOnTheSpot;
     if (onTheSpot && turn.norm() < kNoTurn) {
         return {};
     }
-    // The controller counts the angle of a turn on the spot as a path of this radius.
+    // The controller treats a pure rotation as a path with this radius.
     const double counted = onTheSpot ? turn.norm() * kTurnRadius : length;
     SpeedBound bound = onTheSpot ? SpeedBound{rotationCap * kTurnRadius, SpeedLimit::Rotation}
                                  : SpeedBound{cap, SpeedLimit::Tcp};
@@ -108,7 +108,7 @@ double moveDuration(double distance, double speed, double acceleration) {
     if (!(distance > 0 && speed > 0 && acceleration > 0)) {
         return 0;
     }
-    const double ramp = speed * speed / acceleration;  // speeding up and slowing down together
+    const double ramp = speed * speed / acceleration;  // duration of acceleration and deceleration together
     return distance < ramp ? 2 * std::sqrt(distance / acceleration) : distance / speed + speed / acceleration;
 }
 

@@ -25,7 +25,7 @@ TipFit fitTip(std::span<const Eigen::Isometry3d> T_base_flange) {
     if (count == 0) {
         return fit;
     }
-    // R_i tip + p_i = point. Taken from the mean of all, the point drops out, and what is left stays small.
+    // R_i tip + p_i = point. Subtracting the mean eliminates the point and keeps the values small.
     Eigen::Matrix3d meanR = Eigen::Matrix3d::Zero();
     Eigen::Vector3d meanP = Eigen::Vector3d::Zero();
     for (const Eigen::Isometry3d& T : T_base_flange) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where the tip of a tool is, from poses of the flange in which the tip stands on one and the same point; and how
-// the tool is turned, from one pose in which it stands along known axes, or from three along its own.
+// Determines the tip of a tool from several flange poses with the tip at the same point, and the rotation of the
+// tool from one pose with known tool axes, or from three poses along the tool axes.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -13,68 +13,69 @@
 namespace tiller::kinematics {
 
 inline constexpr int kLeastTipPoses = 4;
-/// The least that the flange must turn about its second axis of turning between the poses, as a share of what
-/// would be best (0 ... 1): below it a millimetre beside the point costs many at the tip.
+/// Minimum rotation of the flange about its second rotation axis between the poses, as a share of the optimum (0
+/// ... 1). Below this value, an error of 1 mm at the point causes an error of many millimetres at the tip.
 inline constexpr double kLeastTipSpread = 0.10;
 
-/// What the poses say of the tip, and how well they agree.
+/// The tip and the consistency of the poses.
 struct TipFit {
     enum class Problem {
         None,
         TooFew,     ///< fewer than kLeastTipPoses
-        NotFinite,  ///< a pose is no pose
-        TooAlike,   ///< the flange is turned too little, or about one axis only
+        NotFinite,  ///< a pose is not finite
+        TooAlike,   ///< the flange was rotated too little, or about one axis only
     };
     Problem problem = Problem::TooFew;
-    Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< from the flange, in its axes [m]
-    Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< what it stood on, in the base frame [m]
-    std::vector<double> residuals;                    ///< tip of each pose to the point [m]
-    double rms = 0;                                   ///< of the residuals [m]
-    int worst = 0;                                    ///< pose with the largest residual
-    double spread = 0;                                ///< see kLeastTipSpread
+    Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< in the flange frame [m]
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< the touched point in the base frame [m]
+    std::vector<double> residuals;  ///< distance of the tip from the point for each pose [m]
+    double rms = 0;                 ///< of the residuals [m]
+    int worst = 0;                  ///< index of the pose with the largest residual
+    double spread = 0;              ///< see kLeastTipSpread
 
-    bool ok() const { return problem == Problem::None; }  ///< The tip is known.
+    bool ok() const { return problem == Problem::None; }  ///< True if the tip was determined.
 };
 
-/// The tip with the least sum of squared residuals.
+/// Least-squares estimate of the tip.
 /// T_base_flange  of each pose
-/// Threads  any. Real-time: no (allocates)
+/// Threads        any. Real-time: no (allocates)
 TipFit fitTip(std::span<const Eigen::Isometry3d> T_base_flange);
 
-/// Rotation of the tool when it stands along known axes.
-/// R_base_tool  how it stands
+/// Rotation of the tool from a pose with known tool axes.
+/// R_base_tool  orientation of the tool in this pose
 /// Returns      R_flange_tool
 Eigen::Matrix3d toolRotation(const Eigen::Matrix3d& R_base_flange, const Eigen::Matrix3d& R_base_tool);
 
-/// The least way of the second and third pose of fitToolRotation(), and of the third beside the first way [m].
+/// Minimum distance of the second and third pose of fitToolRotation() from the first, and of the third from the
+/// line through the first two [m].
 inline constexpr double kLeastAxisWay = 0.020;
 inline constexpr double kLeastAxisOffset = 0.010;
-/// How far the flange may turn between the three [rad].
+/// Maximum rotation of the flange between the three poses [rad].
 inline constexpr double kMostAxisTurn = 0.0175;
 
 struct ToolRotationFit {
     enum class Problem {
         None,
         NotFinite,
-        Turned,  ///< the flange turned on the way, by more than kMostAxisTurn
+        Turned,  ///< the flange rotated by more than kMostAxisTurn
         ZTooClose,
         XTooClose,
-        InLine,  ///< the third pose lies beside the way to the second by less than kLeastAxisOffset
+        InLine,  ///< the third pose is closer than kLeastAxisOffset to the line through the first two
     };
     Problem problem = Problem::NotFinite;
     Eigen::Matrix3d R_flange_tool = Eigen::Matrix3d::Identity();
-    double alongZ = 0;    ///< way from the first to the second [m]
-    double towardsX = 0;  ///< way from the first to the third [m]
-    double offLine = 0;   ///< the third beside the line through the first two [m]
+    double alongZ = 0;    ///< distance from the first to the second pose [m]
+    double towardsX = 0;  ///< distance from the first to the third pose [m]
+    double offLine = 0;   ///< distance of the third pose from the line through the first two [m]
     double residual =
-        0;          ///< largest turn of the flange between the three [rad]: what the result is unsure by
-    int worst = 0;  ///< 1, 2: which one was turned most against the first
-    bool ok() const { return problem == Problem::None; }  ///< The rotation is known.
+        0;          ///< largest rotation of the flange between the poses [rad]: the uncertainty of the result
+    int worst = 0;  ///< 1 or 2: the pose with the largest rotation relative to the first
+    bool ok() const { return problem == Problem::None; }  ///< True if the rotation was determined.
 };
 
-/// Rotation of the tool from three poses without a turn: the tip somewhere, moved along the tool's +Z, and moved
-/// to the side of its +X.
-/// T_base_flange  of the three
+/// Rotation of the tool from three poses with equal orientation: a start pose, one moved along the tool's +Z, and
+/// one moved towards its +X.
+/// T_base_flange  of the three poses
 ToolRotationFit fitToolRotation(const std::array<Eigen::Isometry3d, 3>& T_base_flange);
 
 }  // namespace tiller::kinematics

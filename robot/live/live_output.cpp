@@ -25,7 +25,7 @@ namespace {
 
 using namespace recording::mcap;
 
-// Two or three packages at 500 Hz; nobody's eye is quicker.
+// Two or three packages at 500 Hz; shorter intervals are not visible.
 constexpr std::chrono::milliseconds kSendEvery{5};
 constexpr std::uint32_t kJointStates = 1;
 constexpr std::uint32_t kWrench = 2;
@@ -51,7 +51,7 @@ struct LiveOutput::Worker {
     std::atomic<std::uint64_t> disconnected{0};
     std::atomic<std::uint64_t> refused{0};
     std::mutex mutex;
-    QString refusedOrigin;  ///< under the mutex
+    QString refusedOrigin;  ///< protected by the mutex
 
     // Used by the thread only.
     std::unique_ptr<FoxgloveServer> server;
@@ -150,7 +150,8 @@ struct LiveOutput::Worker {
         if (!state || sample.connection != connection) {
             RobotStateMessage fresh(options.fields, sample);
             if (!state || fresh.definition() != state->definition()) {
-                // Another robot sends other fields: a channel's definition never changes, so it gets another number.
+                // Another robot sends other fields: the definition of a channel is immutable, so a new channel
+                // number is used.
                 server->advertise({++stateChannel, kStateTopic, kStateType, fresh.definition()});
             }
             state = std::move(fresh);

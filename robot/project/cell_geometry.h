@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What stands around the arm: a floor, boxes, and planes nothing may pass. Drawn, looked at before a move, and
-// given to the simulated controller.
+// The surroundings of the arm: a floor, boxes and planes. Used by the 3D view, for checking moves, and by the
+// simulated controller.
 
 #include <QJsonObject>
 #include <QString>
@@ -21,19 +21,19 @@ inline constexpr double kMaxSafetyDistance = 0.5;        ///< [m]
 struct CellBox {
     QUuid id;
     QString name;
-    QUuid frame;                                            ///< of `pose`; null is the base frame
-    Pose pose;                                              ///< of its centre, edges along its axes [m, rad]
+    QUuid frame;  ///< reference frame of `pose`; null: base frame
+    Pose pose;    ///< of the centre; the edges are parallel to its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
-    bool enabled = true;                                    ///< false: neither drawn nor checked
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    bool enabled = true;                                    ///< false: neither displayed nor checked
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
     friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
-/// Its XY plane is the border; the arm stays on the side of +Z.
+/// The XY plane of its pose is the border; the arm stays on the +Z side.
 struct CellPlane {
     QUuid id;
     QString name;
-    QUuid frame;  ///< of `pose`; null is the base frame
+    QUuid frame;  ///< reference frame of `pose`; null: base frame
     Pose pose;    ///< [m, rad]
     bool enabled = true;
     QJsonObject extra;
@@ -44,14 +44,15 @@ using CellBoxList = EntityList<CellBox>;
 using CellPlaneList = EntityList<CellPlane>;
 
 struct CellGeometry {
-    std::optional<double> floor;  ///< its height in the base frame [m]; nothing: there is none
+    std::optional<double> floor;  ///< height in the base frame [m]; empty: no floor
     CellBoxList boxes;
     CellPlaneList planes;
-    double safetyDistance =
-        kDefaultSafetyDistance;  ///< that the arm keeps from all of it, and from itself [m]
+    double safetyDistance = kDefaultSafetyDistance;  ///< of the arm from all objects and from itself [m]
     QJsonObject extra;
 
-    bool isEmpty() const { return !floor && boxes.isEmpty() && planes.isEmpty(); }  ///< Nothing is there.
+    bool isEmpty() const {
+        return !floor && boxes.isEmpty() && planes.isEmpty();
+    }  ///< True if there are no objects.
     friend bool operator==(const CellGeometry&, const CellGeometry&) = default;
 };
 

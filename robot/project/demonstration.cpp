@@ -11,11 +11,11 @@
 namespace tiller::project {
 namespace {
 
-/// To either side of a sample [s]: a hand trembles some ten times a second.
+/// Half width of the smoothing window [s]: hand tremor has a frequency of about 10 Hz.
 constexpr double kSmoothedOver = 0.05;
-/// What an arm at rest trembles by [rad].
+/// Variation of the joints at standstill [rad].
 constexpr double kStands = 0.0005;
-/// Part of the tolerance that smoothing may use up.
+/// Fraction of the tolerance available for smoothing.
 constexpr double kSmoothingShare = 0.5;
 
 struct Offset {
@@ -33,7 +33,7 @@ public:
     Offset between(const JointPositions& a, const JointPositions& b) const {
         return {(a.values - b.values).cwiseAbs().maxCoeff(), (tcp(a) - tcp(b)).norm()};
     }
-    /// Of a place from the straight way between two others, in joint space.
+    /// Distance of a position from the straight line between two others, in joint space.
     Offset fromWay(const JointPositions& place, const JointPositions& from, const JointPositions& to,
                    const PathTolerance& tolerance) const {
         const Vector6 way = to.values - from.values;
@@ -41,7 +41,8 @@ public:
         const double at =
             length > 0 ? std::clamp((place.values - from.values).dot(way) / length, 0.0, 1.0) : 0.0;
         Offset best = between(place, JointPositions(Vector6(from.values + at * way)));
-        // Nearest for the joints is not nearest for the TCP: near an end the end itself may be.
+        // The nearest position for the joints is not the nearest one for the TCP: near an end, the end itself may
+        // be closer.
         for (const JointPositions* end : {&from, &to}) {
             if (const Offset off = between(place, *end); off.share(tolerance) < best.share(tolerance)) {
                 best = off;
@@ -58,7 +59,7 @@ private:
     const Pose& tcpOffset_;
 };
 
-/// Each sample as the mean of its neighbourhood, where that is no further off than it may be.
+/// Replaces each sample by the mean of its neighbourhood if that is within the tolerance.
 std::vector<JointPositions> smoothed(const Demonstration& shown, const Ruler& ruler,
                                      const PathTolerance& tolerance) {
     std::vector<JointPositions> out = shown.q;
@@ -113,8 +114,9 @@ std::vector<KeptPlace> keptPath(const Demonstration& shown, const DhParameters& 
     }
     const Ruler ruler(dh, tcpOffset);
     const std::vector<JointPositions> smooth = smoothed(shown, ruler, tolerance);
-    // The way between two kept places is halved at the shown place furthest off, until none is too far off. Two
-    // neighbours have none between them, and each of them is near its smoothed self.
+    // The segment between two kept positions is split at the sample with the largest deviation until all deviations
+    // are within the tolerance. Neighbouring samples have no sample in between, and each is close to its smoothed
+    // position.
     std::vector<bool> kept(shown.size(), false);
     kept.front() = kept.back() = true;
     std::vector<std::pair<std::size_t, std::size_t>> ways{{0, shown.size() - 1}};
@@ -186,7 +188,7 @@ Demonstration alongPath(const std::vector<KeptPlace>& places, double period) {
 }
 
 QByteArray demonstrationCsv(const Demonstration& shown) {
-    constexpr int kDigits = 17;  // as many as it takes to lose nothing
+    constexpr int kDigits = 17;  // full precision of a double
     QByteArray csv = "timestamp";
     for (int joint = 0; joint < 6; ++joint) {
         csv += ",actual_q_" + QByteArray::number(joint);
@@ -204,7 +206,7 @@ QByteArray demonstrationCsv(const Demonstration& shown) {
 
 Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
                                         const std::array<const std::vector<double>*, 6>& joints) {
-    constexpr double kMostTurn = 2 * std::numbers::pi;  // what any joint can
+    constexpr double kMostTurn = 2 * std::numbers::pi;  // limit of all joints
     Demonstration shown;
     for (std::size_t row = 0; row < times.size(); ++row) {
         JointPositions q;

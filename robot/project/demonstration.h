@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A motion that was shown by hand: joint positions over time, and the few of them that are worth keeping as waypoints.
-// Written as a table with the columns timestamp and actual_q_0 ... actual_q_5, as a recording has them, so that what
-// learns from demonstrations reads it as it is.
+// A motion taught by hand: joint positions over time, and the reduction to a few waypoints. Stored as a table with
+// the columns timestamp and actual_q_0 ... actual_q_5 as in a recording, which tools for learning from
+// demonstration can read directly.
 
 #include <QByteArray>
 #include <array>
@@ -17,18 +17,18 @@
 namespace tiller::project {
 
 struct Demonstration {
-    std::vector<double> times;      ///< [s], growing
-    std::vector<JointPositions> q;  ///< [rad], as many
+    std::vector<double> times;      ///< [s], increasing
+    std::vector<JointPositions> q;  ///< [rad], same size
 
     std::size_t size() const { return q.size(); }            ///< Number of samples.
-    void append(double time, const JointPositions& place) {  ///< At the end.
+    void append(double time, const JointPositions& place) {  ///< Appends a sample.
         times.push_back(time);
         q.push_back(place);
     }
 };
 
-/// How far a shown place may be from the kept path, both at once. Between two kept places the path is straight in joint
-/// space, as MoveJ goes.
+/// Permitted deviation of the taught positions from the reduced path, for both values. Between two kept positions
+/// the path is linear in joint space, as MoveJ.
 struct PathTolerance {
     double joints = 0.0087;  ///< of each joint [rad], 0.5 deg
     double tcp = 0.001;      ///< of the TCP [m]
@@ -39,34 +39,34 @@ struct KeptPlace {
     JointPositions q;
 };
 
-/// The same without the standing still at its beginning and end.
+/// Removes standstill at the beginning and the end.
 Demonstration withoutPauses(const Demonstration& shown);
 
-/// The path that is kept: smoothed over some hundredths of a second and with as few places as it takes, so that every
-/// shown place is within the tolerance of it. It begins and ends where the demonstration does.
-/// tcpOffset  with which it was shown
+/// The reduced path: smoothed over some hundredths of a second, with as few positions as possible, so that all
+/// taught positions are within the tolerance. First and last position are those of the demonstration.
+/// tcpOffset  during teaching
 /// Threads    any. Real-time: no (a millisecond or two per thousand samples)
 std::vector<KeptPlace> keptPath(const Demonstration& shown, const DhParameters& dh, const Pose& tcpOffset,
                                 const PathTolerance& tolerance);
 
-/// The largest distance of a shown place from a path of these places [rad, m].
+/// Maximum deviation of the taught positions from a path [rad, m].
 struct PathDeviation {
     double joints = 0;
     double tcp = 0;
 };
-/// Each place is compared with the part of the path of its own time; which place there is the nearest, the tolerance weighs.
+/// Compares each sample with the path at about the same time; the nearest position is weighted by the tolerance.
 PathDeviation deviation(const Demonstration& shown, const std::vector<KeptPlace>& kept,
                         const DhParameters& dh, const Pose& tcpOffset, const PathTolerance& tolerance = {});
 
-/// The motion along these places, a sample every `period` [s], and one at each place.
+/// The motion along these positions, with samples at each position and every `period` [s].
 Demonstration alongPath(const std::vector<KeptPlace>& places, double period);
 
-/// "timestamp,actual_q_0,...,actual_q_5" and a line per sample, with numbers that lose nothing.
+/// "timestamp,actual_q_0,...,actual_q_5" and one line per sample, with full precision.
 QByteArray demonstrationCsv(const Demonstration& shown);
-/// From the columns of such a table, whoever wrote it; other columns do not matter.
-/// times, joints  one after the other, of equal length
-/// Errors         FileCorrupt naming the row (counted from 1, without the heading) and what is wrong with it: not a
-///                number, time that does not grow, a joint beyond what any can turn; fewer than two rows
+/// Reads the columns of such a table from any source; other columns are ignored.
+/// times, joints  columns of equal length
+/// Errors         FileCorrupt with the row (counted from 1, without the header) and the reason: not a number, time
+///                not increasing, a joint beyond the limits of all arms; fewer than two rows
 Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
                                         const std::array<const std::vector<double>*, 6>& joints);
 

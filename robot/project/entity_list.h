@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A list of things with an id and a name, in the operator's order: frames, tools, payloads, patterns and the
-// like. Things refer to each other by id; people find them by name.
+// An ordered list of objects with an id and a name: frames, tools, payloads, patterns and others. References use
+// the id; users see the name.
 
 #include <QString>
 #include <QUuid>
@@ -13,7 +13,7 @@
 
 namespace tiller::project {
 
-/// `wanted` if nobody has that name, else with the next free number: "pick", "pick 2", "pick 3".
+/// Returns `wanted` if the name is free, otherwise with the next free number: "pick", "pick 2", "pick 3".
 QString freeName(const QString& wanted, const std::function<bool(const QString&)>& isTaken);
 
 /// Entity  has `QUuid id` and `QString name`
@@ -23,42 +23,45 @@ public:
     EntityList() = default;
     EntityList(std::initializer_list<Entity> entities) : entities_(entities) {}
 
-    std::size_t size() const { return entities_.size(); }                      ///< How many there are.
-    bool isEmpty() const { return entities_.empty(); }                         ///< None at all.
+    std::size_t size() const { return entities_.size(); }  ///< Number of entries.
+    bool isEmpty() const { return entities_.empty(); }
     const Entity& at(std::size_t index) const { return entities_.at(index); }  ///< Throws std::out_of_range.
     auto begin() const { return entities_.begin(); }
     auto end() const { return entities_.end(); }
-    void append(Entity entity) { entities_.push_back(std::move(entity)); }  ///< At the end.
-    /// index  0 ... size(); the new one stands there afterwards
+    void append(Entity entity) { entities_.push_back(std::move(entity)); }  ///< Appends at the end.
+    /// index  of the new entry, 0 ... size()
     void insert(std::size_t index, Entity entity) {
         const std::size_t at = std::min(index, entities_.size());
         entities_.insert(entities_.begin() + static_cast<std::ptrdiff_t>(at), std::move(entity));
     }
-    /// Its place stays.
+    /// Replaces an entry at the same index.
     void replace(std::size_t index, Entity entity) { entities_.at(index) = std::move(entity); }
-    void remove(std::size_t index) {  ///< Those behind move up.
+    void remove(std::size_t index) {  ///< Removes an entry; later entries move up.
         if (index < entities_.size()) {
             entities_.erase(entities_.begin() + static_cast<std::ptrdiff_t>(index));
         }
     }
-    void clear() { entities_.clear(); }  ///< All go.
+    void clear() { entities_.clear(); }
 
-    /// -1 when there is none with that id.
+    /// -1 if there is no such id.
     int indexOf(const QUuid& id) const {
         return placeOf([&](const Entity& entity) { return entity.id == id; });
     }
-    int indexOfName(const QString& name) const {  ///< -1 when there is none.
+    int indexOfName(const QString& name) const {  ///< -1 if there is no such name.
         return placeOf([&](const Entity& entity) { return entity.name == name; });
     }
-    const Entity* find(const QUuid& id) const { return pointer(indexOf(id)); }  ///< Null when there is none.
-    /// As find(). Where two have that name, which the tables of the window do not let happen, it is the
-    /// first of them.
+    const Entity* find(const QUuid& id) const {
+        return pointer(indexOf(id));
+    }  ///< Null if there is no such id.
+    /// As find(), by name. If several entries have the name (the tables of the window prevent this), returns the
+    /// first one.
     const Entity* findByName(const QString& name) const { return pointer(indexOfName(name)); }
 
-    QString uniqueName(const QString& wanted) const {  ///< As freeName(), among these.
+    QString uniqueName(const QString& wanted) const {  ///< As freeName(), with the names of this list.
         return freeName(wanted, [this](const QString& name) { return indexOfName(name) >= 0; });
     }
-    /// "frame 1", "frame 2": the next free one. stem  the word in the operator's language
+    /// The next free name of the form "frame 1", "frame 2".
+    /// stem  the word in the operator's language
     QString nextName(const QString& stem) const {
         return uniqueName(QStringLiteral("%1 %2").arg(stem).arg(size() + 1));
     }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A frame from three places of the TCP: where it begins, a point on its +X axis, and a point on the side of
-// its +Y axis. Points that lie too close together or in a line make no frame: a millimetre of error in one of
-// them would turn the axes by degrees.
+// Defines a frame by three TCP positions: the origin, a point on the +X axis, and a point on the +Y side. Points
+// that are too close together or collinear are refused: an error of 1 mm would rotate the axes by degrees.
 
 #include <optional>
 
@@ -11,40 +10,40 @@
 
 namespace tiller::project {
 
-/// In the base frame [m]; what is not taken yet is empty.
+/// In the base frame [m]; empty: not recorded yet.
 struct FramePoints {
     std::optional<Eigen::Vector3d> origin;
     std::optional<Eigen::Vector3d> onX;
     std::optional<Eigen::Vector3d> towardsY;
 };
 
-/// The least distance of either point from the origin, and of the third from the X axis [m]: one millimetre
-/// beside the mark then turns an axis by less than 3 and 6 deg.
+/// Minimum distance of both points from the origin, and of the third point from the X axis [m]: an error of 1 mm
+/// then rotates an axis by less than 3 and 6 deg.
 inline constexpr double kLeastFrameArm = 0.020;
 inline constexpr double kLeastFrameOffset = 0.010;
 
-/// What the points there are say so far.
+/// Evaluation of the points recorded so far.
 struct FramePointsCheck {
     enum class Problem {
         None,
-        Incomplete,  ///< nothing is wrong yet, but points are missing
+        Incomplete,  ///< no problem yet, but points are missing
         NotFinite,
-        XTooClose,  ///< the point on +X to the origin
-        YTooClose,  ///< the point towards +Y to the origin
-        InLine,     ///< the third point lies beside the X axis by less than kLeastFrameOffset
+        XTooClose,  ///< the point on +X is too close to the origin
+        YTooClose,  ///< the point on the +Y side is too close to the origin
+        InLine,     ///< the distance of the third point from the X axis is below kLeastFrameOffset
     };
     Problem problem = Problem::Incomplete;
     double alongX = 0;                                    ///< from the origin to the point on +X [m]
     double towardsY = 0;                                  ///< from the origin to the third point [m]
     double offLine = 0;                                   ///< from the X axis to the third point [m]
-    bool ok() const { return problem == Problem::None; }  ///< The points make a frame.
+    bool ok() const { return problem == Problem::None; }  ///< True if the points define a frame.
 };
 
 /// Threads  any. Blocks: never
 FramePointsCheck check(const FramePoints& points);
 
-/// T_base_frame: X through the second point, Y in the plane of the three and on the side of the third.
-/// Returns  nothing unless check() finds nothing
+/// T_base_frame: X through the second point, Y in the plane of the three points towards the third.
+/// Returns  empty unless check() is ok
 std::optional<Pose> frameThrough(const FramePoints& points);
 
 }  // namespace tiller::project

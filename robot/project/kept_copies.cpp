@@ -9,7 +9,7 @@
 namespace tiller::project {
 namespace {
 
-/// Field of the project file that only kept copies have.
+/// Additional field of the project file in kept copies.
 constexpr char kField[] = "keptCopy";
 
 }  // namespace
@@ -37,7 +37,7 @@ Result<void> CopyKeeper::keep(const Project& project, const QString& name, std::
         QDir().mkpath(folder_);
         file_ = QDir(folder_).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) +
                                        QStringLiteral(".tiller"));
-        // Before the file exists: no other window may offer it while this one lives.
+        // Lock before the file exists: other windows must not offer it while this window is open.
         lock_.emplace(file_);
         (void)lock_->acquire();
     }
@@ -70,7 +70,7 @@ QList<KeptCopy> keptCopies(const QString& folder) {
     for (const QFileInfo& file : files) {
         ProjectLock lock(file.filePath());
         if (lock.acquire()) {
-            continue;  // its window lives
+            continue;  // its window is still open
         }
         const Result<Project> project = loadProject(file.filePath());
         const QJsonObject about =

@@ -11,7 +11,7 @@
 namespace tiller::project {
 namespace {
 
-/// The pose in the waypoint's frame. Without the frame nothing can be said, and it stays.
+/// Stores the pose in the waypoint's frame. If the frame is missing, the waypoint remains unchanged.
 void setPlace(Waypoint& point, const Pose& T_base_tcp, const FrameList& frames) {
     point = taughtAt(point, point.joints, T_base_tcp, point.tcpOffset, frames).value_or(point);
 }
@@ -21,11 +21,11 @@ public:
     Changer(const RobotModel& from, const RobotModel& to, const FrameList& frames)
         : from_(from), to_(to), frames_(frames) {}
 
-    /// Returns  false when the new arm cannot reach it
+    /// Returns  false if the new arm cannot reach the pose
     bool keepPose(Waypoint& point) const {
         const std::optional<Pose> place = placeOf(point, from_, frames_);
         if (!place) {
-            return true;  // its frame is missing, which is shown anyway
+            return true;  // a missing frame is displayed anyway
         }
         if (point.ruling == Ruling::Joints) {
             setPlace(point, *place, frames_);
@@ -34,14 +34,14 @@ public:
     }
 
     void keepJoints(Waypoint& point) const {
-        // Where the pose rules, the joints it has now; those it was taught with may be others.
+        // If the pose is the target, use its current joint positions, which may differ from the taught ones.
         if (const Reach now = reach(from_, point, frames_); now.ok()) {
             point.joints = now.q;
         }
         setPlace(point, kinematics::forwardTcp(to_.dh, point.joints, point.tcpOffset), frames_);
     }
 
-    /// The waypoint of a pattern that it is laid by follows the pattern.
+    /// Recomputes a waypoint that was created by a pattern.
     bool layAgain(Waypoint& point, const Pattern& pattern) const {
         point.pose = poseAt(pattern, point.place);
         point.tcpOffset = pattern.first.tcpOffset;
@@ -49,7 +49,7 @@ public:
         return !place || solve(point, *place);
     }
 
-    /// Whether there are joints of the new arm that bring the flange to the same place.
+    /// Returns  true if the new arm can move the flange to the same pose
     bool keepFlange(JointPositions& q) const {
         const auto solved =
             kinematics::inverseNearest(to_.dh, kinematics::forwardTcp(from_.dh, q, {}), {}, q);
@@ -57,9 +57,9 @@ public:
         return solved.has_value();
     }
 
-    /// The same for a path, whose joints must not jump more than they did.
+    /// The same for a path, whose joint steps must not increase.
     bool keepPath(RecordedPath& path) const {
-        constexpr double kJump = 0.5;  // [rad] from one point to the next: another posture, or a singularity
+        constexpr double kJump = 0.5;  // [rad] between two points: another configuration, or a singularity
         JointPositions before;
         JointPositions last;
         for (std::size_t i = 0; i < path.points.size(); ++i) {
@@ -97,12 +97,12 @@ private:
     const FrameList& frames_;
 };
 
-/// Its corners move with its first place, so that it keeps its shape.
+/// The corners move with the first position, so that the shape is preserved.
 Pattern movedWith(const Pattern& before, const Waypoint& first) {
     Pattern after = before;
     after.first = first;
     if (first.pose == before.first.pose) {
-        return after;  // digit for digit: its waypoints are laid by it
+        return after;  // exactly equal: its waypoints are computed from it
     }
     const Eigen::Isometry3d move =
         first.pose.transform() * before.first.pose.transform().inverse(Eigen::Isometry);
@@ -137,7 +137,7 @@ ModelChange changeModel(const Project& project, const RobotModel& from, const Ro
         const Pattern& before = project.patterns.at(i);
         Waypoint first = before.first;
         if (poses) {
-            (void)changer.keepPose(first);  // its waypoints say whether they can be reached
+            (void)changer.keepPose(first);  // reachability is shown by its waypoints
         } else {
             changer.keepJoints(first);
         }

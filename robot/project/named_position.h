@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Joint positions with a name, such as Home, and the height above which the arm may travel.
+// Named joint positions, such as Home, and the safe height for travel.
 
 #include <QJsonObject>
 #include <QString>
@@ -18,24 +18,24 @@ struct NamedPosition {
     QString name;
     JointPositions joints;  ///< [rad]
     QString note;
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
     friend bool operator==(const NamedPosition&, const NamedPosition&) = default;
 };
 using PositionList = EntityList<NamedPosition>;
 
-/// Nothing stands above it: the TCP may go sideways there.
+/// No obstacles above this height: the TCP may travel horizontally there.
 struct SafeHeight {
-    QUuid frame;        ///< along whose Z it is measured; null: the base
+    QUuid frame;        ///< measured along the Z axis of this frame; null: base frame
     double height = 0;  ///< [m]
     friend bool operator==(const SafeHeight&, const SafeHeight&) = default;
 };
 
 struct Positions {
     PositionList list;
-    QUuid home;  ///< which of them the key Home goes to; null: the program's own
+    QUuid home;  ///< position for the Home key; null: default of the program
     std::optional<SafeHeight> safeHeight;
 
-    /// Null where none was chosen.
+    /// Null if not selected.
     const NamedPosition* homePosition() const { return home.isNull() ? nullptr : list.find(home); }
     friend bool operator==(const Positions&, const Positions&) = default;
 };

@@ -8,7 +8,7 @@
 namespace tiller::project {
 namespace {
 
-/// Part of the way between the first and the last of `count` places.
+/// Interpolation parameter between the first and the last of `count` positions.
 double part(int index, int count) {
     return count > 1 ? static_cast<double>(index) / (count - 1) : 0.0;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A tray, a rack or a stack: n x m places between three taught corners, in layers. It stays a pattern, which can
-// be changed later, and yields ordinary waypoints, which everything else works with.
+// A pattern such as a tray, rack or stack: columns x rows between three taught corners, in layers. It remains
+// editable and creates ordinary waypoints.
 
 #include <array>
 #include <vector>
@@ -12,12 +12,12 @@
 
 namespace tiller::project {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
-/// In which order the places of a layer follow each other; layers follow from the first one on.
+/// Order of the positions within a layer; layers follow in ascending order.
 enum class PatternOrder {
-    Rows,     ///< every row from its first place on
-    Meander,  ///< every second row backwards: the shortest way
+    Rows,     ///< every row starts at the first column
+    Meander,  ///< every second row in reverse: shortest path
 };
 
 struct PatternCell {
@@ -26,53 +26,56 @@ struct PatternCell {
     friend bool operator==(const PatternCell&, const PatternCell&) = default;
 };
 
-inline constexpr int kMostPatternSteps = 200;    ///< columns, rows or layers
-inline constexpr int kMostPatternPlaces = 5000;  ///< all of them
+inline constexpr int kMostPatternSteps = 200;    ///< limit for columns, rows and layers
+inline constexpr int kMostPatternPlaces = 5000;  ///< limit for their product
 
 struct Pattern {
     QUuid id;
     QString name;
-    /// The place at column 0, row 0, layer 0: what the others copy, but for their position. Its pose rules, and
-    /// its frame is the pattern's.
+    /// The position at column 0, row 0, layer 0: template for the others except for the position. Its pose is the
+    /// target, and its frame is the frame of the pattern.
     Waypoint first;
-    Eigen::Vector3d columnEnd = Eigen::Vector3d::Zero();  ///< last place of the first row, in that frame [m]
-    Eigen::Vector3d rowEnd = Eigen::Vector3d::Zero();     ///< first place of the last row, in that frame [m]
-    int columns = 1;                                      ///< places of a row
+    Eigen::Vector3d columnEnd =
+        Eigen::Vector3d::Zero();  ///< position at the end of the first row, in this frame [m]
+    Eigen::Vector3d rowEnd =
+        Eigen::Vector3d::Zero();  ///< position at the start of the last row, in this frame [m]
+    int columns = 1;              ///< positions per row
     int rows = 1;
     int layers = 1;
-    /// From one layer to the next, against the tool's direction (-Z of the TCP at `first`) [m]; below 0: along.
+    /// Distance of layers against the tool direction (-Z of the TCP at `first`) [m]; negative: in the tool
+    /// direction.
     double layerStep = 0;
     PatternOrder order = PatternOrder::Rows;
-    std::vector<PatternCell> excluded;  ///< left out in every layer
-    /// The waypoints the corners were taken from (first, column end, row end); null: taught with the arm.
+    std::vector<PatternCell> excluded;  ///< skipped in every layer
+    /// Waypoints used as corners (first, column end, row end); null: taught with the arm.
     std::array<QUuid, 3> corners;
     QString note;
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
 
     friend bool operator==(const Pattern&, const Pattern&) = default;
 };
 using PatternList = EntityList<Pattern>;
 
-/// The places of a pattern in their order, without those left out.
+/// The positions of a pattern in order, without the skipped ones.
 /// Threads  any. Blocks: never
 std::vector<PatternPlace> placesOf(const Pattern& pattern);
 
-/// Where a place is: T_frame_tcp.
+/// T_frame_tcp of a position.
 Pose poseAt(const Pattern& pattern, const PatternPlace& place);
 
-/// What a pattern's place is called: "tray 2.3", row before column; with layers "tray 1.2.3", layer first.
+/// Name of a position: "tray 2.3" (row, column), or "tray 1.2.3" (layer, row, column) with several layers.
 QString nameAt(const Pattern& pattern, const PatternPlace& place);
 
-/// The waypoint at a place. Its joints are the posture nearest to `near` [rad]; `near` itself where the arm
-/// cannot get there: it is kept, and marked like any waypoint out of reach.
-/// Returns  with a new id and no history
+/// The waypoint for a position. Its joint positions are the solution nearest to `near` [rad], or `near` itself if
+/// the position is unreachable; it is then marked like any unreachable waypoint.
+/// Returns  a waypoint with a new id and without history
 Waypoint waypointAt(const Pattern& pattern, const PatternPlace& place, const RobotModel& model,
                     const FrameList& frames, const JointPositions& near);
 
-/// All its waypoints in their order, each in the posture nearest to the one before.
+/// All waypoints in order, each with the joint positions nearest to the previous one.
 std::vector<Waypoint> waypointsOf(const Pattern& pattern, const RobotModel& model, const FrameList& frames);
 
-/// True when the waypoint stands where the pattern puts it; false for one that was moved by hand since.
+/// True if the waypoint has the pose given by the pattern; false after it was changed manually.
 bool isWhereLaid(const Waypoint& waypoint, const Pattern& pattern);
 
 }  // namespace tiller::project

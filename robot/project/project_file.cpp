@@ -14,7 +14,7 @@
 namespace tiller::project {
 namespace {
 
-/// As earlier versions called it; the fields are the same.
+/// Name in earlier versions; the fields are the same.
 constexpr char kFormerFormat[] = "tiller-session";
 
 QString placeOf(const QByteArray& bytes, int offset) {
@@ -33,7 +33,7 @@ Error inFile(Error error, const QString& path) {
     return error;
 }
 
-/// A file that would be written over although it cannot be read completely is kept under another name first.
+/// Keeps a file that cannot be read completely under another name before it is replaced.
 /// there  its content
 Result<QString> keepDamaged(const QString& path, const QByteArray& there) {
     if (there.isEmpty() || parseProject(there).ok()) {
@@ -155,7 +155,7 @@ Result<Project> loadProject(const QString& path) {
 
 Result<QByteArray> serializeProject(const Project& document) {
     QByteArray bytes = QJsonDocument(toJson(document)).toJson(QJsonDocument::Indented);
-    // What could not be read again must not be written: JSON has no NaN, for one.
+    // Content that could not be read again must not be written, e.g. NaN, which JSON does not support.
     const Result<Project> again = parseProject(bytes);
     if (!again) {
         return Error{ErrorCode::InvalidArgument, again.error().context, {}};

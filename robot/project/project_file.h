@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What an operator keeps between two days: the waypoints and frames of a cell, its tools, payloads, positions,
-// patterns and recorded paths, and what stands around the arm, in one JSON file ("cell-7.tiller"). Lengths in
-// metres, angles in radians, orientations as rotation vectors, masses in kilograms, times in seconds:
+// The project file: waypoints and frames of a cell, its tools, payloads, positions, patterns and recorded paths,
+// and the surroundings of the arm, in one JSON file ("cell-7.tiller"). Lengths in metres, angles in radians,
+// orientations as rotation vectors, masses in kilograms, times in seconds:
 //
 //   { "format": "tiller-project", "version": 2, "robot": "UR5e",
 //     "frames":    [ { "id", "name", "pose": [x, y, z, rx, ry, rz] } ],
@@ -26,10 +26,10 @@
 //                     "safetyDistance"?: 0.01 },
 //     "paths"?:     [ { "id", "name", "tcpOffset": [6], "tolerance", "points": [ { "t", "q": [6] } ], "note"? } ] }
 //
-// Version 1 had frames and waypoints only; what has a question mark is left out where there is nothing to say.
-// "format" was "tiller-session" before: such files are read alike, and get the new name when they are saved.
-// A file is never half written, and one that cannot be read completely is never written over: saving on top
-// of it first puts it aside. Fields this version does not know are kept and saved again.
+// Version 1 had frames and waypoints only. Fields with a question mark are omitted if empty. "format" was
+// "tiller-session" in earlier versions; such files can be read, and are converted when saved. Files are written
+// atomically. A file that cannot be read completely is never overwritten: saving first renames it. Unknown fields
+// are preserved when saving.
 
 #include <QByteArray>
 #include <QJsonObject>
@@ -50,11 +50,11 @@
 namespace tiller::project {
 
 inline constexpr int kProjectFileVersion = 2;
-/// Larger files are not read: a project of a thousand waypoints takes half a megabyte.
+/// Maximum file size; a project with a thousand waypoints has half a megabyte.
 inline constexpr qint64 kMaxProjectFileBytes = 64LL * 1024 * 1024;
 
 struct Project {
-    std::optional<RobotModelId> robot;  ///< the arm it was taught with
+    std::optional<RobotModelId> robot;  ///< the arm used for teaching
     FrameList frames;
     WaypointList waypoints;
     Tooling tooling;
@@ -62,62 +62,61 @@ struct Project {
     PatternList patterns;
     CellGeometry cell;
     PathList paths;
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
     friend bool operator==(const Project&, const Project&) = default;
 };
 
-/// One thing that is wrong with a file.
+/// One problem in a file.
 struct FileProblem {
-    QString where;  ///< "line 12, column 3", "waypoints[3].joints[2]"
-    QString what;   ///< "is not a number"
-    /// For people.
+    QString where;  ///< e.g. "line 12, column 3", "waypoints[3].joints[2]"
+    QString what;   ///< e.g. "is not a number"
+    /// Text for users.
     QString toString() const { return where.isEmpty() ? what : where + QStringLiteral(": ") + what; }
 };
 
-/// What could be read of a damaged file, and what could not.
+/// The readable part of a damaged file, with the number of lost entries.
 struct RecoveredProject {
     Project document;
     QVector<FileProblem> problems;
-    int lostWaypoints = 0;  ///< entries that were left out
+    int lostWaypoints = 0;  ///< number of skipped entries
     int lostFrames = 0;
     int lostParts = 0;       ///< tools, payloads, positions, patterns, boxes, planes and paths
-    QByteArray fingerprint;  ///< of the file's content; empty when it was not read from a file
+    QByteArray fingerprint;  ///< of the file content; empty if not read from a file
 };
 
 /// A project and the content it was read from.
 struct OpenedProject {
     Project document;
-    QByteArray fingerprint;  ///< as fingerprintOf() of the file's content
+    QByteArray fingerprint;  ///< fingerprintOf() of the file content
 };
 
-/// Identifies the content of a file, to see later whether another program has changed it.
+/// Identifies the content of a file, to detect changes by other programs.
 QByteArray fingerprintOf(const QByteArray& content);
 
-/// Everything of the file, or the first thing that is wrong with it.
-/// Errors   FileNotReadable; FileCorrupt with place and reason; VersionUnsupported for a newer file
+/// Reads the complete file, or returns the first problem. Only regular files of at most kMaxProjectFileBytes are
+/// read.
+/// Errors   FileNotReadable; FileCorrupt with location and reason; VersionUnsupported for a newer file
 /// Threads  any. Blocks: for the file system. Real-time: no
-/// Only regular files of at most kMaxProjectFileBytes are read.
 Result<Project> loadProject(const QString& path);
 Result<OpenedProject> openProject(const QString& path);  ///< As loadProject().
 Result<Project> parseProject(const QByteArray& bytes);   ///< As loadProject().
 
-/// As much of the file as makes sense: every waypoint that is whole, also from a file cut off in the middle.
-/// Never touches the file.
-/// Errors   FileNotReadable; FileCorrupt when it is not a project at all; VersionUnsupported
+/// Reads all valid entries, also from a truncated file. Never changes the file.
+/// Errors   FileNotReadable; FileCorrupt if it is not a project; VersionUnsupported
 Result<RecoveredProject> recoverProject(const QString& path);
 Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes);  ///< As recoverProject().
 
-/// What saving did.
+/// The result of saving.
 struct SaveReport {
-    QString keptCopy;             ///< "cell-7.tiller.damaged-1"; empty if no damaged file was there
-    QByteArray fingerprint;       ///< of the content written
-    bool changedByOther = false;  ///< nothing was written: the file holds something this program has not read
+    QString keptCopy;             ///< e.g. "cell-7.tiller.damaged-1"; empty if there was no damaged file
+    QByteArray fingerprint;       ///< of the written content
+    bool changedByOther = false;  ///< not written: the file has content that this program has not read
 };
 
-/// Writes a new file and replaces the old one in one step: a crash, a full disk or a power failure leaves the old one
-/// as it was.
-/// known    fingerprints of the contents that may be replaced; without it, any content. A missing file is created.
-/// Errors   InvalidArgument for values no file may hold (not finite, no name); FileNotWritable, DiskFull
+/// Replaces the file atomically: after a crash, a full disk or a power failure the old file is intact.
+/// known    fingerprints of the contents that may be replaced; without this argument, any content. A missing file
+///          is created.
+/// Errors   InvalidArgument for invalid values (not finite, no name); FileNotWritable, DiskFull
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<SaveReport> saveProject(const QString& path, const Project& document,
                                const std::optional<QList<QByteArray>>& known = std::nullopt);

@@ -109,7 +109,7 @@ std::optional<LockOwner> ProjectLock::acquire() {
 }
 
 Result<void> ProjectLock::takeOver() {
-    // Renaming the other owner's lock file away leaves its handle on a file that is no longer the lock.
+    // After renaming the other owner's lock file, its handle refers to a file that is no longer the lock.
     const QString aside = lockPath_ + QLatin1Char('.') + QUuid::createUuid().toString(QUuid::Id128);
     MoveFileExW(reinterpret_cast<const wchar_t*>(lockPath_.utf16()),
                 reinterpret_cast<const wchar_t*>(aside.utf16()), MOVEFILE_REPLACE_EXISTING);
@@ -147,7 +147,7 @@ void ProjectLock::release() {
 struct ProjectLock::Handle {
     int descriptor = -1;
     ~Handle() { ::close(descriptor); }
-    /// Whether `path` still names this file.
+    /// Whether `path` still refers to this file.
     bool isAt(const QByteArray& path) const {
         struct stat own {};
         struct stat there {};
@@ -172,7 +172,7 @@ std::optional<LockOwner> ProjectLock::acquire() {
         int descriptor =
             ::open(name.constData(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0666);
         if (descriptor < 0 && errno == EACCES) {
-            // The lock file of another user: it can be locked without writing to it.
+            // The lock file of another user: it can be locked without write access.
             descriptor = ::open(name.constData(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
         }
         if (descriptor < 0) {
@@ -183,7 +183,7 @@ std::optional<LockOwner> ProjectLock::acquire() {
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
             return errno == EWOULDBLOCK ? readOwner() : std::nullopt;
         }
-        // The owner before may have removed the file between open() and flock(): then it is no longer the lock.
+        // The previous owner may have removed the file between open() and flock(): then it is no longer the lock.
         if (handle->isAt(name)) {
             handle->writeOwner();
             handle_ = std::move(handle);
@@ -209,7 +209,7 @@ Result<void> ProjectLock::takeOver() {
     if (handle->descriptor < 0) {
         return failure();
     }
-    // Locked before it gets the lock's name: no other process can take it in between.
+    // Locked before it is renamed, so that no other process can lock it in between.
     ::flock(handle->descriptor, LOCK_EX | LOCK_NB);
     handle->writeOwner();
     if (::rename(name.constData(), QFile::encodeName(lockPath_).constData()) != 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Whether the arm can get to a waypoint, where its joints would then be, and how long the way takes.
+// Determines whether the arm can reach a waypoint, the joint positions there, and the duration of the move.
 
 #include <optional>
 
@@ -13,23 +13,23 @@ namespace tiller::project {
 struct Reach {
     enum class Obstacle {
         None,
-        OutOfReach,    ///< no joint positions give that pose
-        JointLimit,    ///< a joint would have to leave its range
-        FrameMissing,  ///< its frame is not in the project
-        OnTheWay,      ///< start and end can be reached, the straight line between them cannot
-        OtherModel,    ///< taught with another robot model: see model_change.h. reach() does not return it
+        OutOfReach,    ///< no joint positions lead to this pose
+        JointLimit,    ///< a joint would exceed its range
+        FrameMissing,  ///< the frame is not in the project
+        OnTheWay,      ///< start and end are reachable, but the straight line between them is not
+        OtherModel,    ///< taught with another robot model: see model_change.h. Not returned by reach()
     };
     Obstacle obstacle = Obstacle::OutOfReach;
     JointPositions q;  ///< target; valid for None and OnTheWay
 
-    bool ok() const { return obstacle == Obstacle::None; }  ///< It can be reached.
+    bool ok() const { return obstacle == Obstacle::None; }  ///< True if the target is reachable.
 };
 
-/// The target of a waypoint. A pose is solved nearest to the joints it was taught with.
+/// The target of a waypoint. A pose is solved nearest to the taught joint positions.
 /// Threads  any. Blocks: never
 Reach reach(const RobotModel& model, const Waypoint& waypoint, const FrameList& frames);
 
-/// What a move from here would be, to be shown before it is made.
+/// Preview of a move from the current position.
 struct MovePreview {
     Reach reach;
     int largestTurnJoint = 0;  ///< 0 ... 5
@@ -38,13 +38,12 @@ struct MovePreview {
 };
 
 /// speedFraction  speed slider, 0 < fraction <= 1
-/// A MoveL is followed in steps along its line; `reach` says OnTheWay when a step cannot be reached or a
-/// joint would jump.
+/// A MoveL is followed in steps along its line; `reach` is OnTheWay if a step is unreachable or a joint would jump.
 MovePreview previewMove(const RobotModel& model, const Waypoint& waypoint, const FrameList& frames,
                         const JointPositions& from, double speedFraction = 1.0);
 
-/// TCP pose in the base frame that brings the flange to where the waypoint wants it, when another TCP than
-/// the waypoint's own is active.
+/// TCP pose in the base frame for which the flange reaches the waypoint's flange pose, if a TCP other than the
+/// waypoint's is active.
 std::optional<Pose> targetForTcp(const Waypoint& waypoint, const FrameList& frames,
                                  const Pose& activeTcpOffset);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A motion that was shown by hand and kept: the joints over time, thinned to a tolerance that is stated.
+// A motion taught by hand: joint positions over time, reduced within a stated tolerance.
 
 #include <QDateTime>
 #include <QJsonObject>
@@ -16,7 +16,7 @@
 namespace tiller::project {
 
 struct PathPoint {
-    double time = 0;   ///< since the beginning [s], rising
+    double time = 0;   ///< since the start [s], increasing
     JointPositions q;  ///< [rad]
     friend bool operator==(const PathPoint&, const PathPoint&) = default;
 };
@@ -25,17 +25,17 @@ struct RecordedPath {
     QUuid id;
     QString name;
     Pose tcpOffset;        ///< flange to TCP while it was recorded [m, rad]
-    double tolerance = 0;  ///< the TCP was nowhere farther from the path than this when it was thinned [m]
+    double tolerance = 0;  ///< maximum distance of the TCP from the original motion due to the reduction [m]
     std::vector<PathPoint> points;
     QString note;
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
 
     double duration() const { return points.empty() ? 0 : points.back().time; }  ///< [s]
     friend bool operator==(const RecordedPath&, const RecordedPath&) = default;
 };
 using PathList = EntityList<RecordedPath>;
 
-/// More than this no path may have: half an hour at 500 Hz.
+/// Limit of a path: half an hour at 500 Hz.
 inline constexpr int kMostPathPoints = 1'000'000;
 inline constexpr double kLongestPath = 86'400;  ///< [s]
 

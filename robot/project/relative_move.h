@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A selection of waypoints moved together: by an offset, a turn or a mirror image, in the axes of any frame.
+// Moves a selection of waypoints together: by an offset, a rotation or a mirror image, relative to any frame.
 
 #include <optional>
 #include <vector>
@@ -12,17 +12,17 @@
 
 namespace tiller::project {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 struct RelativeMove {
     enum class Kind {
         Offset,  ///< by `offset` along the axes
-        Turn,    ///< by `angle` about `axis`, through the frame's origin
-        Mirror,  ///< at the plane through the frame's origin that `axis` stands upon
+        Turn,    ///< by `angle` about `axis` through the origin of the frame
+        Mirror,  ///< at the plane through the origin of the frame that is normal to `axis`
     };
     enum class Axes {
-        Frame,  ///< those of `frame`
-        Tool,   ///< of each waypoint's own TCP; for offsets and turns (about the TCP)
+        Frame,  ///< axes of `frame`
+        Tool,   ///< axes of each waypoint's TCP; for offsets and rotations (about the TCP)
     };
     Kind kind = Kind::Offset;
     Axes axes = Axes::Frame;
@@ -32,19 +32,20 @@ struct RelativeMove {
     double angle = 0;                                  ///< [rad]
 };
 
-/// Where the TCP of a waypoint is, in the base frame: by its joints or its pose, whichever rules.
-/// Returns  nothing when its frame is not in the list
+/// TCP position of a waypoint in the base frame, from its joint positions or its pose, depending on the target
+/// type.
+/// Returns  empty if its frame is not in the list
 std::optional<Pose> placeOf(const Waypoint& waypoint, const RobotModel& model, const FrameList& frames);
 
-/// T_base_tcp after the move. In a mirror image the tool's Y and Z are mirrored, and its X is what belongs to them: the
+/// T_base_tcp after the move. For a mirror image, Y and Z of the tool are mirrored and X is derived from them: the
 /// tool approaches from the mirrored side.
-/// T_base_frame  of the move's frame
+/// T_base_frame  frame of the move
 Pose movedPose(const Pose& T_base_tcp, const RelativeMove& move, const Pose& T_base_frame);
 
-/// The waypoints after the move, each in the posture nearest to the one it had. A place out of reach is kept, and marked,
-/// where the pose rules.
-/// Errors   NoSolution where the joints rule and the arm cannot get there: the names are the context, comma separated;
-///          InvalidArgument where the frame of the move or of a waypoint is not in the list
+/// The waypoints after the move, each with the joint positions nearest to the old ones. An unreachable pose target
+/// is kept and marked.
+/// Errors   NoSolution if a waypoint with joint target is unreachable: the context contains the names, separated by
+///          commas; InvalidArgument if the frame of the move or of a waypoint is not in the list
 Result<std::vector<Waypoint>> movedBy(const std::vector<Waypoint>& waypoints, const RelativeMove& move,
                                       const RobotModel& model, const FrameList& frames);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What can be mounted at the flange: tool centre points and payloads, each by name, and which of them the
-// operator works with. The controller has its own idea of both; which one is right is asked, never guessed.
+// Tools at the flange: tool centre points and payloads with names, and the selected ones. The controller has
+// separate settings; in case of a difference the user is asked.
 
 #include <QJsonObject>
 #include <QString>
@@ -15,30 +15,32 @@
 
 namespace tiller::project {
 
-inline constexpr double kWidestTool = 1.0;  ///< [m] Tool::radius
+inline constexpr double kWidestTool = 1.0;  ///< [m] limit of Tool::radius
 
-/// A tool centre point, and the space the tool takes up around the line from the flange to it.
+/// A tool centre point, with the space occupied by the tool around the line from the flange to the TCP.
 struct Tool {
     QUuid id;
     QString name;
-    Pose tcpOffset;     ///< flange to TCP [m, rad]
-    double radius = 0;  ///< of a round body from the flange to the TCP [m]; 0: it is not drawn nor looked at
+    Pose tcpOffset;  ///< flange to TCP [m, rad]
+    double radius =
+        0;  ///< radius of a cylinder from the flange to the TCP [m]; 0: neither displayed nor checked
     QString note;
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
     friend bool operator==(const Tool&, const Tool&) = default;
 };
 
-/// The heaviest payload a project may hold [kg]: above that of every model.
+/// Maximum mass in a project [kg]: above the payload of all models.
 inline constexpr double kHeaviestPayload = 50.0;
-inline constexpr double kFarthestPayload = 5.0;  ///< of its centre from the flange, along each axis [m]
+/// maximum distance of the centre of gravity from the flange, per axis [m]
+inline constexpr double kFarthestPayload = 5.0;
 
-/// What hangs at the flange, the tool with what it holds.
+/// The load at the flange: the tool including the held object.
 struct Payload {
     QUuid id;
     QString name;
     double mass = 0;                                   ///< [kg]
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of gravity, from the flange in its axes [m]
-    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the centre of gravity in the flange's axes [kg m2], where known.
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of gravity in the flange frame [m]
+    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the centre of gravity in the axes of the flange [kg m2], if known.
     std::optional<std::array<double, 6>> inertia;
     QString note;
     QJsonObject extra;
@@ -50,9 +52,9 @@ using PayloadList = EntityList<Payload>;
 
 struct Tooling {
     ToolList tools;
-    QUuid activeTool;  ///< null: whatever the controller has
+    QUuid activeTool;  ///< null: setting of the controller
     PayloadList payloads;
-    QUuid activePayload;  ///< null: whatever the controller has
+    QUuid activePayload;  ///< null: setting of the controller
     friend bool operator==(const Tooling&, const Tooling&) = default;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A taught place of the arm and how to go there. It keeps both the joints and the pose it was taught with,
-// and says which of the two rules: joints for a place that must come back with the same arm posture, the pose
-// for one that belongs to a frame and moves with it.
+// A taught position with the parameters of the move to it. It contains both the joint positions and the pose of
+// teaching, and selects one of them as the target: joint positions to reproduce the arm configuration, the pose if
+// the waypoint belongs to a frame and moves with it.
 
 #include <QJsonObject>
 #include <QString>
@@ -17,34 +17,34 @@
 
 namespace tiller::project {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 enum class MoveKind {
     Joint,   ///< MoveJ: all joints start and stop together
-    Linear,  ///< MoveL: the TCP goes along a straight line
+    Linear,  ///< MoveL: the TCP moves on a straight line
 };
 
 enum class Ruling {
-    Joints,  ///< `joints` is the target; `pose` is remembered
-    Pose,    ///< `pose` is the target; `joints` picks the arm posture
+    Joints,  ///< `joints` is the target; `pose` is informative
+    Pose,    ///< `pose` is the target; `joints` selects the configuration
 };
 
-/// Default speeds and accelerations of a new waypoint. Source: the controller's own defaults.
+/// Default speeds and accelerations of a new waypoint. Source: defaults of the controller.
 inline constexpr double kDefaultJointSpeed = 1.0471975511965976;         ///< [rad/s] 60 deg/s
 inline constexpr double kDefaultJointAcceleration = 1.3962634015954636;  ///< [rad/s2] 80 deg/s2
 inline constexpr double kDefaultToolSpeed = 0.25;                        ///< [m/s]
 inline constexpr double kDefaultToolAcceleration = 1.2;                  ///< [m/s2]
 
-/// A mark to find it by. Which colour it is on screen, the theme decides.
+/// Colour mark; the theme defines the displayed colour.
 enum class WaypointColour { None, Blue, Orange, Green, Pink, Yellow, Sky };
 
-/// Which place of which pattern a waypoint is; columns, rows and layers count from 0.
+/// The position of a waypoint in a pattern; columns, rows and layers count from 0.
 struct PatternPlace {
-    QUuid pattern;  ///< null: of none
+    QUuid pattern;  ///< null: no pattern
     int column = 0;
     int row = 0;
     int layer = 0;
-    bool isNull() const { return pattern.isNull(); }  ///< Of no pattern.
+    bool isNull() const { return pattern.isNull(); }  ///< True without a pattern.
     friend bool operator==(const PatternPlace&, const PatternPlace&) = default;
 };
 
@@ -53,30 +53,30 @@ struct Waypoint {
     QString name;
     MoveKind move = MoveKind::Joint;
     Ruling ruling = Ruling::Joints;
-    QUuid frame;     ///< of `pose`; null is the base frame
-    Pose tcpOffset;  ///< flange to TCP at the time of teaching [m, rad]
+    QUuid frame;     ///< reference frame of `pose`; null: base frame
+    Pose tcpOffset;  ///< flange to TCP during teaching [m, rad]
     JointPositions joints;
     Pose pose;                               ///< of the TCP, in `frame`
     double jointSpeed = kDefaultJointSpeed;  ///< used by MoveJ [rad/s]
     double toolSpeed = kDefaultToolSpeed;    ///< used by MoveL [m/s]
-    double blend = 0;                        ///< [m]; 0 stops in the point
-    QString group;                           ///< those with the same word belong together; may be empty
+    double blend = 0;                        ///< [m]; 0: stop at the point
+    QString group;                           ///< group name; may be empty
     WaypointColour colour = WaypointColour::None;
     QString note;             ///< may have several lines
-    WaypointActions actions;  ///< done there, in this order
-    PatternPlace place;       ///< in the pattern that made it
+    WaypointActions actions;  ///< executed at the waypoint in this order
+    PatternPlace place;       ///< position in the pattern that created it
     WaypointHistory history;
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
 
-    /// Speed and acceleration of its kind of move: [rad/s, rad/s2] or [m/s, m/s2].
+    /// Speed of the selected move type: [rad/s] or [m/s].
     double speed() const { return move == MoveKind::Joint ? jointSpeed : toolSpeed; }
-    double acceleration() const {  ///< [rad/s2] or [m/s2]
+    double acceleration() const {  ///< Acceleration of the selected move type: [rad/s2] or [m/s2]
         return move == MoveKind::Joint ? kDefaultJointAcceleration : kDefaultToolAcceleration;
     }
     friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
-/// A taught coordinate system. Waypoints given in it move when it is taught anew.
+/// A taught coordinate system. Waypoints in this frame move when it is taught again.
 struct Frame {
     QUuid id;
     QString name;

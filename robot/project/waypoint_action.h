@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is done at a waypoint once the arm is there, one after the other: outputs, waits, the gripper.
+// Actions executed one after the other at a waypoint: outputs, waits, the gripper.
 
 #include <QJsonObject>
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace tiller::project {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
-/// Digital inputs and outputs of a group, as the terminals are labelled.
+/// Digital inputs and outputs by group, as labelled on the terminals.
 enum class IoGroup {
     Standard,      ///< DI 0-7, DO 0-7
     Configurable,  ///< CI 0-7, CO 0-7
@@ -21,17 +21,17 @@ enum class IoGroup {
 inline constexpr int pinCount(IoGroup group) {  ///< Pins count from 0.
     return group == IoGroup::Tool ? 2 : 8;
 }
-/// The channel of a pin, as the robot numbers its bits: 0-7 standard, 8-15 configurable, 16-17 tool.
+/// Bit number of a pin in the robot's data: 0-7 standard, 8-15 configurable, 16-17 tool.
 inline constexpr int channelOf(IoGroup group, int pin) {
     return pin + (group == IoGroup::Standard ? 0 : group == IoGroup::Configurable ? 8 : 16);
 }
 
 struct WaypointAction {
     enum class Kind {
-        SetOutput,     ///< `group`, `pin` becomes `value`
-        PulseOutput,   ///< `group`, `pin` becomes `value` for `seconds`, and the other value afterwards
-        WaitForInput,  ///< until `group`, `pin` has `value`, for at most `seconds`; 0: as long as it is held
-        WaitTime,      ///< `seconds`
+        SetOutput,     ///< set `group`, `pin` to `value`
+        PulseOutput,   ///< set `group`, `pin` to `value` for `seconds`, then to the other value
+        WaitForInput,  ///< wait until `group`, `pin` has `value`, at most `seconds`; 0: no limit
+        WaitTime,      ///< wait for `seconds`
         OpenGripper,
         CloseGripper,
     };
@@ -40,12 +40,12 @@ struct WaypointAction {
     int pin = 0;
     bool value = true;
     double seconds = 0;  ///< 0 ... kLongestAction
-    QJsonObject extra;   ///< fields of the file that this version does not know
+    QJsonObject extra;   ///< unknown fields of the file, preserved when saving
 
-    bool usesPin() const {  ///< `group`, `pin` and `value` mean something.
+    bool usesPin() const {  ///< True if `group`, `pin` and `value` are used.
         return kind == Kind::SetOutput || kind == Kind::PulseOutput || kind == Kind::WaitForInput;
     }
-    bool usesTime() const {  ///< `seconds` means something.
+    bool usesTime() const {  ///< True if `seconds` is used.
         return kind == Kind::PulseOutput || kind == Kind::WaitForInput || kind == Kind::WaitTime;
     }
     friend bool operator==(const WaypointAction&, const WaypointAction&) = default;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a waypoint was before each of its latest changes, who made the change, and when. A value: copies share
-// what they have in common, since every undo step and every autosave keeps one.
+// The latest changes of a waypoint, with the previous values, the author and the time. A value type with shared
+// data, since every undo step and every autosave keeps a copy.
 
 #include <QDateTime>
 #include <QString>
@@ -16,14 +16,14 @@ struct WaypointRevision;
 
 class WaypointHistory {
 public:
-    /// Older ones go.
+    /// The oldest revisions are dropped.
     static constexpr int kMostRevisions = 20;
 
     int size() const { return static_cast<int>(revisions_.size()); }  ///< Number of revisions.
-    bool isEmpty() const { return revisions_.empty(); }               ///< Never changed.
-    /// The oldest is 0. Throws std::out_of_range.
+    bool isEmpty() const { return revisions_.empty(); }               ///< True if there were no changes.
+    /// Index 0 is the oldest. Throws std::out_of_range.
     const WaypointRevision& at(int index) const { return *revisions_.at(static_cast<std::size_t>(index)); }
-    /// As the newest one.
+    /// Adds the newest revision.
     void add(WaypointRevision revision);
     friend bool operator==(const WaypointHistory& a, const WaypointHistory& b);
 

@@ -62,7 +62,7 @@ std::optional<Pose> poseInBase(const Waypoint& waypoint, const FrameList& frames
         return std::nullopt;
     }
     if (waypoint.frame.isNull()) {
-        return waypoint.pose;  // digit for digit, without a way through a matrix
+        return waypoint.pose;  // exactly equal, without a conversion through a matrix
     }
     return Pose(frame->transform() * waypoint.pose.transform());
 }

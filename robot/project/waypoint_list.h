@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The waypoints of a project in the operator's order, and the frames they are given in. Plain data: undo,
-// tables and files are built around it.
+// The ordered waypoints of a project and their frames. Plain data, used by undo, tables and files.
 
 #include <optional>
 #include <vector>
@@ -16,7 +15,7 @@ class FrameList : public EntityList<Frame> {
 public:
     using EntityList::EntityList;
 
-    /// T_base_frame; the identity for the base frame, nothing for an id that is not here.
+    /// T_base_frame; the identity for the base frame (null), empty for an unknown id.
     std::optional<Pose> pose(const QUuid& id) const;
     friend bool operator==(const FrameList&, const FrameList&) = default;
 };
@@ -24,28 +23,29 @@ public:
 class WaypointList {
 public:
     int size() const { return static_cast<int>(waypoints_.size()); }  ///< Number of waypoints.
-    bool isEmpty() const { return waypoints_.empty(); }               ///< No waypoint at all.
+    bool isEmpty() const { return waypoints_.empty(); }
     /// Throws std::out_of_range.
     const Waypoint& at(int index) const { return waypoints_.at(static_cast<std::size_t>(index)); }
     auto begin() const { return waypoints_.begin(); }
     auto end() const { return waypoints_.end(); }
 
-    /// -1 when there is none.
+    /// -1 if there is no such id.
     int indexOf(const QUuid& id) const;
-    int indexOfName(const QString& name) const;  ///< -1 when there is none.
+    int indexOfName(const QString& name) const;  ///< -1 if there is no such name.
 
-    /// index  0 ... size(); the new one stands there afterwards
+    /// index  of the new waypoint, 0 ... size()
     void insert(int index, Waypoint waypoint);
-    void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }  ///< At the end.
-    Waypoint take(int index);                    ///< Out of the list; those behind move up.
-    void replace(int index, Waypoint waypoint);  ///< Its place stays.
-    /// Afterwards the waypoint that was at `from` is at `to`.
+    void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }  ///< Appends at the end.
+    Waypoint take(int index);                    ///< Removes and returns a waypoint; later ones move up.
+    void replace(int index, Waypoint waypoint);  ///< Replaces a waypoint at the same index.
+    /// Moves the waypoint at `from` to index `to`.
     void move(int from, int to);
-    void clear() { waypoints_.clear(); }  ///< All go.
+    void clear() { waypoints_.clear(); }
 
-    /// `wanted` if nobody has that name, else with the next free number: "pick", "pick 2", "pick 3".
+    /// Returns `wanted` if the name is free, otherwise with the next free number: "pick", "pick 2", "pick 3".
     QString uniqueName(const QString& wanted) const;
-    /// "waypoint 1", "waypoint 2": the next free one. stem  the word in the operator's language
+    /// The next free name of the form "waypoint 1", "waypoint 2".
+    /// stem  the word in the operator's language
     QString nextName(const QString& stem) const;
     friend bool operator==(const WaypointList&, const WaypointList&) = default;
 
@@ -53,26 +53,26 @@ private:
     std::vector<Waypoint> waypoints_;
 };
 
-/// The waypoint's TCP pose in the base frame; nothing when its frame is not in the list.
+/// TCP pose of the waypoint in the base frame; empty if its frame is not in the list.
 std::optional<Pose> poseInBase(const Waypoint& waypoint, const FrameList& frames);
 
-/// As taught: its pose is expressed in the frame, its joints kept.
-/// Returns  nothing when the frame is not in the list
+/// The waypoint taught at this position: its pose is expressed in the frame, its joint positions are set.
+/// Returns  empty if the frame is not in the list
 std::optional<Waypoint> taughtAt(Waypoint waypoint, const JointPositions& q, const Pose& T_base_tcp,
                                  const Pose& tcpOffset, const FrameList& frames);
 
-/// The same place given in another frame (null: the base): only the axes of its pose are others.
-/// Returns  nothing when one of the two frames is not in the list
+/// Expresses the same position in another frame (null: base frame); only the stored pose changes.
+/// Returns  empty if one of the two frames is not in the list
 std::optional<Waypoint> givenIn(Waypoint waypoint, const QUuid& frame, const FrameList& frames);
 
-/// True when the waypoint moves with the frame: its pose rules, and is given in it.
+/// True if the waypoint moves with the frame: its pose is the target and is expressed in this frame.
 bool movesWith(const Waypoint& waypoint, const QUuid& frame);
 
-/// How far apart two poses are: distance [m] and angle [rad].
+/// Difference of two poses: distance [m] and angle [rad].
 struct PoseDifference {
     double distance = 0;
     double angle = 0;
 };
-PoseDifference poseDifference(const Pose& a, const Pose& b);  ///< In whichever frame both are.
+PoseDifference poseDifference(const Pose& a, const Pose& b);  ///< Both poses must be in the same frame.
 
 }  // namespace tiller::project

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One change of a waypoint, with what it was before.
+// One change of a waypoint, with its previous values.
 
 #include "robot/project/waypoint.h"
 
@@ -9,15 +9,15 @@ namespace tiller::project {
 
 struct WaypointRevision {
     QDateTime at;       ///< of the change, UTC, whole seconds
-    QString who;        ///< who changed it; may be empty
-    QString what;       ///< the edit in words: "Touch up"
+    QString who;        ///< author of the change; may be empty
+    QString what;       ///< description of the change, e.g. "Touch up"
     Waypoint before;    ///< without its history
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
     friend bool operator==(const WaypointRevision&, const WaypointRevision&) = default;
 };
 
-/// `after` with its earlier self in the history: what changeWaypoint keeps.
-/// at  taken as UTC, whole seconds
+/// `after` with `before` added to its history, as stored by changeWaypoint.
+/// at  converted to UTC, whole seconds
 Waypoint withRevision(Waypoint after, const Waypoint& before, const QDateTime& at, const QString& who,
                       const QString& what);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What in a project refers to a waypoint.
+// References to a waypoint within a project.
 
 #include <QVector>
 
@@ -11,10 +11,10 @@ namespace tiller::project {
 
 struct WaypointUse {
     enum class Kind {
-        PatternPlace,   ///< it is a place of the pattern `name`
-        PatternCorner,  ///< the pattern `name` was taught at it, and follows it
-        Home,           ///< the position `name`, which is Home, is where it is
-        Position,       ///< the position `name` is where it is
+        PatternPlace,   ///< the waypoint is a position of the pattern `name`
+        PatternCorner,  ///< the pattern `name` was taught with the waypoint as a corner and depends on it
+        Home,           ///< the position `name`, which is Home, equals the waypoint
+        Position,       ///< the position `name` equals the waypoint
     };
     Kind kind = Kind::PatternPlace;
     QString name;

@@ -5,7 +5,7 @@
 
 namespace tiller::python {
 
-/// What help() says about "Class" or "Class.method"; empty when there is no such entry.
+/// Text for help() of "Class" or "Class.method"; empty if there is no such entry.
 const char* docstring(std::string_view name);
 
 }  // namespace tiller::python

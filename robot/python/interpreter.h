@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How calls that wait share the interpreter with other Python threads, and how they behave at its two ends: when the
-// process exits while daemon threads wait, and in a forked child, where the threads of the parent do not exist.
+// Handling of the Python interpreter lock in blocking calls, and of two special situations: a process exit while
+// daemon threads are waiting, and a forked child, in which the threads of the parent do not exist.
 
 #include <pybind11/pybind11.h>
 
@@ -12,9 +12,9 @@ namespace tiller::python {
 
 namespace py = pybind11;
 
-/// Lets other Python threads run during a call that may wait. Replaces py::gil_scoped_release: a thread that comes back
-/// after parkOtherThreads() never touches the interpreter again. There the interpreter would end it by unwinding its stack
-/// through destructors, which terminates the process.
+/// Releases the interpreter lock during a call that may wait. Replaces py::gil_scoped_release: a thread that
+/// returns after parkOtherThreads() never enters the interpreter again. The interpreter would otherwise end the
+/// thread by unwinding its stack through destructors, which terminates the process.
 class GilReleased {
 public:
     GilReleased();
@@ -26,9 +26,8 @@ private:
     PyThreadState* thread_;
 };
 
-/// As GilReleased, for a call that may wait for what the control thread does. A packet loop's callback, which runs in the
-/// control thread, must not make such a call: InvalidArgument is raised there.
-/// While it lives this thread runs a packet loop's callback.
+/// Marks this thread as running the callback of a packet loop. The callback runs in the control thread, so calls that
+/// may wait for that thread raise InvalidArgument.
 class InCallback {
 public:
     InCallback();
@@ -38,19 +37,20 @@ public:
 };
 bool isInCallback();
 
-/// The process exits: every wait of another thread is cancelled, and its thread sleeps until the end. Returns when all
-/// sleep, after 5 s at most. To be called by the thread that exits, when only daemon threads are left.
+/// For the exit of the process: cancels all waits of other threads, whose threads then sleep until the end. Returns
+/// when all are asleep, after 5 s at most. Call this from the exiting thread when only daemon threads remain.
 void parkOtherThreads();
 /// Whether this thread must not enter the interpreter any more.
-/// Threads  any, with or without the lock of the interpreter
+/// Threads  any, with or without the interpreter lock
 bool isParked();
-/// In a forked child: no thread of the parent waits, and its objects are not ours.
+/// For a forked child: discards the waits and objects of the parent.
 void forgetParent();
-/// Registers both with the interpreter, for modules without a Python part. To be called by the module's initialization.
+/// Registers both functions with the interpreter, for modules without a Python part. Call this from the module's
+/// initialization.
 void watchProcess();
 
-/// Of an object with threads or connections: they belong to the process that made it. A forked child must neither use them
-/// (the parent does) nor end them (its threads do not exist).
+/// Base of objects with threads or connections, which belong to the process that created them. A forked child must
+/// neither use them (the parent does) nor destroy them (their threads do not exist).
 class ProcessOwned {
 public:
     ProcessOwned();
@@ -60,7 +60,7 @@ private:
     std::uint64_t process_;
 };
 
-/// Deletes what this process made and leaves alone what its parent made.
+/// Deletes objects of this process and ignores objects of the parent.
 struct OwnDeleter {
     template <class T>
     void operator()(T* object) const {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Writes the type stub of a module next to it: make_stub.py FOLDER MODULE.
 
-pybind11 puts the signatures into the docstrings (TILLER_STUBS keeps them there); this brings them into the form type
-checkers read: arguments take any sequence of numbers, results are lists.
+pybind11 writes the signatures into the docstrings (TILLER_STUBS keeps them there); this script converts them for type
+checkers: arguments accept any sequence of numbers, results are lists.
 """
 import enum
 import importlib
@@ -28,7 +28,7 @@ _Rows = Union[Sequence[_Floats], NDArray[Any]]
 
 
 def signatures(name, doc):
-    """The signatures in a docstring, without numbers and without the function's name in front."""
+    """The signatures in a docstring, without numbers and without the name of the function."""
     found = re.findall(r"^(?:\d+\. )?%s(\(.*\)) -> (.+)$" % re.escape(name), doc or "", re.MULTILINE)
     return [(arguments, result) for arguments, result in found if arguments != "(*args, **kwargs)"]
 
@@ -38,7 +38,7 @@ def cleaned(text, module):
 
 
 def taken(arguments, module):
-    """Arguments: what may be passed for a list."""
+    """Converts the argument types: sequences are accepted for lists."""
     text = re.sub(r"^\((self|arg0): [\w.]+", "(self", arguments)
     text = text.replace("*args", "*args: Any").replace("**kwargs", "**kwargs: Any")
     for written, meant in (("List[List[float]]", "_Rows"), ("List[float]", "_Floats"), ("List[int]", "_Ints"),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What all Python modules of this room share: calls that wait let other Python threads run and end on Ctrl-C,
-// the keywords of the paper's listings are understood beside the released ones, and every object explains
-// itself: docstring, signature, repr, `with`.
+// Common functions of all Python modules in this folder: blocking calls release the interpreter and end on Ctrl-C,
+// keyword names of the publication's listings are accepted in addition to the released ones, and all objects have a
+// docstring, signature and repr, and support `with`.
 
 #include <pybind11/chrono.h>
 #include <pybind11/pybind11.h>
@@ -17,20 +17,20 @@
 
 namespace tiller::python {
 
-/// For every call that may wait.
+/// For all calls that may wait.
 using Unlocked = py::call_guard<GilReleased>;
 
-/// To be called first by each module.
+/// Each module must call this first.
 void prepareModule();
-/// To be called last: gives classes and methods the texts of docstrings.cpp and a signature that
-/// inspect.signature() understands, and the module its __version__.
+/// Each module must call this last: adds the texts of docstrings.cpp and a signature for inspect.signature() to
+/// classes and methods, and __version__ to the module.
 void finishModule(py::module_& module);
 
-/// The robot's address has two names.
+/// Accepted names of the argument for the robot's address.
 inline constexpr const char* kHostNames[] = {"hostname", "ip"};
 
-/// An interface that knows whom it was made for, and in which process. Held by OwnHolder or with the same rule: a forked
-/// child leaves it alone.
+/// An interface that stores its address and process. Held by OwnHolder or with the same rule: a forked child does
+/// not destroy it.
 template <class Interface>
 struct Shown : Interface, ProcessOwned {
     template <class... Arguments>
@@ -42,7 +42,7 @@ struct Shown : Interface, ProcessOwned {
 template <class Class>
 using OwnHolder = std::unique_ptr<Class, OwnDeleter>;
 
-/// repr(), and `with`: `begin` is called at its beginning, `end` at its end, whatever happened between.
+/// Adds repr() and `with`: `begin` is called at the start, `end` at the end in all cases.
 template <class Class, class Begin, class End>
 void defineShowing(Class& cls, Begin begin, End end) {
     using Interface = typename Class::type;
@@ -70,7 +70,7 @@ void defineShowing(Class& cls, Begin begin, End end) {
     });
 }
 
-/// A motion with speed and acceleration, which have two names each.
+/// A motion with speed and acceleration; each has two keyword names.
 template <class Class, class Function>
 void defineMove(Class& cls, const char* name, Function function, const char* target, double speed,
                 double acceleration) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Python module tiller._native: the C++ library as it is. What people use, with names, arrays and docstrings,
-// is built upon it in tiller/*.py.
+// Python module tiller._native: direct bindings of the C++ library. The public API with names, arrays and
+// docstrings is built on it in tiller/*.py.
 #include <numeric>
 #include <sstream>
 
@@ -53,7 +53,7 @@ py::tuple sampleTuple(const Sample& sample) {
 }
 
 struct NativeSubscription {
-    std::shared_ptr<NativeReceiver> receiver;  ///< keeps it running
+    std::shared_ptr<NativeReceiver> receiver;  ///< keeps it alive
     receive::Subscription subscription;
     Sample sample;
 
@@ -70,7 +70,7 @@ struct NativeRecorder : ProcessOwned {
     recording::Recorder recorder;
 };
 
-/// The format that the end of a file's name stands for.
+/// The format for the extension of a file name.
 std::shared_ptr<const recording::RecordingFormat> formatFor(const QString& path) {
     if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
         return recording::csvFormat();
@@ -82,7 +82,7 @@ std::shared_ptr<const recording::RecordingFormat> formatFor(const QString& path)
            QStringLiteral("path: it ends neither in .csv nor in .mcap")});
 }
 
-/// {column: numbers} of a whole recording.
+/// {column: numbers} of a complete recording.
 py::dict readRecording(const std::string& path) {
     std::unique_ptr<recording::Recording> file;
     std::vector<std::vector<double>> values;
@@ -141,13 +141,13 @@ void defineRecorder(py::module_& module) {
              })
         .def("progress", [](const NativeRecorder& self) {
             const auto progress = self.recorder.progress();
-            py::dict told;
-            told["state"] = toString(progress.state);
-            told["rows"] = progress.rows;
-            told["seconds"] = progress.seconds;
-            told["lost"] = progress.lost;
-            told["bytes"] = progress.bytes;
-            return told;
+            py::dict result;
+            result["state"] = toString(progress.state);
+            result["rows"] = progress.rows;
+            result["seconds"] = progress.seconds;
+            result["lost"] = progress.lost;
+            result["bytes"] = progress.bytes;
+            return result;
         });
 }
 
@@ -214,13 +214,13 @@ void defineReceive(py::module_& module) {
         .def("absent_fields", [](const NativeReceiver& self) { return self.receiver.absentFields(); })
         .def("counters", [](const NativeReceiver& self) {
             const auto counters = self.receiver.counters();
-            py::dict told;
-            told["packets"] = counters.packets;
-            told["late"] = counters.late;
-            told["lost"] = counters.lost;
-            told["reconnects"] = counters.reconnects;
-            told["rate"] = counters.rateHz;
-            return told;
+            py::dict result;
+            result["packets"] = counters.packets;
+            result["late"] = counters.late;
+            result["lost"] = counters.lost;
+            result["reconnects"] = counters.reconnects;
+            result["rate"] = counters.rateHz;
+            return result;
         });
     defineRecorder(module);
 }

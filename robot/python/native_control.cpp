@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Of tiller._native: control of the arm, motions, streams, jogs and packet loops.
+// Part of tiller._native: control of the arm, motions, streams, jogs and packet loops.
 //
-// A motion goes on without its handle, as in C++; streams and jogs end with theirs, because nothing can refresh them any
-// more. Everything ends with the controller, which every handle holds, and without the heartbeat of this process.
+// As in C++, a motion continues when its handle is deleted; streams and jogs end, because they can no longer be
+// refreshed. All of them end with the controller, which every handle keeps alive, and without the heartbeat of this
+// process.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -23,13 +24,13 @@ namespace {
 using namespace control;
 using SharedController = std::shared_ptr<NativeController>;
 
-/// A motion, and the controller that it needs.
+/// A motion, with the controller it needs.
 class NativeMotion {
 public:
     NativeMotion(SharedController controller, Motion motion)
         : controller_(std::move(controller)), motion_(std::move(motion)) {}
 
-    /// Ends it and waits for standstill. A forked child leaves it to the parent.
+    /// Ends the motion and waits for standstill. No effect in a forked child.
     void stop(const Seconds& seconds) const {
         if (controller_->isOwn()) {
             waited(seconds, [this](const Deadline& deadline) { return motion_.stop(deadline); });
@@ -45,27 +46,27 @@ public:
     std::string cause() const { return toString(motion_.state().cause); }
     py::dict progress() const {
         const MotionProgress now = motion_.progress();
-        py::dict told;
-        told["active"] = now.phase == MotionPhase::Active;
-        told["cause"] = toString(now.cause);
-        told["fraction"] = now.fraction;
-        told["waypoint"] = now.waypoint;
-        told["waypoints"] = now.waypoints;
-        told["executing"] = now.executing;
-        told["speed_fraction"] = now.speedFraction;
-        told["speed_scaling"] = now.speedScaling;
-        return told;
+        py::dict result;
+        result["active"] = now.phase == MotionPhase::Active;
+        result["cause"] = toString(now.cause);
+        result["fraction"] = now.fraction;
+        result["waypoint"] = now.waypoint;
+        result["waypoints"] = now.waypoints;
+        result["executing"] = now.executing;
+        result["speed_fraction"] = now.speedFraction;
+        result["speed_scaling"] = now.speedScaling;
+        return result;
     }
     py::object plan() const {
         if (!motion_.plan()) {
             return py::none();
         }
-        py::dict told;
-        told["duration"] = motion_.plan()->duration.count();
-        told["speed"] = motion_.plan()->speed;
-        told["limiter"] = toString(motion_.plan()->limiter.kind);
-        told["scale"] = motion_.plan()->limiter.scale;
-        return told;
+        py::dict result;
+        result["duration"] = motion_.plan()->duration.count();
+        result["speed"] = motion_.plan()->speed;
+        result["limiter"] = toString(motion_.plan()->limiter.kind);
+        result["scale"] = motion_.plan()->limiter.scale;
+        return result;
     }
     const Motion& motion() const { return motion_; }
 
@@ -74,18 +75,18 @@ private:
     Motion motion_;
 };
 
-/// [s] as Python gives it; what is out of range is refused where all options are checked.
+/// Converts seconds from Python; the range is checked together with the other options.
 std::chrono::milliseconds milliseconds(double seconds) {
     constexpr double kFarOff = 1e6;
-    const double told = std::isnan(seconds) ? -1 : std::clamp(seconds, -kFarOff, kFarOff);
-    return std::chrono::milliseconds(std::llround(told * 1000));
+    const double result = std::isnan(seconds) ? -1 : std::clamp(seconds, -kFarOff, kFarOff);
+    return std::chrono::milliseconds(std::llround(result * 1000));
 }
 
 std::unique_ptr<NativeMotion> handle(const SharedController& controller, Result<Motion> motion) {
     return std::make_unique<NativeMotion>(controller, taken(std::move(motion)));
 }
 
-/// A stream of set points that ends with this object.
+/// A set point stream that ends with this object.
 template <class Setpoints, class Target>
 struct NativeStream {
     NativeStream(const SharedController& controller, Setpoints s)
@@ -124,7 +125,7 @@ void defineStream(py::module_& module, const char* name) {
             py::arg("timeout"));
 }
 
-/// A jog that ends with this object, and 100 ms after its last refresh.
+/// A jog that ends with this object, or 100 ms after its last refresh.
 class NativeJog {
 public:
     NativeJog(const SharedController& controller, const JogTarget& target)
@@ -166,24 +167,24 @@ JogTarget jogTarget(const std::string& frame, const Six& velocity, const Six& cu
     return target;
 }
 
-/// waited  for the interpreter, which made the data older [s]
+/// waited  time spent waiting for the interpreter lock, which increases the age of the data [s]
 py::dict cycleDict(const CycleState& cycle, double waited) {
-    py::dict told;
+    py::dict result;
     const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
-    told["cycle"] = cycle.cycle;
-    told["fresh"] = cycle.fresh && cycle.age + waited <= 2 * cycle.period;
-    told["age"] = cycle.age + waited;
-    told["missed"] = cycle.missed;
-    told["time"] = cycle.time;
-    told["period"] = cycle.period;
-    told["q"] = array(cycle.q.array());
-    told["qd"] = array(cycle.qd.array());
-    told["tcp_pose"] = array(cycle.tcpPose.array());
+    result["cycle"] = cycle.cycle;
+    result["fresh"] = cycle.fresh && cycle.age + waited <= 2 * cycle.period;
+    result["age"] = cycle.age + waited;
+    result["missed"] = cycle.missed;
+    result["time"] = cycle.time;
+    result["period"] = cycle.period;
+    result["q"] = array(cycle.q.array());
+    result["qd"] = array(cycle.qd.array());
+    result["tcp_pose"] = array(cycle.tcpPose.array());
     const Vector6 speed = cycle.tcpSpeed.vector();
-    told["tcp_speed"] = py::array_t<double>(6, speed.data());
-    told["speed_fraction"] = cycle.speedFraction;
-    told["speed_scaling"] = cycle.speedScaling;
-    return told;
+    result["tcp_speed"] = py::array_t<double>(6, speed.data());
+    result["speed_fraction"] = cycle.speedFraction;
+    result["speed_scaling"] = cycle.speedScaling;
+    return result;
 }
 
 enum class LoopKind { ServoJ, ServoL, SpeedJ, SpeedL, Torque };
@@ -193,7 +194,7 @@ constexpr std::array<std::pair<const char*, LoopKind>, 5> kLoopKinds{{{"servo_j"
                                                                       {"speed_l", LoopKind::SpeedL},
                                                                       {"torque", LoopKind::Torque}}};
 
-/// Of a controller: that it runs a packet loop. There is one control thread, so there is one loop.
+/// Marks a controller as running a packet loop. There is one control thread, so only one loop is possible.
 class LoopClaim {
 public:
     explicit LoopClaim(const SharedController& controller) : controller_(controller) {
@@ -210,8 +211,8 @@ private:
     const SharedController& controller_;
 };
 
-/// Runs a loop whose target a Python callable computes. What it raises ends the loop: the arm brakes, and the
-/// caller gets the exception.
+/// Runs a loop with a Python callable for the targets. An exception ends the loop: the arm stops, and the caller
+/// receives the exception.
 py::dict packetLoop(const SharedController& controller, const std::string& name, const py::function& callback,
                     bool atOnce, const Seconds& seconds) {
     refuseInCallback();
@@ -278,41 +279,41 @@ py::dict packetLoop(const SharedController& controller, const std::string& name,
         result = error;
     }
     taken(result);
-    py::dict told;
-    told["cycles"] = report.cycles;
-    told["missed"] = report.missed;
-    told["stale"] = report.stale;
-    told["late"] = report.late;
-    told["overruns"] = report.overruns;
-    told["fast_wake_ups"] = report.fastWakeUps;
-    told["longest_call"] = static_cast<double>(report.calls.maxNs()) * 1e-9;
-    told["longest_wait"] = longestWait.count();
-    return told;
+    py::dict result;
+    result["cycles"] = report.cycles;
+    result["missed"] = report.missed;
+    result["stale"] = report.stale;
+    result["late"] = report.late;
+    result["overruns"] = report.overruns;
+    result["fast_wake_ups"] = report.fastWakeUps;
+    result["longest_call"] = static_cast<double>(report.calls.maxNs()) * 1e-9;
+    result["longest_wait"] = longestWait.count();
+    return result;
 }
 
 py::dict statusDict(const NativeController& self) {
     const ControllerStatus status = self.controller.status();
-    py::dict told;
-    told["in_control"] = status.inControl;
-    told["loss"] = toString(status.loss);
-    told["robot_mode"] = toString(status.robotMode);
-    told["safety_mode"] = toString(status.safetyMode);
-    told["moving"] = status.moving;
-    told["force_mode"] = status.forceMode;
-    told["executing"] = status.executing;
-    told["limiter"] = toString(status.limiter.kind);
-    told["limiter_joint"] = status.limiter.joint;
-    told["limiter_scale"] = status.limiter.scale;
-    told["last_cause"] = toString(status.lastCause);
-    told["last_stop_ms"] = status.lastStop.durationMs;
-    told["last_stop_mm"] = status.lastStop.distanceMm;
-    told["round_trip_ms"] = status.roundTripMs;
-    told["speed_fraction"] = status.speedFraction;
-    told["speed_scaling"] = status.speedScaling;
-    return told;
+    py::dict result;
+    result["in_control"] = status.inControl;
+    result["loss"] = toString(status.loss);
+    result["robot_mode"] = toString(status.robotMode);
+    result["safety_mode"] = toString(status.safetyMode);
+    result["moving"] = status.moving;
+    result["force_mode"] = status.forceMode;
+    result["executing"] = status.executing;
+    result["limiter"] = toString(status.limiter.kind);
+    result["limiter_joint"] = status.limiter.joint;
+    result["limiter_scale"] = status.limiter.scale;
+    result["last_cause"] = toString(status.lastCause);
+    result["last_stop_ms"] = status.lastStop.durationMs;
+    result["last_stop_mm"] = status.lastStop.distanceMm;
+    result["round_trip_ms"] = status.roundTripMs;
+    result["speed_fraction"] = status.speedFraction;
+    result["speed_scaling"] = status.speedScaling;
+    return result;
 }
 
-/// (whether it is a pose, the numbers)
+/// (whether it is a pose, numbers)
 using PathPlace = std::tuple<bool, Six>;
 /// (kind, target, via or None, speed or None, acceleration or None, blend)
 using PathRow = std::tuple<std::string, PathPlace, std::optional<PathPlace>, std::optional<double>,
@@ -322,7 +323,7 @@ constexpr std::array<std::pair<const char*, PathEntry::Kind>, 4> kPathKinds{{{"j
                                                                              {"p", PathEntry::Kind::MoveP},
                                                                              {"c", PathEntry::Kind::MoveC}}};
 
-/// speedCap  [m/s]: no default is above it
+/// speedCap  [m/s]: upper limit of the default speeds
 MotionPath pathOf(const std::vector<PathRow>& rows, double speedCap) {
     MotionPath path;
     const auto place = [](const PathPlace& given) {
@@ -337,7 +338,7 @@ MotionPath pathOf(const std::vector<PathRow>& rows, double speedCap) {
         if (via) {
             entry.via = place(*via);
         }
-        // As MoveParameters.
+        // Same defaults as MoveParameters.
         const bool turnsJoints = entry.kind == PathEntry::Kind::MoveJ;
         entry.speed = speed.value_or(turnsJoints ? 1.05 : std::min(0.25, speedCap));
         entry.acceleration = acceleration.value_or(turnsJoints ? 1.4 : 1.2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The objects of the native module that more than one of its files handles.
+// Objects used in several files of the native module.
 
 #include <atomic>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace tiller::python {
 
-/// A receiver with the clock it lives by.
+/// A receiver with its clock.
 struct NativeReceiver : ProcessOwned {
     NativeReceiver(receive::ReceiverOptions options, SharedClock c)
         : clock(std::move(c)), receiver(with(std::move(options), clock)) {}
@@ -31,7 +31,7 @@ private:
     }
 };
 
-/// A controller with the clock it lives by; motions hold on to it. In the process that made it, its end brakes the arm.
+/// A controller with its clock; motions keep it alive. Destroying it stops the arm, except in a forked child.
 struct NativeController : ProcessOwned {
     NativeController(control::ControllerOptions options, SharedClock c)
         : clock(std::move(c)), controller(with(std::move(options), clock)) {}
@@ -39,7 +39,7 @@ struct NativeController : ProcessOwned {
 
     SharedClock clock;
     control::Controller controller;
-    std::atomic<bool> runsLoop{false};  ///< a packet loop is under way
+    std::atomic<bool> runsLoop{false};  ///< a packet loop is running
 
 private:
     static control::ControllerOptions with(control::ControllerOptions options, const SharedClock& clock) {
@@ -50,10 +50,10 @@ private:
     }
 };
 
-/// InvalidArgument that lists the models is raised for another name.
+/// Raises InvalidArgument with a list of the models for an unknown name.
 RobotModelId modelNamed(const std::string& name);
 
-/// Shared, and left alone by a forked child.
+/// Creates a shared object that a forked child does not destroy.
 template <class T, class... Arguments>
 std::shared_ptr<T> sharedOwn(Arguments&&... arguments) {
     return std::shared_ptr<T>(new T(std::forward<Arguments>(arguments)...), OwnDeleter());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of tiller._native: outputs and registers, the dashboard and the Robot API, the doctor, kinematics without a
-// robot.
+// Part of tiller._native: outputs and registers, the dashboard and the Robot API, the doctor, offline kinematics.
 #include <sstream>
 
 #include "robot/core/robot_model.h"
@@ -138,19 +137,19 @@ void defineDashboard(py::module_& module) {
         .def("look", [](RobotService& self, const Seconds& seconds) {
             const auto report =
                 waited(seconds, [&](const Deadline& deadline) { return self.look(deadline); });
-            py::dict told;
-            told["kind"] = toString(report.kind);
-            told["remote_control"] = report.remoteControl;
-            told["operational_mode"] = string(report.operationalMode);
-            told["program"] = string(report.program);
-            return told;
+            py::dict result;
+            result["kind"] = toString(report.kind);
+            result["remote_control"] = report.remoteControl;
+            result["operational_mode"] = string(report.operationalMode);
+            result["program"] = string(report.program);
+            return result;
         });
     module.def(
         "recover",
         [](const std::string& host, int portOffset, bool causeInspected, bool restartSafety, bool powerOn,
            bool releaseBrakes, const py::object& progress, const Seconds& seconds) {
             const dashboard::RecoveryConsent consent{causeInspected, restartSafety, powerOn, releaseBrakes};
-            const dashboard::RecoveryProgress tell = [&](dashboard::RecoveryStep step) {
+            const dashboard::RecoveryProgress onStep = [&](dashboard::RecoveryStep step) {
                 if (isParked()) {
                     return;
                 }
@@ -159,7 +158,7 @@ void defineDashboard(py::module_& module) {
                     try {
                         progress(toString(step));
                     } catch (py::error_already_set& error) {
-                        error.restore();  // ends the wait as Ctrl-C does
+                        error.restore();  // ends the wait like Ctrl-C
                     }
                 }
             };
@@ -171,14 +170,14 @@ void defineDashboard(py::module_& module) {
                 }
                 if ((*service)->kind() == dashboard::ServiceKind::RobotApi) {
                     dashboard::RobotApiClient client(address.host, address.robotApiPort);
-                    return dashboard::recover(client, consent, deadline, tell);
+                    return dashboard::recover(client, consent, deadline, onStep);
                 }
-                service->reset();  // the server is asked through one connection
+                service->reset();  // one connection for all queries to the server
                 dashboard::DashboardClient client(address.host, address.dashboardPort);
                 if (auto connected = client.connect(deadline); !connected) {
                     return connected;
                 }
-                return dashboard::recover(client, consent, deadline, tell);
+                return dashboard::recover(client, consent, deadline, onStep);
             });
         },
         py::arg("host"), py::arg("port_offset"), py::arg("cause_inspected"), py::arg("restart_safety"),
@@ -221,12 +220,12 @@ void defineKinematics(py::module_& module) {
     });
     module.def("model_facts", [](const std::string& name) {
         const RobotModel& model = modelOf(name);
-        py::dict told;
-        told["name"] = model.name;
-        told["reach"] = model.reach;
-        told["max_payload"] = model.maxPayload;
-        told["max_joint_speed"] = model.maxJointSpeed;
-        return told;
+        py::dict result;
+        result["name"] = model.name;
+        result["reach"] = model.reach;
+        result["max_payload"] = model.maxPayload;
+        result["max_joint_speed"] = model.maxJointSpeed;
+        return result;
     });
     module.def("forward", [](const std::string& model, const Six& q, const Six& tcp) {
         return kinematics::forwardTcp(modelOf(model).dh, JointPositions(q), Pose::fromArray(tcp)).array();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of tiller._native: the simulated controller in this very process.
+// Part of tiller._native: the simulated controller in this process.
 #include <algorithm>
 #include <thread>
 
@@ -23,8 +23,8 @@ public:
     void follow(const std::shared_ptr<NativeReceiver>& receiver) { receivers_.push_back(receiver); }
     void follow(const std::shared_ptr<NativeController>& controller) { controllers_.push_back(controller); }
 
-    /// One control period of the robot and of all who share its clock: each has taken the packet in, and who
-    /// is in control has answered, when it returns.
+    /// Advances the robot and all users of its clock by one control period: on return, all clients have processed
+    /// the packet, and the controlling one has answered.
     void tick() {
         const auto receivers = living(receivers_);
         const auto controllers = living(controllers_);
@@ -44,7 +44,7 @@ public:
         const std::uint64_t inputs = robot.inputPackages();
         clock_->advanceNs(static_cast<std::int64_t>(robot.stepTime() * 1e9));
         robot.step();
-        // In real time, and only so long as somebody may still answer: a client that was stopped does not.
+        // In real time and with a limit: a stopped client does not answer.
         const auto end = std::chrono::steady_clock::now() + kPatience;
         const auto isPatient = [end] { return std::chrono::steady_clock::now() < end; };
         for (const Awaited& one : awaited) {
@@ -62,7 +62,7 @@ public:
             answering > 0 && inControl() && isPatient() &&
             !robot.waitForInputPackages(inputs + answering, Deadline::after(std::chrono::milliseconds(20)))) {
         }
-        // Whoever connects just now wants an answer without time going on.
+        // A client that is connecting needs an answer although no time passes.
         robot.drainSockets();
     }
 
@@ -100,19 +100,19 @@ public:
 py::dict truthDict(const NativeSimulator& self) {
     const simulator::Truth truth = self.robot.truth();
     const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
-    py::dict told;
-    told["timestamp"] = truth.timestamp;
-    told["robot_mode"] = toString(truth.robotMode);
-    told["safety_mode"] = toString(truth.safetyMode);
-    told["runtime_state"] = toString(truth.runtimeState);
-    told["q"] = array(truth.q.array());
-    told["qd"] = array(truth.qd.array());
-    told["tcp_pose"] = array(truth.tcpPose.array());
+    py::dict result;
+    result["timestamp"] = truth.timestamp;
+    result["robot_mode"] = toString(truth.robotMode);
+    result["safety_mode"] = toString(truth.safetyMode);
+    result["runtime_state"] = toString(truth.runtimeState);
+    result["q"] = array(truth.q.array());
+    result["qd"] = array(truth.qd.array());
+    result["tcp_pose"] = array(truth.tcpPose.array());
     const Vector6 speed = truth.tcpSpeed.vector();
-    told["tcp_speed"] = py::array_t<double>(6, speed.data());
-    told["speed_slider"] = truth.speedSlider;
-    told["digital_outputs"] = truth.digitalOutputs;
-    return told;
+    result["tcp_speed"] = py::array_t<double>(6, speed.data());
+    result["speed_slider"] = truth.speedSlider;
+    result["digital_outputs"] = truth.digitalOutputs;
+    return result;
 }
 
 }  // namespace

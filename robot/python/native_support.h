@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the files of the native module share: errors become exceptions, waits let other Python threads run and
-// end on Ctrl-C, numbers cross as arrays.
+// Common functions of the native module: errors are raised as exceptions, waits release the interpreter and end on
+// Ctrl-C, numbers are passed as arrays.
 
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -27,20 +27,20 @@
 namespace tiller::python {
 
 using Six = std::array<double, 6>;
-using Seconds = std::optional<double>;  ///< None: without a limit
+using Seconds = std::optional<double>;  ///< None: no limit
 
-/// Throws the exception of tiller.errors that stands for this error.
+/// Raises the exception of tiller.errors for this error.
 [[noreturn]] void raise(const Error& error);
 
-/// Whether a wait of this thread has to end: on Ctrl-C (the exception is set then), and at the end of the process.
+/// Whether a wait in this thread has to end: on Ctrl-C (with the exception set), and at the end of the process.
 bool isInterrupted();
 
-/// Raises InvalidArgument in a callback of a packet loop, for calls that may wait.
+/// Raises InvalidArgument in the callback of a packet loop. Used by calls that may wait.
 void refuseInCallback();
 /// Raises NotConnected for an object of the parent process.
 void refuseOfParent(const ProcessOwned& object);
 
-/// The guard of calls that wait without a deadline.
+/// Guard for calls that wait without a deadline.
 struct WaitingCall {
     WaitingCall() {
         refuseInCallback();
@@ -51,7 +51,7 @@ private:
     std::optional<GilReleased> released_;
 };
 
-/// value, if it is one of the names of the table; InvalidArgument that lists them otherwise.
+/// Looks a name up in the table; raises InvalidArgument with a list of the names if it is unknown.
 template <class Value, std::size_t count>
 Value named(const char* argument, const std::string& name,
             const std::array<std::pair<const char*, Value>, count>& table) {
@@ -67,8 +67,8 @@ Value named(const char* argument, const std::string& name,
                .arg(QString::fromStdString(name), QString::fromStdString(names))});
 }
 
-/// The value of a call that gets a deadline and runs without the interpreter's lock; its error, or Ctrl-C, is
-/// thrown.
+/// Runs a call with a deadline and without the interpreter lock, and returns its value; raises its error or
+/// KeyboardInterrupt.
 template <class Call>
 auto waited(const Seconds& seconds, Call call) {
     refuseInCallback();
@@ -90,7 +90,7 @@ auto waited(const Seconds& seconds, Call call) {
     }
 }
 
-/// The value of a result, or its error thrown.
+/// The value of a result; raises its error.
 template <class T>
 T taken(Result<T> result) {
     if (!result) {
@@ -115,7 +115,7 @@ inline py::str string(const QString& text) {
     return py::str(text.toStdString());
 }
 
-/// The clock everything of a robot goes by: the machine's, or a simulator's own.
+/// The clock of a robot: the system clock, or that of a simulator.
 using SharedClock = std::shared_ptr<Clock>;
 
 void defineReceive(py::module_& module);

@@ -58,7 +58,7 @@ void definePaths(py::module_& module) {
         .def("__eq__", &AsyncOperationStatus::equals);
 }
 
-/// Those who still have control, for the one who cannot get it. Guarded by the interpreter's lock.
+/// Objects in control, named in the error of an object that cannot take control. Protected by the interpreter lock.
 std::vector<const ShownControl*>& living() {
     static std::vector<const ShownControl*> all;
     return all;
@@ -98,7 +98,7 @@ Holder makeControl(const std::string& hostname, double frequency, uint16_t flags
     return made;
 }
 
-/// An enumeration of Python's own, its members in the class too.
+/// Creates a Python enumeration whose members are also attributes of the class.
 void defineInts(ControlClass& cls, const char* kind, const char* name,
                 const std::vector<std::pair<std::string, int>>& members) {
     const py::object made = py::module_::import("enum").attr(kind)(name, members);

@@ -8,23 +8,23 @@ namespace tiller::realtime {
 
 namespace {
 
-// Both estimates are quantiles followed step by step: up by `part` of a step when a value lies above, down by
-// the rest when below. Steps are parts of a period. The median's first ones are long, the later ones as short
-// as the clocks' drift allows: half of 500 ppm either way.
+// Both estimates are quantiles tracked step by step: increased by `part` of a step if a value is above, decreased
+// by the rest if it is below. Step sizes are fractions of a period. For the median, the first steps are large; the
+// later ones are limited to the drift of the clocks: half of 500 ppm in each direction.
 constexpr double kFirstStep = 0.1;
 constexpr double kUsualStep = 0.0005;
 constexpr double kMarginStep = 0.01;
 constexpr double kLessStep = 0.0025;
-constexpr double kHighestNs = 500'000;  // margin, and a quarter of a period at most
-constexpr double kGrace = 0.1;          // of the highest, beyond the margin: for those that are just late
-constexpr double kFirstPackages = 50;   // until the median is good enough to judge by
+constexpr double kHighestNs = 500'000;  // limit of the margin, together with a quarter of a period
+constexpr double kGrace = 0.1;  // fraction of the maximum, added to the margin for slightly late packages
+constexpr double kFirstPackages = 50;  // packages before the median is accurate enough
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.999;
-constexpr double kFurthest = 1;    // between two time stamps [s]
-constexpr int kLongerForGood = 5;  // so many late packages in a row: the path has become a longer one
+constexpr double kFurthest = 1;    // maximum difference of two time stamps [s]
+constexpr int kLongerForGood = 5;  // consecutive late packages that indicate a permanently longer delay
 
-// What is worked on follows the estimates by this part of a period for each package, so that one that is late
-// does not make a cycle longer; by that part of the way when there is far to go.
+// The schedule follows the estimates by this fraction of a period per package, so that a late package does not
+// extend a cycle; for large deviations by this fraction of the deviation.
 constexpr double kSmallestStep = 0.001;
 constexpr double kPartOfWay = 0.125;
 
@@ -72,15 +72,15 @@ void ArrivalPace::begin(double delay) {
 }
 
 void ArrivalPace::learn(double late) {
-    // Nothing arrives before it is sent: what comes this early shows that those before it were late.
+    // Packages cannot arrive before they are sent: a package this early shows that the earlier ones were late.
     if (late < usualNs_ - mostNs_) {
         usualNs_ = late;
     }
     track(usualNs_, late, kMedian, periodNs_ * std::max(kFirstStep / packages_, kUsualStep));
     const double more = late - usualNs_;
     if (more > mostNs_) {
-        // No margin would help: it says nothing about what all others need.
-        // After a stall each comes a period less late than the one before; on a longer path all come alike.
+        // No margin can cover this delay, so it does not affect the margin. After a stall, each package is one
+        // period less late than the previous one; with a longer path all are equally late.
         const bool first = lateInARow_ == 0 || more < leastLateNs_ - mostNs_;
         lateInARow_ = first ? 1 : lateInARow_ + 1;
         leastLateNs_ = first ? more : std::min(leastLateNs_, more);
@@ -98,22 +98,22 @@ void ArrivalPace::learnMargin(double more) {
     if (isSettled()) {
         track(marginNs_, more, kNearlyAll, periodNs_ * kMarginStep);
     } else if (packages_ > kFirstPackages) {
-        // The second latest: a single one would be held against all others for a minute.
+        // Use the second largest: a single outlier would delay all others for a minute.
         marginNs_ = std::max(marginNs_, std::min(more, latestNs_));
         latestNs_ = std::max(latestNs_, more);
     }
     marginNs_ = std::clamp(marginNs_, 0.0, mostNs_);
 }
 
-// Who works on packages takes so long that the next one is there before he looks: the delay is his own, and
-// there is less time to hold them back.
+// Processing takes so long that the next package arrives meanwhile. The delay is caused by the consumer, so that
+// packages are held back for a shorter time.
 void ArrivalPace::holdLess(double late) {
     const double less = periodNs_ * kLessStep;
     if (late - usualNs_ < 2 * mostNs_) {
         marginNs_ = std::max(marginNs_ - less, 0.0);
     }
     if (late < usualNs_) {
-        usualNs_ -= less;  // it came even before that
+        usualNs_ -= less;  // the package arrived even earlier
     }
 }
 

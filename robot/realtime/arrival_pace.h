@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// When to work on packages that a sender makes at even times and that arrive unevenly: at even times again,
-// as little after their arrival as that allows. The sender's time stamps give the pace, the arrivals the
+// Schedules the processing of packages that are sent at regular intervals and arrive with jitter: processing is
+// regular again with as little delay as possible. The sender's time stamps define the period, the arrivals the
 // phase.
 
 #include <cstdint>
@@ -12,17 +12,18 @@ namespace tiller::realtime {
 /// Threads  one. Real-time: yes
 class ArrivalPace {
 public:
-    /// period  between two packages [s]; none is held back for more than half of it, nor for more than 1 ms
+    /// period  between two packages [s]; no package is delayed by more than half a period or 1 ms
     explicit ArrivalPace(double period);
 
-    /// A package made at `senderTime` [s] arrived. Time stamps that go back or leap begin anew.
-    /// awaited  false: it may have come before `arrivedNs`, nobody looked
-    /// Returns  when to work on it [ns]: evenly after the others, or at once when it came too late for that
+    /// Adds a package with the time stamp `senderTime` [s]. Time stamps that go backwards or jump reset the
+    /// estimate.
+    /// awaited  false: the package may have arrived before `arrivedNs`, because no thread was waiting for it
+    /// Returns  when to process it [ns]: at the regular interval, or immediately if it arrived too late
     std::int64_t follow(std::int64_t arrivedNs, double senderTime, bool awaited = true);
 
-    /// When the one made then is to be worked on, wherever it is [ns]. Not before the first follow().
+    /// Expected processing time of the package with this time stamp [ns]. Requires a previous follow().
     std::int64_t expectedNs(double senderTime) const;
-    /// Whether enough have come to expect the next ones.
+    /// True after enough packages for a reliable prediction.
     bool isSettled() const { return packages_ >= 300; }
 
 private:
@@ -33,16 +34,16 @@ private:
     void hold();
 
     double periodNs_;
-    double mostNs_;          ///< highest margin
-    double senderTime_ = 0;  ///< of the newest package [s]
+    double mostNs_;          ///< maximum of marginNs_
+    double senderTime_ = 0;  ///< time stamp of the newest package [s]
     double packages_ = 0;
-    double origin_ = 0;       ///< arrival minus sender's time of the first package [ns]
-    double usualNs_ = 0;      ///< median of the same, of the others, since `origin_`
-    double marginNs_ = 0;     ///< how much later than usual all but one in a thousand come
-    double latestNs_ = 0;     ///< how much later than usual the latest of the first came
-    double heldNs_ = 0;       ///< when they are worked on, since `origin_`: follows usual and margin
-    int lateInARow_ = 0;      ///< packages later than any margin
-    double leastLateNs_ = 0;  ///< the least that one of these was later than usual
+    double origin_ = 0;       ///< arrival time minus time stamp of the first package [ns]
+    double usualNs_ = 0;      ///< median of the same difference over all packages, relative to `origin_`
+    double marginNs_ = 0;     ///< delay beyond the median that only one package in a thousand exceeds
+    double latestNs_ = 0;     ///< largest delay beyond the median among the first packages
+    double heldNs_ = 0;       ///< processing time relative to `origin_`: follows median and margin
+    int lateInARow_ = 0;      ///< consecutive packages later than the maximum margin
+    double leastLateNs_ = 0;  ///< smallest delay among these packages
 };
 
 }  // namespace tiller::realtime

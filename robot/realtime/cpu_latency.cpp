@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kDevice = "/dev/cpu_dma_latency";
 
-/// The one request of the process.
+/// The request shared by the whole process.
 struct LatencyRequest {
     std::mutex mutex;
     int holders = 0;
@@ -75,7 +75,7 @@ QString CpuLatency::advice() {
 
 #else
 
-// Other systems decide it by their power plan.
+// Other systems control this by their power plan.
 CpuLatency::CpuLatency() : granted_(false) {}
 CpuLatency::~CpuLatency() = default;
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Keeps the processors from falling into a deep sleep that they need long to wake up from.
+// Keeps the CPUs out of deep sleep states with long wake-up times.
 
 #include <QString>
 
 namespace tiller::realtime {
 
-/// As long as one of these lives the system is asked for wake-ups without delay (Linux: 0 us written to
-/// /dev/cpu_dma_latency, which the process holds open). An idle machine then takes more power.
-/// Threads  any: one request serves all of the process
+/// While an object of this class exists, the system is asked for wake-ups without delay (Linux: the process keeps
+/// /dev/cpu_dma_latency open with the value 0 us). This increases the power consumption of an idle machine.
+/// Threads  any: one request serves the whole process
 class CpuLatency {
 public:
     CpuLatency();
@@ -17,9 +17,9 @@ public:
     CpuLatency(const CpuLatency&) = delete;
     CpuLatency& operator=(const CpuLatency&) = delete;
 
-    /// False where the system has no such thing or does not permit it: advice() says which, and all goes on without.
+    /// False if the system does not support or permit it; see advice().
     bool isGranted() const { return granted_; }
-    /// Why it would not be granted to this process, and how to permit it; empty when it would be, or is.
+    /// The reason for a refusal to this process and how to permit it; empty if permitted.
     static QString advice();
 
 private:

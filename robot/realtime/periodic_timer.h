@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one place that sleeps for a period: absolute times, so that errors do not add up.
+// Periodic sleep with absolute times, so that errors do not accumulate.
 
 #include <chrono>
 #include <cstdint>
@@ -13,19 +13,17 @@ namespace tiller::realtime {
 /// Threads  one. Real-time: yes (one system call)
 class PeriodicTimer {
 public:
-    /// punctual  stays awake for the last part of each wait, as PunctualWait does
+    /// punctual  waits actively at the end of each period, as PunctualWait does
     explicit PeriodicTimer(std::chrono::nanoseconds period, bool punctual = false);
 
-    /// Sleeps until the next multiple of the period since construction (or restart()).
-    /// Returns  how many multiples were already over when it was called: 0 when all is well. They are
-    ///          skipped, not made up for.
+    /// Sleeps until the next multiple of the period since construction or restart().
+    /// Returns  the number of multiples that had already passed at the call; normally 0. They are skipped.
     std::uint64_t wait();
-    void restart();  ///< The next period begins now.
-    /// How much later than due the last wait() returned [ns].
+    void restart();  ///< Starts a new period now.
+    /// Delay of the last return from wait() [ns].
     std::int64_t latenessNs() const { return latenessNs_; }
-    /// What staying awake has cost so far [ns of processor time].
+    /// Processor time spent in active waiting [ns].
     std::int64_t spentNs() const { return wait_.spentNs(); }
-    /// As constructed.
     std::chrono::nanoseconds period() const { return std::chrono::nanoseconds(periodNs_); }
 
 private:

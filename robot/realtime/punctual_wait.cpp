@@ -7,12 +7,12 @@ namespace tiller::realtime {
 namespace {
 
 constexpr std::int64_t kLeastAwakeNs = 5'000;
-// One that was later moves the bound up by 99 times of what one in time moves it down: it comes to rest where one in
-// a hundred is later.
+// A late wake-up raises the bound by 99 times the decrease for a timely one, so that it converges to the 99th
+// percentile.
 constexpr std::int64_t kDownNs = 200;
 constexpr std::int64_t kUpNs = 99 * kDownNs;
 constexpr int kWhole = 65'536;
-constexpr int kMemory = 64;  // wake-ups
+constexpr int kMemory = 64;  // number of wake-ups
 
 }  // namespace
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Waits that end on time. A thread that sleeps wakes up late, by how much depends on the machine; one that never
-// sleeps takes a whole CPU. This one sleeps until as long before its moment as nearly all wake-ups are late here, and
-// stays awake for the rest.
+// A wait that ends on time. A sleeping thread wakes up late by an amount that depends on the machine; a busy thread
+// occupies a whole CPU. This class sleeps until shortly before the deadline, based on the measured wake-up delays,
+// and waits actively for the rest.
 
 #include <cstdint>
 #include <thread>
@@ -15,27 +15,27 @@ namespace tiller::realtime {
 /// Threads  one. Real-time: yes (one system call a wait, no allocation, no lock)
 class PunctualWait {
 public:
-    /// It stays awake no longer than this before a moment [ns].
+    /// Maximum duration of the active wait [ns].
     static constexpr std::int64_t kMostAwakeNs = 300'000;
 
-    /// maySpin  false: it only sleeps. On a single CPU whoever is waited for could not run meanwhile.
+    /// maySpin  false: only sleep. On a single CPU, an active wait would block the awaited thread.
     explicit PunctualWait(bool maySpin = std::thread::hardware_concurrency() > 1) : maySpin_(maySpin) {}
 
-    /// Returns at this moment [ns] of the clock, or at once where it is over or time does not run by itself.
+    /// Returns at the time `ns` of the clock, or immediately if it has passed or the clock does not run by itself.
     void until(const Clock& clock, std::int64_t ns);
 
-    /// How long before its moment the next wait gets up [ns]: what 99 of 100 wake-ups are not later than, by those
-    /// of the last seconds; 0 where even the longest would mostly be too short.
+    /// Duration of the next active wait [ns]: the 99th percentile of the wake-up delays of the last seconds; 0 if
+    /// even the maximum would usually be too short.
     std::int64_t awakeNs() const;
-    /// One wake-up was so much late [ns]. until() calls it; so do those who sleep in their own way.
+    /// Adds a measured wake-up delay [ns]. Called by until(); also for callers that sleep by other means.
     void learn(std::int64_t lateNs);
-    /// What staying awake has cost so far [ns of processor time].
+    /// Processor time spent in active waiting [ns].
     std::int64_t spentNs() const { return spentNs_; }
 
 private:
     bool maySpin_;
     std::int64_t awakeNs_ = kWakeUpNs;
-    int hopeless_ = 0;  ///< share of the wake-ups that were later than kMostAwakeNs, of 65536
+    int hopeless_ = 0;  ///< share of wake-ups later than kMostAwakeNs, in 1/65536
     std::int64_t spentNs_ = 0;
 };
 

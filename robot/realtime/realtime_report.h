@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the system grants a real-time program: affinity, locked memory, the kind of kernel; and how to get
-// more. Priority is in thread_priority.h.
+// Real-time features granted by the system: CPU affinity, locked memory, type of kernel, with advice on how to
+// enable them. For priorities see thread_priority.h.
 
 #include <QString>
 #include <QStringList>
@@ -13,17 +13,16 @@
 namespace tiller::realtime {
 
 /// Binds the calling thread to these CPUs, counted from 0.
-/// Returns  why it did not work; empty when it did
-/// Threads  changes the calling thread. Windows: written to the documentation, not run. macOS has no such
-/// call
+/// Returns  the reason for a failure; empty on success
+/// Threads  changes the calling thread. Windows: written according to the documentation, not run. macOS: not
+///          supported
 QString bindToCpus(const std::vector<int>& cpus);
 
-/// Keeps all memory of the process, present and to come, out of the swap, so that no page fault waits for a
-/// disk.
-/// Returns  why it did not work, with what to do; empty when it did
+/// Locks all current and future memory of the process, so that no page fault waits for a disk.
+/// Returns  the reason for a failure and how to correct it; empty on success
 QString lockMemory();
 
-/// True on a kernel with PREEMPT_RT (Linux: /sys/kernel/realtime, or its version says so).
+/// True on a kernel with PREEMPT_RT (Linux: from /sys/kernel/realtime or the version string).
 bool isRealtimeKernel();
 
 struct RealtimeReport {
@@ -31,12 +30,12 @@ struct RealtimeReport {
     bool memoryLocked = false;
     bool affinitySet = false;
     bool realtimeKernel = false;
-    /// One line for each thing that was not granted, and how to get it; empty when all is well.
+    /// One line per refused feature with instructions; empty if all were granted.
     QStringList advice;
 };
 
-/// Asks for all of it for the calling thread, and reports.
-/// cpus  empty: leaves the thread where it is
+/// Requests all features for the calling thread.
+/// cpus  empty: no affinity
 RealtimeReport requestRealtime(int priority, const std::vector<int>& cpus = {}, bool lockAllMemory = true);
 
 }  // namespace tiller::realtime

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A stream of fixed-size records from one producer to any number of consumers. The producer never waits and
-// never asks who listens: when a consumer is too slow the oldest records are overwritten, and that consumer
-// learns how many it missed.
+// A stream of fixed-size records from one producer to any number of consumers. The producer never waits and does
+// not know the consumers: if a consumer is too slow, the oldest records are overwritten, and the consumer can read
+// how many it missed.
 
 #include <atomic>
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace tiller::realtime {
 
-/// Threads  push() one; every consumer brings its own Cursor and uses it from one thread at a time.
+/// Threads  push(): one; every consumer uses its own Cursor, from one thread at a time.
 /// Real-time: yes (allocates at construction only)
 class BroadcastRing {
 public:
-    /// A consumer's place in the stream.
+    /// The reading position of one consumer.
     struct Cursor {
-        std::uint64_t next = 0;  ///< number of the record to be read next
-        std::uint64_t lost = 0;  ///< records that were overwritten before they were read
+        std::uint64_t next = 0;  ///< number of the next record
+        std::uint64_t lost = 0;  ///< records overwritten before they were read
     };
 
     /// words     64-bit words in a record
@@ -30,29 +30,29 @@ public:
         , stamps_(std::make_unique<std::atomic<std::uint64_t>[]>(mask_ + 1))
         , data_(std::make_unique<std::uint64_t[]>((mask_ + 1) * words)) {}
 
-    std::size_t words() const { return words_; }        ///< Of 64 bits in a record.
+    std::size_t words() const { return words_; }        ///< 64-bit words per record.
     std::size_t capacity() const { return mask_ + 1; }  ///< In records, a power of two.
     /// Records pushed so far.
     std::uint64_t count() const { return head_.load(std::memory_order_acquire); }
 
-    /// A place that sees everything pushed from now on.
+    /// A cursor for all records pushed from now on.
     Cursor atEnd() const { return {count(), 0}; }
-    /// A place at the oldest record still there.
+    /// A cursor at the oldest available record.
     Cursor atBegin() const {
         const std::uint64_t head = count();
         return {head > capacity() ? head - capacity() : 0, 0};
     }
-    /// Records not yet taken.
+    /// Records not yet read.
     std::uint64_t pending(const Cursor& cursor) const { return count() - cursor.next; }
 
-    /// The record being pushed. Every word of it is set, in any order.
+    /// The record being written. All words must be set, in any order.
     class Slot {
     public:
-        /// One word of the record; index below words().
+        /// Sets one word of the record; index < words().
         void set(std::size_t index, std::uint64_t word) const {
             std::atomic_ref(words_[index]).store(word, std::memory_order_release);
         }
-        /// A word that was set before.
+        /// Returns a word that was set before.
         std::uint64_t get(std::size_t index) const { return words_[index]; }
 
     private:
@@ -61,14 +61,14 @@ public:
         std::uint64_t* words_;
     };
 
-    void push(std::span<const std::uint64_t> record) {  ///< One writer. Real-time: yes
+    void push(std::span<const std::uint64_t> record) {  ///< Threads: one writer. Real-time: yes
         pushWith([&](Slot slot) {
             for (std::size_t i = 0; i < words_; ++i) {
                 slot.set(i, record[i]);
             }
         });
     }
-    /// The same without a copy of it: fill(Slot) writes the record where it is kept.
+    /// Like push(), without a copy: fill(Slot) writes the record in place.
     template <class Fill>
     void pushWith(Fill fill) {
         const std::uint64_t number = head_.load(std::memory_order_relaxed);
@@ -79,13 +79,13 @@ public:
         head_.store(number + 1, std::memory_order_release);
     }
 
-    /// Takes the next record.
-    /// Returns  false when there is none
+    /// Reads the next record.
+    /// Returns  false if there is none
     bool pop(Cursor& cursor, std::span<std::uint64_t> record) const {
         return popEach(cursor, [&](std::size_t i, std::uint64_t word) { record[i] = word; });
     }
-    /// The same, straight to where the words belong: sink(index, word) is called for every word, more than
-    /// once if the producer comes in between; what it was given last counts, if true is returned.
+    /// Reads without an intermediate copy: sink(index, word) is called for every word, repeatedly if the producer
+    /// interferes. If the function returns true, the last words passed are valid.
     template <class Sink>
     bool popEach(Cursor& cursor, Sink sink) const {
         for (;;) {
@@ -100,11 +100,11 @@ public:
             if (read(cursor.next++, sink)) {
                 return true;
             }
-            ++cursor.lost;  // the producer has come round and is writing over this very record
+            ++cursor.lost;  // The producer is overwriting this record.
         }
     }
-    /// The record pushed last, in the same way. Takes it from nobody.
-    /// Returns  false when none was pushed yet
+    /// Reads the record pushed last. Does not affect the cursors.
+    /// Returns  false if no record was pushed yet
     template <class Sink>
     bool newest(Sink sink) const {
         for (;;) {
@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    /// Returns  false when the record is not there any more
+    /// Returns  false if the record has been overwritten
     template <class Sink>
     bool read(std::uint64_t number, Sink& sink) const {
         const std::size_t slot = number & mask_;
@@ -145,7 +145,7 @@ private:
     std::size_t words_;
     std::size_t mask_;
     std::unique_ptr<std::atomic<std::uint64_t>[]> stamps_;
-    /// Cleared, so that all of it is in memory before the producer comes to it.
+    /// Initialized, so that all pages are mapped before the producer uses them.
     std::unique_ptr<std::uint64_t[]> data_;
     std::atomic<std::uint64_t> head_{0};
 };

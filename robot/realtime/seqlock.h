@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// "The newest value", written by one thread and read by any number without either ever waiting for the other.
-// A reader that is overtaken by the writer simply looks again.
+// The latest value, written by one thread and read by any number of threads, without blocking. A reader that is
+// interrupted by the writer retries.
 
 #include <atomic>
 #include <cstdint>
@@ -13,29 +13,29 @@
 
 namespace tiller::realtime {
 
-/// A fixed number of 64-bit words that are always read together as they were written together.
-/// Threads  write() one, read() any. Real-time: yes (allocates at construction only)
+/// A fixed number of 64-bit words that are read consistently.
+/// Threads  write(): one; read(): any. Real-time: yes (allocates at construction only)
 class WordSeqlock {
 public:
     explicit WordSeqlock(std::size_t words)
         : size_(words), words_(std::make_unique<std::atomic<std::uint64_t>[]>(words)) {}
 
-    std::size_t size() const { return size_; }  ///< In words of 64 bits.
-    /// How often it was written. 0: never, and read() gives zeros.
+    std::size_t size() const { return size_; }  ///< In 64-bit words.
+    /// Number of writes; 0: not written yet, read() returns zeros.
     std::uint64_t version() const { return sequence_.load(std::memory_order_acquire) / 2; }
 
-    void write(std::span<const std::uint64_t> values) {  ///< One writer. Real-time: yes
+    void write(std::span<const std::uint64_t> values) {  ///< Threads: one writer. Real-time: yes
         const std::uint64_t sequence = sequence_.load(std::memory_order_relaxed);
         sequence_.store(sequence + 1, std::memory_order_relaxed);
-        // Release on each word keeps the odd number in front of it; no fence, which ThreadSanitizer cannot
-        // see.
+        // Release on each word keeps the odd sequence number before it. A fence would do the same, but
+        // ThreadSanitizer does not support fences.
         for (std::size_t i = 0; i < size_; ++i) {
             words_[i].store(values[i], std::memory_order_release);
         }
         sequence_.store(sequence + 2, std::memory_order_release);
     }
 
-    /// Returns  the version read; tries again while a write is under way
+    /// Returns  the version read; retries during a write
     std::uint64_t read(std::span<std::uint64_t> values) const {
         for (;;) {
             const std::uint64_t before = sequence_.load(std::memory_order_acquire);
@@ -58,7 +58,7 @@ private:
 };
 
 /// The same for one trivially copyable type.
-/// Threads  store() one, load() any. Real-time: yes
+/// Threads  store(): one; load(): any. Real-time: yes
 template <class T>
 class Seqlock {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -68,12 +68,12 @@ public:
     Seqlock() : lock_(kWords) { store(T{}); }
     explicit Seqlock(const T& value) : lock_(kWords) { store(value); }
 
-    void store(const T& value) {  ///< One writer. Real-time: yes
+    void store(const T& value) {  ///< Threads: one writer. Real-time: yes
         std::uint64_t words[kWords] = {};
         std::memcpy(words, &value, sizeof(T));
         lock_.write(words);
     }
-    T load() const {  ///< Any reader; again while it is being written.
+    T load() const {  ///< Retries during a write.
         std::uint64_t words[kWords];
         lock_.read(words);
         T value{};

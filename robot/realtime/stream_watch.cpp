@@ -10,12 +10,12 @@ namespace tiller::realtime {
 
 namespace {
 
-// The two clocks may drift apart by this much without it being taken for lateness.
+// Drift between the two clocks that does not count as delay.
 constexpr double kDrift = 500e-6;
-// A jump of the time stamps beyond this is a controller that was started anew, not a gap.
+// A larger jump of the time stamps means that the controller was restarted.
 constexpr double kLongestGap = 3600;
-// A stream that comes for so long without such a pause, and always late, is not a backlog being read off: the
-// way from the robot has become longer, or its clock was held up. From then on that is its time.
+// If all packages arrive late for this long without a pause, the cause is not a backlog: the network delay has
+// increased, or the robot's clock was stopped. The delay then becomes the new reference.
 constexpr std::int64_t kSettlingNs = 1 * kNsPerSecond;
 constexpr std::int64_t kPauseNs = 50 * kNsPerMs;
 

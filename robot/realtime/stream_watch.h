@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Judges a stream of packages by two clocks: the controller's time stamps tell what is missing, the host's
-// clock tells what came late.
+// Evaluates a stream of packages with two clocks: the controller's time stamps reveal missing packages, the host's
+// clock reveals late ones.
 
 #include <cstdint>
 
@@ -12,18 +12,18 @@ namespace tiller::realtime {
 class StreamWatch {
 public:
     struct Verdict {
-        std::uint64_t lost = 0;  ///< packages missing just before this one
-        bool late = false;       ///< more than half a period after its time
-        /// Delay behind the expected arrival [ns]; 0 for the earliest packet. One out of a backlog is as old
-        /// as this.
+        std::uint64_t lost = 0;  ///< packages missing before this one
+        bool late = false;       ///< more than half a period late
+        /// Delay relative to the expected arrival [ns]; 0 for the earliest packet. For packets of a backlog this is
+        /// their age.
         std::int64_t jitterNs = 0;
     };
 
-    /// A new connection: its first package is compared with nothing but the last time stamp, which tells how
-    /// many packages the interruption cost.
+    /// Starts a new connection. Its first package is compared only with the last time stamp, which gives the number
+    /// of packages lost during the interruption.
     /// period  between packages [s]
     void begin(double period);
-    /// timestamp  of the controller [s]; NaN when it does not send one
+    /// timestamp  of the controller [s]; NaN if it does not send one
     Verdict add(double timestamp, std::int64_t hostNs);
 
 private:
@@ -31,8 +31,8 @@ private:
     double lastTimestamp_ = 0;
     bool hasTimestamp_ = false;
     bool hasBase_ = false;
-    double baseNs_ = 0;  ///< host time minus robot time of the packages that came soonest
-    // The same since `settlingSinceNs_`, from when on packages came without a pause.
+    double baseNs_ = 0;  ///< host time minus robot time of the earliest packages
+    // The same difference since `settlingSinceNs_`, the start of the current stream without pauses.
     std::int64_t settlingSinceNs_ = 0;
     std::int64_t lastHostNs_ = 0;
     double settledNs_ = 0;

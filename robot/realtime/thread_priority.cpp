@@ -18,7 +18,7 @@ namespace tiller::realtime {
 
 #ifdef _WIN32
 
-// Written to the Windows documentation; not run in this project's CI.
+// Written according to the Windows documentation; not run in this project's CI.
 PriorityReport requestThreadPriority(int priority) {
     PriorityReport report;
     report.requested = std::clamp(priority, 0, 99);
@@ -60,7 +60,7 @@ PriorityReport requestThreadPriority(int priority) {
     int policy = SCHED_OTHER;
     sched_param actual{};
     if (pthread_getschedparam(pthread_self(), &policy, &actual) == 0 && policy == SCHED_FIFO) {
-        // macOS (not run in this project's CI) ends at 47; its best counts as what was asked for.
+        // The maximum on macOS is 47 (not run in this project's CI); it counts as the requested priority.
         report.granted =
             wanted.sched_priority < report.requested && actual.sched_priority == wanted.sched_priority
                 ? report.requested

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Asking the system to run the calling thread before others, and saying honestly what came of it.
+// Requests a priority for the calling thread and reports the result.
 
 #include <QString>
 
@@ -9,22 +9,24 @@ namespace tiller::realtime {
 
 struct PriorityReport {
     int requested = 0;
-    /// What the thread runs with: on Linux the SCHED_FIFO priority, 0 for the normal scheduler.
+    /// Actual priority: on Linux the SCHED_FIFO priority, 0 for the normal scheduler.
     int granted = 0;
-    bool ok() const { return granted >= requested; }  ///< As wished for, or higher.
-    /// Why it was not granted and what to do about it; empty when it was.
+    bool ok() const {
+        return granted >= requested;
+    }  ///< True if at least the requested priority was granted.
+    /// The reason for a refusal and how to correct it; empty if granted.
     QString advice;
 };
 
-/// priority  1 ... 99 on the SCHED_FIFO scale of Linux; other systems use their nearest class. 0 asks for
-///           nothing.
+/// priority  1 ... 99 on the SCHED_FIFO scale of Linux; other systems use their nearest class. 0 requests no
+///           change.
 /// Threads   changes the calling thread. Real-time: no
 PriorityReport requestThreadPriority(int priority);
 
-/// Shown by debuggers and `top -H`; cut to 15 characters on Linux.
+/// Sets the name shown by debuggers and `top -H`; truncated to 15 characters on Linux.
 void nameThread(const char* name);
 
-/// Processor time the calling thread has used [s]; 0 where the system cannot tell.
+/// Processor time used by the calling thread [s]; 0 if the system does not report it.
 double threadSeconds();
 
 }  // namespace tiller::realtime

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// "The newest value" for a reader that must never wait, not even for a writer that was interrupted half-way.
+// The latest value for a reader that must never wait, even for a writer that was preempted during a write.
 
 #include <array>
 #include <atomic>
@@ -12,17 +12,17 @@ namespace tiller::realtime {
 template <class T>
 class TripleBuffer {
 public:
-    void publish(const T& value) {  ///< One writer. Real-time: yes
+    void publish(const T& value) {  ///< Threads: one writer. Real-time: yes
         slots_[back_] = value;
         back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & ~kFresh;
     }
 
-    /// Reader: the value published last; a default one before the first. Valid until the next call.
+    /// Reader: the value published last, or a default value before the first. Valid until the next call.
     const T& newest() {
         fetch();
         return slots_[front_];
     }
-    /// Reader: the same, but each value once; null when there is no new one.
+    /// Reader: each value once; null if there is no new one.
     const T* take() { return fetch() ? &slots_[front_] : nullptr; }
 
 private:
@@ -34,8 +34,8 @@ private:
         return true;
     }
 
-    // The writer fills `back_`, the reader looks at `front_`; the third changes hands through `middle_`, its
-    // index, marked as fresh when the writer put it there.
+    // The writer fills `back_`, the reader uses `front_`; the third slot is exchanged through `middle_`, which
+    // holds its index and a flag for a new value.
     static constexpr unsigned kFresh = 4;
     std::array<T, 3> slots_{};
     std::atomic<unsigned> middle_{1};

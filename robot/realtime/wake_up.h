@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Wakes those who wait for the next event of a thread that must not wait for them: it takes no lock, and
-// makes a system call only for those who sleep just then.
+// Lets threads wait for events of a thread that must not block: waking takes no lock, and needs a system call only
+// if a thread is actually waiting.
 
 #include <algorithm>
 #include <array>
@@ -14,12 +14,12 @@
 
 namespace tiller::realtime {
 
-/// Threads  wake() one, wait() any. Real-time: wake() yes
+/// Threads  wake(): one; wait(): any. Real-time: wake() yes
 class WakeUp {
 public:
     void wake() {  ///< Real-time: yes
-        // Writes as well as reads, so that one of the two comes first: this, and who lies down afterwards sees
-        // what has happened; or that, and it is seen here.
+        // A read-modify-write orders this call relative to the registration of a waiter: either the waiter sees the
+        // event, or this call sees the waiter.
         if (sleepers_.fetch_add(0, std::memory_order_acq_rel) == 0) {
             return;
         }
@@ -30,11 +30,11 @@ public:
         }
     }
 
-    /// Sleeps until the next wake(), or the time is over, unless `happened` says that there is no need to.
+    /// Waits for the next wake() or the end of the time, unless `happened` returns true.
     template <class Happened>
     void wait(std::chrono::milliseconds atMost, Happened happened) {
         Bed* bed = freeBed();
-        if (bed == nullptr) {  // a crowd: those who find none look every millisecond
+        if (bed == nullptr) {  // All semaphores are in use: poll every millisecond.
             std::this_thread::sleep_for(std::min(atMost, std::chrono::milliseconds(1)));
             return;
         }
@@ -42,7 +42,7 @@ public:
         sleepers_.fetch_add(1, std::memory_order_acq_rel);
         const bool woken = !happened() && bed->bell.try_acquire_for(atMost);
         if (!woken && !bed->asleep.exchange(false, std::memory_order_acq_rel)) {
-            bed->bell.acquire();  // it was rung meanwhile
+            bed->bell.acquire();  // wake() was called meanwhile
         }
         sleepers_.fetch_sub(1, std::memory_order_relaxed);
         bed->taken.store(false, std::memory_order_release);

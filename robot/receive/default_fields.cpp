@@ -62,7 +62,7 @@ void addOutputRegisters(std::vector<std::string>& fields, bool upper) {
 }
 
 std::vector<std::string> defaultFields() {
-    // Together the names have to stay below the 2048 bytes of one setup request.
+    // The list of names must not exceed the 2048 bytes of one setup request.
     std::vector<std::string> fields = commonFields();
     for (const char* shown : {
              "tcp_offset",

@@ -43,7 +43,7 @@ constexpr std::array kBits = {
     Bits{"input_bit_registers32_to_63", 32},
 };
 
-/// "m, rad" of six numbers: three of each.
+/// Example: "m, rad" for six numbers means three of each.
 std::vector<std::string> unitsOf(std::string_view units, std::size_t components) {
     const std::size_t comma = units.find(", ");
     if (comma == std::string_view::npos) {

@@ -26,7 +26,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// A record: sequence, host time, connection, lost before, then the values' bit patterns.
+// A record consists of sequence, host time, connection, lost before, and the bit patterns of the values.
 constexpr std::size_t kSequence = 0;
 constexpr std::size_t kHostTime = 1;
 constexpr std::size_t kConnection = 2;
@@ -34,7 +34,7 @@ constexpr std::size_t kLostBefore = 3;
 constexpr std::size_t kFirstValue = 4;
 constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
-// How long the thread sleeps in the socket before it looks at the stop flag.
+// Maximum blocking time in the socket between two checks of the stop flag.
 constexpr milliseconds kReadSlice{50};
 constexpr std::int64_t kRateWindowNs = 500 * kNsPerMs;
 
@@ -91,12 +91,12 @@ struct Subscription::Stream {
 
     std::shared_ptr<const SampleLayout> layout;
     realtime::BroadcastRing ring;
-    std::atomic<bool> ended{true};  ///< nothing will come: the receiver does not run
+    std::atomic<bool> ended{true};  ///< no more data: the receiver is not running
     mutable realtime::WakeUp wakeUp;
-    mutable std::mutex factsMutex;  ///< never taken while data flow
+    mutable std::mutex factsMutex;  ///< never locked while data flow
     Error lastError;
 
-    /// What a wait ends with that got nothing.
+    /// The error of a wait that failed.
     Error failure(const Deadline& deadline, const QString& what) const {
         if (deadline.isCancelled()) {
             return {ErrorCode::Cancelled, what, {}};
@@ -149,12 +149,12 @@ struct Receiver::Worker {
         , layout(std::make_shared<SampleLayout>(withTimestamp(options.fields)))
         , stream(std::make_shared<Subscription::Stream>(layout, options.ringCapacity)) {}
 
-    // Given, or made once.
+    // Set by the constructor.
     const ReceiverOptions options;
     const std::shared_ptr<const SampleLayout> layout;
     const std::shared_ptr<Subscription::Stream> stream;
 
-    // Between the threads.
+    // Shared between the threads.
     std::thread thread;
     std::atomic<bool> stopping{false};
     CancelToken cancel;
@@ -167,27 +167,27 @@ struct Receiver::Worker {
     std::atomic<std::uint64_t> reconnects{0};
     std::atomic<double> rate{0};
     std::atomic<std::int64_t> jitter{0};
-    std::atomic<std::int64_t> dueNs{0};  ///< when the newest sample would have come without delay
+    std::atomic<std::int64_t> dueNs{0};  ///< expected arrival of the newest sample without delay
     std::atomic<bool> hasData{false};
-    std::atomic<bool> receiving{false};  ///< the newest sample is of the connection there is now
+    std::atomic<bool> receiving{false};  ///< the newest sample belongs to the current connection
     std::atomic<bool> resetWanted{false};
     realtime::Seqlock<realtime::Histogram> intervalsShown;
-    mutable std::mutex factsMutex;  // never taken while data flow
+    mutable std::mutex factsMutex;  // never locked while data flow
     SoftwareVersion version;
     double period = 0;
     std::vector<std::string> absent;
     realtime::PriorityReport priority;
 
-    // The thread's own.
-    std::vector<std::size_t> places;        ///< for each number of a package: its word in a record
-    std::vector<std::size_t> absentPlaces;  ///< the words that no number of a package is for
+    // Used by the receive thread only.
+    std::vector<std::size_t> places;        ///< word index in the record for each number of a package
+    std::vector<std::size_t> absentPlaces;  ///< record words without a number in the package
     std::size_t timestampPlace = 0;
     std::uint64_t sequence = 0;
     std::uint64_t connections = 0;
     realtime::StreamWatch watch;
     realtime::Histogram intervals;
     std::int64_t previousHostNs = 0;
-    bool hasPrevious = false;  ///< in this connection
+    bool hasPrevious = false;  ///< in the current connection
     std::int64_t windowStartNs = 0;
     std::uint64_t windowPackets = 0;
 
@@ -223,8 +223,7 @@ struct Receiver::Worker {
             if (stopping) {
                 break;
             }
-            // Only data count as success: a peer that accepts and hangs up must not be called every half
-            // second.
+            // Only data count as success: retry slowly with a peer that accepts a connection and closes it.
             failures = sequence != before ? 0 : failures;
             receiving = false;
             {
@@ -242,7 +241,7 @@ struct Receiver::Worker {
         return delays.empty() ? milliseconds(0) : delays[std::min(failures, delays.size() - 1)];
     }
 
-    /// On the clock, which may be faster or slower than the system's: it is asked now and then.
+    /// Waits on the receiver's clock, which may run faster or slower than the system clock, by polling.
     void waitFor(milliseconds time) {
         constexpr milliseconds kAskEvery(5);
         const std::int64_t end = options.clock->nowNs() + time.count() * kNsPerMs;
@@ -252,8 +251,8 @@ struct Receiver::Worker {
         }
     }
 
-    /// Where each number of the package belongs in a record. Types are the robot's own: should one differ
-    /// from the catalogue, as many numbers are taken as fit.
+    /// Computes the record index of each number in the package. The robot's types are authoritative: if one differs
+    /// from the catalogue, as many numbers are used as fit.
     void plan(const rtde::Recipe& recipe) {
         places.assign(recipe.size(), kNowhere);
         std::vector<bool> isSent(layout->size());
@@ -296,7 +295,7 @@ struct Receiver::Worker {
         windowPackets = 0;
         state = ReceiverState::Receiving;
 
-        // From here to the return: no lock, no allocation, no system call but the socket's.
+        // From here to the return: no lock, no allocation, no system call except for the socket.
         std::int64_t heardNs = began;
         rtde::ByteView wire;
         while (!stopping) {
@@ -323,7 +322,7 @@ struct Receiver::Worker {
         return {};
     }
 
-    /// Decodes the package into the record that goes to the readers.
+    /// Decodes the package directly into the published record.
     realtime::StreamWatch::Verdict record(const rtde::ValueLayout& package, rtde::ByteView wire,
                                           std::int64_t hostNs) {
         realtime::StreamWatch::Verdict verdict;
@@ -350,7 +349,7 @@ struct Receiver::Worker {
             resetWanted = false;
             reset();
         }
-        // What is called fresh is there, and whoever sees a package counted finds all of it.
+        // Publish the sample before updating the counters, so that a counted package is always readable.
         const realtime::StreamWatch::Verdict verdict = record(package, wire, hostNs);
         if (hasPrevious) {
             lost.fetch_add(verdict.lost, std::memory_order_relaxed);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Follows a robot: one RTDE connection, one thread, every package published as "the newest" and into a ring
-// that any number of subscribers read at their own pace. Comes back by itself when the connection breaks.
+// Receives the data of a robot: one RTDE connection and one thread that publish every package as the latest sample
+// and into a ring for any number of subscribers. Reconnects automatically.
 
 #include <QString>
 #include <chrono>
@@ -25,73 +25,72 @@
 
 namespace tiller::receive {
 
-/// What the interface shows and what recordings usually want: all of it known to every robot or absent
-/// without harm.
+/// The fields of the user interface and of typical recordings. Fields that a robot does not have are reported as
+/// absent.
 std::vector<std::string> defaultFields();
 
 struct ReceiverOptions {
     Text host = {};
     std::uint16_t port = rtde::kPort;
-    /// Packages a second; 0: as many as the controller gives (500, on CB3 125).
+    /// Packages per second; 0: the maximum of the controller (500, or 125 on CB3).
     double frequency = 0;
     /// "timestamp" is added if missing.
     std::vector<std::string> fields = defaultFields();
-    /// SCHED_FIFO priority of the thread, where the system permits; 0 asks for none.
+    /// SCHED_FIFO priority of the thread, if permitted by the system; 0 requests no priority.
     int priority = 90;
-    /// The thread stays on these CPUs, counted from 0; empty: where the system puts it.
+    /// CPUs of the thread, counted from 0; empty: chosen by the system.
     std::vector<int> cpus = {};
-    /// Stamps samples and measures ages. Must outlive the receiver.
+    /// Used for time stamps and ages. Must outlive the receiver.
     const Clock* clock = &SteadyClock::shared();
-    /// How long one attempt to connect and shake hands may take. Together with the longest of the delays it
-    /// is below 2 s: so soon data flow again when the path to the robot is back, whatever was under way then.
+    /// Limit for one attempt to connect and complete the handshake. Together with the longest delay it is below 2
+    /// s: data resume within this time after the network has recovered.
     std::chrono::milliseconds connectTimeout{1300};
-    /// Waits between attempts, on the clock; the last one repeats.
+    /// Delays between attempts on this clock; the last one repeats.
     std::vector<std::chrono::milliseconds> reconnectDelays{
         std::chrono::milliseconds(100), std::chrono::milliseconds(250), std::chrono::milliseconds(500)};
-    /// Silence on the clock after which the connection is given up and made anew.
+    /// Time without data after which the connection is closed and reopened.
     std::chrono::milliseconds silenceLimit{2500};
-    /// Samples kept for subscribers that are busy: 8 s at 500 Hz.
+    /// Samples buffered for busy subscribers: 8 s at 500 Hz.
     std::size_t ringCapacity = 4096;
 };
 
 enum class ReceiverState {
-    Stopped,     ///< start() not called, or stop() was
-    Connecting,  ///< an attempt is under way
-    Receiving,   ///< connected; see Counters and ageNs() for whether data come
-    Waiting,     ///< an attempt failed or the connection broke; the next attempt is due
+    Stopped,     ///< not started, or stopped
+    Connecting,  ///< an attempt is in progress
+    Receiving,   ///< connected; see ReceiverCounters and ageNs() for the state of the data
+    Waiting,     ///< an attempt or the connection failed; waiting for the next attempt
 };
 
 struct ReceiverCounters {
     std::uint64_t packets = 0;
-    std::uint64_t late = 0;         ///< came more than half a period after their time
-    std::uint64_t lost = 0;         ///< skipped by the controller, by its own time stamps
-    std::uint64_t reconnects = 0;   ///< connections made after the first
+    std::uint64_t late = 0;         ///< arrived more than half a period late
+    std::uint64_t lost = 0;         ///< skipped by the controller, according to its time stamps
+    std::uint64_t reconnects = 0;   ///< connections after the first one
     double rateHz = 0;              ///< over the last half second
-    std::int64_t lastJitterNs = 0;  ///< how far the newest package was from its time
+    std::int64_t lastJitterNs = 0;  ///< deviation of the newest package from its expected arrival
 };
 
-/// One consumer's place in the stream.
-/// Threads  one at a time. Stays valid after the receiver is gone. Real-time: yes
+/// The reading position of one consumer in the stream.
+/// Threads  one at a time. Remains valid after the receiver is destroyed. Real-time: yes
 class Subscription {
 public:
     Subscription() = default;
 
-    /// Fills `sample` with the next one. A Sample that is passed again and again is filled without
-    /// allocating.
-    /// Returns  false when there is none just now
+    /// Reads the next sample. Reusing the same Sample avoids allocation.
+    /// Returns  false if there is no new sample
     bool next(Sample& sample);
-    /// The same, and waits for it. As long as somebody waits, each package costs the receive thread one
-    /// system call to wake them.
-    /// Errors   Timeout, Cancelled; NotConnected when the receiver was stopped, is gone, or never was. Where
-    ///          there is no link, the reason is the message: "ConnectionRefused: connect to ..."
+    /// Waits for the next sample. While a subscriber waits, each package costs the receive thread one system call
+    /// to wake it.
+    /// Errors   Timeout, Cancelled; NotConnected if the receiver is stopped or destroyed. Without a connection the
+    ///          message is the reason: "ConnectionRefused: connect to ..."
     /// Blocks   until the deadline. Real-time: no
     Result<void> next(Sample& sample, const Deadline& deadline);
-    /// The same into a sample of its own.
+    /// Waits for the next sample and returns it in a new object.
     Result<Sample> next(const Deadline& deadline);
-    /// Samples that were overwritten because nobody fetched them.
+    /// Samples that were overwritten before they were read.
     std::uint64_t lost() const { return cursor_.lost; }
-    std::uint64_t pending() const;                       ///< Samples not yet taken.
-    bool isValid() const { return stream_ != nullptr; }  ///< Made by subscribe().
+    std::uint64_t pending() const;                       ///< Samples not yet read.
+    bool isValid() const { return stream_ != nullptr; }  ///< True if created by subscribe().
 
 private:
     friend class Receiver;
@@ -100,9 +99,9 @@ private:
     realtime::BroadcastRing::Cursor cursor_;
 };
 
-/// Owns the thread "tiller-receive" (SCHED_FIFO 90 where permitted), which opens, reads and closes the RTDE
-/// connection. What crosses: samples outward through a seqlock and a ring; stop() inward through a flag.
-/// Threads  any for everything; start() and stop() from one
+/// Owns the thread "tiller-receive" (SCHED_FIFO 90 if permitted), which opens, reads and closes the RTDE
+/// connection. Samples leave the thread through a seqlock and a ring; stop() sets a flag.
+/// Threads  any for all functions; start() and stop() from one thread
 class Receiver {
 public:
     explicit Receiver(ReceiverOptions options);
@@ -110,49 +109,49 @@ public:
     Receiver(const Receiver&) = delete;
     Receiver& operator=(const Receiver&) = delete;
 
-    /// Starts the thread; does not wait for a connection: waitForData() does.
-    /// Errors   FieldUnknown, naming each name in `fields` that is not an RTDE output, and the one most like
-    ///          it; InvalidArgument (no host)
+    /// Starts the thread without waiting for a connection; see waitForData().
+    /// Errors   FieldUnknown, with each name in `fields` that is not an RTDE output and the most similar output;
+    ///          InvalidArgument (no host)
     /// Blocks   never
     Result<void> start();
-    /// Ends the thread, within 250 ms whatever the peer does.
+    /// Ends the thread within 250 ms, independent of the peer.
     void stop();
 
-    ReceiverState state() const;  ///< Of the connection. Any thread
-    /// Why start() refused, the last attempt failed or the last connection broke; code None when connected.
+    ReceiverState state() const;  ///< State of the connection. Threads: any
+    /// The reason for the failure of start(), the last attempt or the last connection; code None while connected.
     Error lastError() const;
-    ReceiverCounters counters() const;  ///< Since start(). Any thread
-    /// Counters back to zero, reconnects too. Takes effect with the next package.
+    ReceiverCounters counters() const;  ///< Counters since start(). Threads: any
+    /// Resets all counters, including reconnects. Takes effect with the next package.
     void resetCounters();
-    /// Distance between neighbouring packages on the host [ns], since the last reset.
+    /// Intervals between consecutive packages on the host [ns], since the last reset.
     realtime::Histogram intervals() const;
 
-    /// Of the controller connected to last; zeros before the first connection.
+    /// Software version of the last connected controller; zeros before the first connection.
     SoftwareVersion version() const;
     /// Time between two packages [s]; 0 before the first connection.
     double period() const;
-    /// Fields asked for that the robot does not have.
+    /// Requested fields that the robot does not have.
     std::vector<std::string> absentFields() const;
-    /// What the system said to the wish for priority; its advice also tells why the CPUs were refused.
+    /// Result of the priority request. The advice also covers refused CPUs.
     realtime::PriorityReport priority() const;
 
-    const std::shared_ptr<const SampleLayout>& layout() const;  ///< Of every sample.
-    /// The newest sample; sequence 0 when there is none yet. Real-time: latest(Sample&) yes, latest() no
+    const std::shared_ptr<const SampleLayout>& layout() const;  ///< Layout of all samples.
+    /// The newest sample; sequence 0 if there is none. Real-time: latest(Sample&) yes, latest() no
     Sample latest() const;
-    void latest(Sample& into) const;  ///< The same without an allocation.
-    /// The newest sample, as soon as there is one of the present connection that is not older than 100 ms:
-    /// what a program begins with that is to compute a target from where the arm is.
-    /// Errors   why the connection could not be made, when that is known (ConnectionRefused, HostUnreachable,
-    ///          FieldUnknown ...); Timeout, Cancelled; NotConnected when start() was not called
-    /// Blocks   until the deadline: attempts go on by themselves meanwhile, for the robot may be booting
+    void latest(Sample& into) const;  ///< Like latest(), without allocation.
+    /// Waits for a sample of the current connection that is at most 100 ms old. Call this before computing a target
+    /// from the current position of the arm.
+    /// Errors   the known reason for the missing connection (ConnectionRefused, HostUnreachable, FieldUnknown ...);
+    ///          Timeout, Cancelled; NotConnected if start() was not called
+    /// Blocks   until the deadline; attempts to connect continue meanwhile, because the robot may be booting
     Result<Sample> waitForData(const Deadline& deadline) const;
-    /// Age of the newest sample on the receiver's clock; the largest number there is when there is none. A
-    /// sample read out of a backlog is as old as it lay there, by the robot's time stamps.
+    /// Age of the newest sample on the clock of the receiver; the maximum of the type if there is none. For samples
+    /// of a backlog, the age includes the delay according to the robot's time stamps.
     std::int64_t ageNs() const;
-    /// The newest sample is no older than this.
+    /// True if the newest sample is not older than `limit`.
     bool isFresh(std::chrono::nanoseconds limit) const { return ageNs() <= limit.count(); }
 
-    /// Everything received from now on.
+    /// A subscription to all samples received from now on.
     Subscription subscribe() const;
 
 private:

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A sample read with types: joint positions as joint positions, modes as modes. It only looks, and holds no
-// values of its own.
+// Typed access to a sample: joint positions, modes, and so on. It is a view without own values.
 
 #include <cstdint>
 #include <optional>
@@ -39,23 +38,23 @@ enum class SafetyStatusBit : std::uint32_t {
     ThreePositionEnabling = 1U << 11,
 };
 
-/// No data is never a number. What is not there (no packet yet, a field that is not followed, one that the
-/// robot does not send) reads as NaN; words of bits and integers, which know no NaN, are empty optionals;
-/// modes are the most cautious one (Disconnected, Undefined, Stopped, PowerOff) and single bits false. Every
-/// command that moves the arm refuses NaN, so a target computed from nothing goes nowhere. To be sure of data
-/// first: Receiver::waitForData(). The sample must outlive it.
-/// Threads  any one. Real-time: yes (a hash look-up per call)
+/// Missing values (no packet yet, a field that was not requested, a field that the robot does not send) read as
+/// NaN; bit fields and integers are empty optionals, modes have the most restrictive value (Disconnected,
+/// Undefined, Stopped, PowerOff), and single bits are false. All motion commands refuse NaN, so that a target
+/// computed from missing data is not executed. To wait for data, use Receiver::waitForData(). The sample must
+/// outlive this object.
+/// Threads  one at a time. Real-time: yes (a hash look-up per call)
 class RobotState {
 public:
     explicit RobotState(const Sample& sample) : sample_(&sample) {}
     explicit RobotState(const Sample&&) = delete;
 
-    /// The sample holds that field.
+    /// True if the sample contains the field.
     bool has(std::string_view field) const { return !sample_->field(field).empty(); }
-    /// One number of a field, or the fallback.
+    /// One component of a field, or the fallback if missing.
     double number(std::string_view field, std::size_t component = 0, double fallback = kAbsent) const;
 
-    double timestamp() const { return number("timestamp"); }  ///< [s] since the controller started
+    double timestamp() const { return number("timestamp"); }  ///< time since the start of the controller [s]
 
     JointPositions q() const { return JointPositions(vector6("actual_q")); }                    ///< [rad]
     JointVelocities qd() const { return JointVelocities(vector6("actual_qd")); }                ///< [rad/s]
@@ -69,25 +68,32 @@ public:
     Vector6 jointVoltage() const { return vector6("actual_joint_voltage"); }                    ///< [V]
     std::array<JointMode, 6> jointModes() const;  ///< Base to wrist 3.
 
-    Pose tcpPose() const { return pose("actual_TCP_pose"); }                                 ///< T_base_tcp
-    Pose targetTcpPose() const { return pose("target_TCP_pose"); }                           ///< T_base_tcp
-    Pose tcpOffset() const { return pose("tcp_offset"); }                                    ///< T_flange_tcp
-    Twist tcpSpeed() const { return Twist::fromVector(vector6("actual_TCP_speed")); }        ///< base frame
-    Twist targetTcpSpeed() const { return Twist::fromVector(vector6("target_TCP_speed")); }  ///< [m/s, rad/s]
-    Wrench tcpForce() const { return Wrench::fromVector(vector6("actual_TCP_force")); }      ///< base frame
-    Wrench rawWrench() const { return Wrench::fromVector(vector6("ft_raw_wrench")); }        ///< flange frame
+    Pose tcpPose() const { return pose("actual_TCP_pose"); }        ///< T_base_tcp
+    Pose targetTcpPose() const { return pose("target_TCP_pose"); }  ///< T_base_tcp
+    Pose tcpOffset() const { return pose("tcp_offset"); }           ///< T_flange_tcp
+    Twist tcpSpeed() const {
+        return Twist::fromVector(vector6("actual_TCP_speed"));
+    }  ///< base frame [m/s, rad/s]
+    /// base frame [m/s, rad/s]
+    Twist targetTcpSpeed() const { return Twist::fromVector(vector6("target_TCP_speed")); }
+    Wrench tcpForce() const {
+        return Wrench::fromVector(vector6("actual_TCP_force"));
+    }  ///< base frame [N, Nm]
+    Wrench rawWrench() const {
+        return Wrench::fromVector(vector6("ft_raw_wrench"));
+    }  ///< flange frame [N, Nm]
 
-    RobotMode robotMode() const;        ///< DISCONNECTED when absent.
-    SafetyMode safetyMode() const;      ///< UNDEFINED when absent.
-    RuntimeState runtimeState() const;  ///< STOPPED when absent.
-    /// See is().
+    RobotMode robotMode() const;        ///< DISCONNECTED if missing.
+    SafetyMode safetyMode() const;      ///< UNDEFINED if missing.
+    RuntimeState runtimeState() const;  ///< STOPPED if missing.
+    /// For single bits see is().
     std::optional<std::uint32_t> robotStatusBits() const { return bits32("robot_status_bits"); }
-    /// See is().
+    /// For single bits see is().
     std::optional<std::uint32_t> safetyStatusBits() const { return bits32("safety_status_bits"); }
-    bool is(RobotStatusBit bit) const {  ///< False when absent.
+    bool is(RobotStatusBit bit) const {  ///< False if missing.
         return (robotStatusBits().value_or(0) & static_cast<std::uint32_t>(bit)) != 0;
     }
-    bool is(SafetyStatusBit bit) const {  ///< False when absent.
+    bool is(SafetyStatusBit bit) const {  ///< False if missing.
         return (safetyStatusBits().value_or(0) & static_cast<std::uint32_t>(bit)) != 0;
     }
 
@@ -96,19 +102,19 @@ public:
 
     /// Bits 0-7 standard, 8-15 configurable, 16-17 tool.
     std::optional<std::uint64_t> digitalInputs() const { return bits64("actual_digital_input_bits"); }
-    /// Numbered as the inputs.
+    /// Same bit numbers as digitalInputs().
     std::optional<std::uint64_t> digitalOutputs() const { return bits64("actual_digital_output_bits"); }
-    double analogInput(int channel) const;   ///< 0 or 1 [mA or V, as analogIoTypes() says]
-    double analogOutput(int channel) const;  ///< 0 or 1 [mA or V]
-    /// Bits AI0, AI1, AO0, AO1: 0 current, 1 voltage.
+    double analogInput(int channel) const;   ///< Channel 0 or 1 [mA or V, see analogIoTypes()].
+    double analogOutput(int channel) const;  ///< Channel 0 or 1 [mA or V].
+    /// Bits AI0, AI1, AO0, AO1: 0 = current, 1 = voltage.
     std::optional<std::uint32_t> analogIoTypes() const { return bits32("analog_io_types"); }
 
     double payloadMass() const { return number("payload"); }  ///< [kg]
-    Eigen::Vector3d payloadCentreOfGravity() const;           ///< [m]
+    Eigen::Vector3d payloadCentreOfGravity() const;           ///< flange frame [m]
 
-    /// Registers the receiver was asked to follow.
+    /// Output registers that the receiver subscribed to.
     std::optional<int> outputIntRegister(int number) const;
-    double outputDoubleRegister(int number) const;  ///< NaN when absent.
+    double outputDoubleRegister(int number) const;  ///< NaN if missing.
 
 private:
     Vector6 vector6(std::string_view field) const;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads a recording back, column by column. Reads what others wrote too, as long as it is a header line and
-// numbers.
+// Reads a recording, or any other file with a header line and numbers, into columns.
 
 #include <QString>
 #include <optional>
@@ -17,17 +16,17 @@ namespace tiller::recording {
 
 struct CsvTable {
     std::vector<std::string> columns;
-    std::vector<std::vector<double>> values;  ///< one vector per column; NaN where a cell is empty
-    /// True when the last line had no end (the writer was killed in the middle) and was left out.
+    std::vector<std::vector<double>> values;  ///< one vector per column; NaN for an empty cell
+    /// True if the last line was incomplete (the writer was killed) and was skipped.
     bool truncated = false;
 
-    std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }  ///< Without the heading.
-    std::optional<std::size_t> indexOf(std::string_view column) const;  ///< Of a column by its heading.
-    /// Null when there is no such column.
+    std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }  ///< Without the header.
+    std::optional<std::size_t> indexOf(std::string_view column) const;  ///< Index of a column by its name.
+    /// Null if there is no such column.
     const std::vector<double>* column(std::string_view name) const;
 };
 
-/// Errors   FileNotReadable; FileCorrupt with the line and what is wrong with it
+/// Errors   FileNotReadable; FileCorrupt with line and reason
 /// Threads  any. Blocks: reads the whole file
 Result<CsvTable> readCsv(const Text& path);
 

@@ -15,7 +15,7 @@ namespace tiller::recording {
 namespace {
 
 constexpr qint64 kReadAtOnce = 1 << 20;
-// Whoever has more than that has no recording of a robot.
+// Files with more columns are not recordings of a robot.
 constexpr std::size_t kMostColumns = 20'000;
 constexpr std::size_t kLongestLine = 16u << 20;
 constexpr int kMostProblems = 20;
@@ -35,7 +35,7 @@ std::string_view withoutBlanks(std::string_view cell) {
     return cell;
 }
 
-/// Calls sink(cell) for every cell; one between quotation marks may hold separators.
+/// Calls sink(cell) for every cell; quoted cells may contain separators.
 template <class Sink>
 void splitLine(std::string_view line, char separator, Sink sink) {
     for (;;) {
@@ -53,7 +53,7 @@ void splitLine(std::string_view line, char separator, Sink sink) {
     }
 }
 
-/// Cells between blanks, however many. A unit in brackets belongs to the heading before it.
+/// Cells separated by any number of blanks. A unit in brackets belongs to the preceding name.
 std::vector<std::string_view> blankSeparated(std::string_view line) {
     std::vector<std::string_view> cells;
     for (std::size_t begin = line.find_first_not_of(" \t"); begin != std::string_view::npos;) {
@@ -91,7 +91,8 @@ bool hasControlCharacters(std::string_view line) {
     return std::any_of(line.begin(), line.end(), [](char c) { return c >= 0 && c < ' ' && c != '\t'; });
 }
 
-/// "0.5", "+3", "1e-3", and "0,5" where the comma separates no cells. Empty, "nan" and the like: NaN.
+/// Accepts "0.5", "+3", "1e-3", and "0,5" if the comma does not separate cells. Empty, "nan" and the like become
+/// NaN.
 bool numberOf(std::string_view cell, bool commaMayBePoint, double& value) {
     if (cell.empty()) {
         value = kNone;
@@ -192,7 +193,7 @@ private:
         if (!line.empty() && line.back() == '\r') {
             line.remove_suffix(1);
         }
-        // Text files have none; looked at only where a file shows what it is.
+        // Text files have none; checked in the first line only.
         if (rows_ == 0 && hasControlCharacters(line)) {
             isBinary_ = true;
             return;
@@ -268,7 +269,7 @@ private:
         notNumbers_.resize(table_.columns.size());
     }
 
-    /// Where heading and first row have as many words, more than one, blanks separate the cells.
+    /// If header and first row have the same number of words, and more than one, cells are separated by blanks.
     void separateByBlanks(std::string_view line) {
         const auto headings = blankSeparated(heading_);
         if (headings.size() < 2 || blankSeparated(line).size() != headings.size()) {
@@ -310,9 +311,9 @@ private:
     RecordedTable table_;
     char separator_ = ',';
     std::string heading_{};
-    std::size_t number_ = 0;  ///< of the line
+    std::size_t number_ = 0;  ///< line number
     std::size_t rows_ = 0;
-    bool isHeaded_ = false;  ///< the line of units has been
+    bool isHeaded_ = false;  ///< the line of units was read
     bool isBinary_ = false;
     std::vector<double> row_;
     std::vector<std::size_t> wrong_;

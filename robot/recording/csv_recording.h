@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Opens text files of numbers: ours, those of ur_rtde, and what other tools write: cells between commas, semicolons or
-// tabs, numbers with a decimal point or comma, a line of units under the heading.
+// Opens text files with numbers: CSV files of Tiller, of ur_rtde, and of other tools: cells separated by commas,
+// semicolons or tabs, numbers with a decimal point or comma, and an optional line of units below the header.
 
 #include <memory>
 
@@ -11,9 +11,9 @@
 
 namespace tiller::recording {
 
-/// Reads the whole file into memory. Cells that are no numbers become NaN, lines with too few or too many cells are
-/// left out, and problems() says so.
-/// Errors   FileNotReadable; FileCorrupt: there is no heading, or no line of numbers under it
+/// Reads the whole file into memory. Cells that are not numbers become NaN, lines with a wrong number of cells are
+/// skipped; problems() reports both.
+/// Errors   FileNotReadable; FileCorrupt: no header, or no line of numbers below it
 /// Threads  any. Blocks: reads the whole file
 Result<std::unique_ptr<Recording>> openCsv(const Text& path);
 

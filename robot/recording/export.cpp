@@ -13,7 +13,7 @@ namespace tiller::recording {
 
 namespace {
 
-constexpr std::uint64_t kRowsAtOnce = 512;  // of all columns they stay in the cache
+constexpr std::uint64_t kRowsAtOnce = 512;  // this many rows of all columns fit in the cache
 constexpr std::size_t kLongestNumber = 32;
 
 bool belongsTo(std::string_view column, std::string_view field) {
@@ -24,7 +24,7 @@ bool belongsTo(std::string_view column, std::string_view field) {
            column.back() >= '0' && column.back() <= '9';
 }
 
-/// Writes at `at`, where there is room for it. Returns  the end
+/// Writes at `at`, which must have enough space. Returns  the end
 char* putNumber(char* at, double value, bool whole, char decimal) {
     if (std::isnan(value)) {
         return at;
@@ -40,7 +40,7 @@ char* putNumber(char* at, double value, bool whole, char decimal) {
     return end;
 }
 
-/// A cell of the heading: between quotation marks where it holds what separates cells.
+/// A header cell, quoted if it contains the separator.
 std::string cell(const std::string& text, char separator) {
     return text.find(separator) == std::string::npos ? text : '"' + text + '"';
 }
@@ -90,7 +90,7 @@ Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choi
         return first ? last.error() : first.error();
     }
     RowRange range{first.value(), 0};
-    // rowAt() gives the row before a moment between two.
+    // For a time between two rows, rowAt() returns the earlier row.
     if (const auto time = recording.times({range.first, 1});
         time && !time.value().empty() && time.value().front() < choice.from) {
         ++range.first;
@@ -128,7 +128,7 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
         const RecordedColumn& described = recording.columns()[column];
         heading +=
             (heading.empty() ? "" : std::string(1, style.separator)) + cell(described.name, style.separator);
-        // An empty cell would not tell the line of units from one of numbers.
+        // An empty cell could not be distinguished from a missing number.
         const std::string unit = described.unit.empty() ? "-" : described.unit;
         units += (units.empty() ? "" : std::string(1, style.separator)) + cell(unit, style.separator);
     }

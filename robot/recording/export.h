@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A recording, or a part of it, into a file for other programs.
+// Exports a recording, or a part of it, to a file for other programs.
 
 #include <functional>
 #include <limits>
@@ -13,21 +13,21 @@
 
 namespace tiller::recording {
 
-/// What goes into the file, whatever its format.
+/// The selected content, independent of the format.
 struct ExportChoice {
-    Text path = {};  ///< an existing file is replaced, and only by a whole one
+    Text path = {};  ///< an existing file is replaced atomically
     std::vector<std::string> columns =
-        {};           ///< by their names, or by that of a field for all its numbers; empty: all
+        {};           ///< names of columns, or of fields for all their components; empty: all
     double from = 0;  ///< [s] on the time axis
     double until = std::numeric_limits<double>::infinity();  ///< [s]
-    /// Told how much of it is done, 0 to 1. Returns  false: give up, with Cancelled
+    /// Called with the completed fraction, 0 to 1. Returning false cancels with Cancelled
     std::function<bool(double)> progress = {};
 };
 
 struct CsvStyle {
-    char separator = ',';    ///< , ; or tab
-    char decimal = '.';      ///< . or , (not with , between cells)
-    bool unitsLine = false;  ///< under the heading
+    char separator = ',';    ///< comma, semicolon or tab
+    char decimal = '.';      ///< point or comma (no comma if it separates the cells)
+    bool unitsLine = false;  ///< add a line of units below the header
 };
 
 struct ExportReport {
@@ -35,16 +35,16 @@ struct ExportReport {
     std::int64_t bytes = 0;  ///< size of the file
 };
 
-/// Columns by their names; a field's name stands for all its numbers.
-/// Errors   FieldUnknown, naming each that is not there
+/// Selects columns by name; the name of a field selects all its components.
+/// Errors   FieldUnknown, with all missing names
 Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
                                                const std::vector<std::string>& names);
-/// The rows of a choice.
+/// The selected rows.
 Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choice);
 
-/// As text. Numbers are the shortest that read back exactly; what is missing is an empty cell.
-/// Errors   FileNotWritable, DiskFull, FieldUnknown, InvalidArgument, Cancelled, and those of reading
-/// Blocks   until it is written
+/// Writes a text file. Numbers are the shortest that read back exactly; missing values are empty cells.
+/// Errors   FileNotWritable, DiskFull, FieldUnknown, InvalidArgument, Cancelled, and read errors
+/// Blocks   until the file is written
 Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& choice,
                                const CsvStyle& style = {});
 

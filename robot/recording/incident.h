@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a recording of an incident tells beside its rows: the moment it was made for.
+// The time of the incident in an incident recording.
 
 #include <optional>
 
@@ -9,14 +9,14 @@
 
 namespace tiller::recording {
 
-// The facts of an incident file.
-inline constexpr const char* kIncidentFact = "incident";            ///< why: "protective-stop"
-inline constexpr const char* kIncidentUtcFact = "incident_utc_ns";  ///< when it arrived [ns since 1970]
-inline constexpr const char* kIncidentTimeFact =
-    "incident_timestamp";  ///< when, by the controller's clock [s]
+// Metadata keys of an incident file.
+inline constexpr const char* kIncidentFact = "incident";                ///< reason, e.g. "protective-stop"
+inline constexpr const char* kIncidentUtcFact = "incident_utc_ns";      ///< time of arrival [ns since 1970]
+inline constexpr const char* kIncidentTimeFact = "incident_timestamp";  ///< controller time [s]
 
-/// The stop or alarm that an incident file was made for, on the recording's time axis [s]: the very row by the
-/// controller's clock, or, in a file that does not tell it, the arrival. Nothing: it is no incident, or says no time.
+/// The stop or alarm that caused an incident file, on the time axis of the recording [s]: the row with this
+/// controller time or, if it is not in the file, the time of arrival. Empty: not an incident file, or no time
+/// stored.
 /// Errors  those of Recording
 Result<std::optional<double>> incidentMoment(const Recording& recording);
 

@@ -23,22 +23,22 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// Rows go to the system this often, which is what a killed process can lose, ...
+// Interval of writing rows to the system, which limits the loss if the process is killed.
 constexpr milliseconds kWriteEvery{100};
-// ... and from there to the disk this often, which is what a power failure can.
+// Interval of syncing to the disk, which limits the loss in a power failure.
 constexpr milliseconds kSyncEvery{500};
 constexpr milliseconds kLookAtDiskEvery{1000};
 // About a quarter of a megabyte of text.
 constexpr std::size_t kWriteAtSamples = 256;
 
 std::int64_t freeBytesFor(const QString& path) {
-    // Not QStorageInfo: it knows nothing of a place whose mount is not listed, as in a chroot or a container.
+    // QStorageInfo does not know file systems whose mount is not listed, as in a chroot or a container.
     std::error_code failed;
     const auto space = std::filesystem::space(QFileInfo(path).absolutePath().toStdString(), failed);
     return failed ? 0 : static_cast<std::int64_t>(space.available);
 }
 
-/// A sentence for each field that cannot be recorded.
+/// One sentence for each field that cannot be recorded.
 QStringList notFollowed(const std::vector<std::string>& fields, const receive::SampleLayout& layout) {
     QStringList sentences = receive::unknownOutputs(fields);
     for (const std::string& field : fields) {
@@ -50,7 +50,7 @@ QStringList notFollowed(const std::vector<std::string>& fields, const receive::S
     return sentences;
 }
 
-/// `timestamp` first, unless they are to be as given; each once.
+/// `timestamp` first unless asGiven; without duplicates.
 std::vector<std::string> orderedFields(const RecorderOptions& options) {
     std::vector<std::string> ordered;
     if (!options.asGiven) {
@@ -72,7 +72,7 @@ std::vector<std::string> defaultRecordedFields() {
 
 struct Recorder::Worker {
     std::thread thread;
-    std::mutex mutex;  // for what follows, and for waiting
+    std::mutex mutex;  // protects the following members, and for waiting
     std::condition_variable wake;
     bool stopping = false;
     Error error;
@@ -87,17 +87,17 @@ struct Recorder::Worker {
     std::atomic<std::int64_t> freeBytes{0};
     std::atomic<int> files{0};
 
-    // The thread's own while it runs.
+    // Used by the thread while it is running.
     RecorderOptions options;
     RecordingSetup setup;
     RecordingFileFactory makeFile;
-    std::unique_ptr<RecordingFile> file;  ///< null: none is open
+    std::unique_ptr<RecordingFile> file;  ///< null: no open file
     std::unique_ptr<RecordingEncoder> encoder;
     receive::Subscription subscription;
     receive::Sample sample;
     std::optional<TriggerWatch> trigger;
     std::deque<std::pair<receive::Sample, std::uint64_t>>
-        kept;                   ///< before a trigger, each with what is missing
+        kept;                   ///< samples before a trigger, each with its number of lost packages
     std::size_t unwritten = 0;  ///< samples since the last part
     std::uint64_t every = 1;
     std::uint64_t lastSequence = 0;
@@ -105,7 +105,7 @@ struct Recorder::Worker {
     std::uint64_t missingBefore = 0;
     std::int64_t firstNs = 0;
     std::int64_t lastNs = 0;
-    std::int64_t earlierNs = 0;    ///< in files that are closed
+    std::int64_t earlierNs = 0;    ///< duration of the closed files
     std::int64_t steadyToUtc = 0;  ///< [ns]
 
     Result<void> openFile(const QString& to) {
@@ -128,7 +128,7 @@ struct Recorder::Worker {
         return write(RecordingEncoder::Close::WhenDue);
     }
 
-    /// What can be written by now. On failure the file is cut back to its last whole row.
+    /// Writes the data available so far. On failure, truncates the file to its last complete row.
     Result<void> write(RecordingEncoder::Close how) {
         unwritten = 0;
         const RecordedPart part = encoder->take(how);
@@ -138,7 +138,7 @@ struct Recorder::Worker {
         std::size_t got = 0;
         const Result<void> written = file->write(part.bytes, got);
         if (!written) {
-            // Whole rows of a part that did get through are worth keeping.
+            // Keep the complete rows of a partially written part.
             std::uint64_t keptRows = 0;
             bytes += static_cast<std::int64_t>(
                 encoder->keepOf(std::string_view(part.bytes).substr(0, got), keptRows));
@@ -198,7 +198,7 @@ struct Recorder::Worker {
         if (verdict == TriggerWatch::Verdict::Begin) {
             int number = files + 1;
             while (QFileInfo::exists(numberedPath(options.path, number))) {
-                ++number;  // those of an earlier run are kept
+                ++number;  // files of an earlier run are kept
             }
             if (const auto opened = openFile(numberedPath(options.path, number)); !opened) {
                 return opened;
@@ -285,7 +285,7 @@ struct Recorder::Worker {
                 }
             }
             if (result && file && now >= syncDue && !last) {
-                // Bytes that were taken may be lost only now, or only at the close.
+                // Errors of written data may only be reported here or when closing.
                 result = file->sync();
                 syncDue = now + kSyncEvery;
             }
@@ -293,7 +293,7 @@ struct Recorder::Worker {
                 if (result && file) {
                     result = finishFile();
                 } else if (file) {
-                    static_cast<void>(file->close());  // its error is not the first
+                    static_cast<void>(file->close());  // the first error is reported
                 }
                 freeBytes = freeBytesFor(options.path);
                 end(result);
@@ -342,7 +342,7 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
         return Error{
             ErrorCode::InvalidArgument, QStringLiteral("a recording is under way to %1").arg(path()), {}};
     }
-    stop();  // what is left of a failed one
+    stop();  // the rest of a failed recording
     auto next = std::make_shared<Worker>();
     next->path = options.path;
     if (options.every < 1) {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes what the robot sends to a file, one row per package (or per n packages), in any of the formats; unless told
-// otherwise to a CSV file: `timestamp` first, then one column per
-// number, named as ur_rtde recordings are (actual_q_0 ... actual_q_5), at last `packages_lost`: how many
-// packages are missing between the row before and this one (0 in a recording without gaps). Numbers are the
-// shortest that read back exactly, with a point whatever the locale; a field the robot does not have stays
+// Records robot data to a file, one row per package (or per n packages), in a selectable format. The default is
+// CSV:
+// `timestamp` first, then one column per number with the names of ur_rtde recordings (actual_q_0 ... actual_q_5),
+// and
+// `packages_lost` last: the number of packages missing before this row (0 in a recording without gaps). Numbers are
+// the shortest that read back exactly, with a decimal point in all locales; fields that the robot does not have are
 // empty, which pandas reads as NaN.
 //
-// Rows reach the file at least every half second and only whole, so a killed process costs less than a second
-// and leaves a file that ends with a complete row.
+// Complete rows are written at least every half second, so that a killed process loses less than a second and the
+// file ends with a complete row.
 
 #include <QString>
 #include <cstdint>
@@ -28,87 +29,87 @@
 
 namespace tiller::recording {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 class RecordingFile;
 
-/// Columns written unless others are asked for, as field names.
+/// Names of the fields recorded by default.
 std::vector<std::string> defaultRecordedFields();
 
-/// The name of the last column.
+/// Name of the last column.
 inline constexpr const char* kLostColumn = "packages_lost";
 
 struct RecorderOptions {
     Text path = {};
-    /// Field names, all of which the receiver has to follow; empty: those of defaultRecordedFields() that it
-    /// does. `timestamp` always comes first.
+    /// Field names, all of which must be subscribed to by the receiver; empty: those of defaultRecordedFields()
+    /// that are. `timestamp` always comes first.
     std::vector<std::string> fields{};
-    bool asGiven = false;  ///< these fields in this order and nothing else: no timestamp, no packages_lost
-    /// Every n-th package becomes a row, 1 or more. What is left out on purpose does not count as lost.
+    bool asGiven = false;  ///< exactly these fields in this order, without timestamp and packages_lost
+    /// Record every n-th package, 1 or more. Skipped packages do not count as lost.
     int every = 1;
     std::shared_ptr<const RecordingFormat> format{};  ///< null: CSV
-    /// Waits for it, and writes into numbered files: see numberedPath(). Nothing: one file, at once.
+    /// Waits for the trigger and writes numbered files: see numberedPath(). Empty: one file, immediately.
     std::optional<RecordingTrigger> trigger{};
-    /// Ends in order, with DiskFull, when less would stay free on the disk [bytes]; 0: when it is full.
+    /// Ends with DiskFull if less space would remain on the disk [bytes]; 0: when the disk is full.
     std::int64_t keepFree = 0;
 };
 
 enum class RecorderState {
     Idle,
     Recording,
-    Waiting,   ///< for its trigger
-    Finished,  ///< stop() was called; the file is complete, and on the disk
-    Failed,    ///< see error(); what was written before is kept
+    Waiting,   ///< for the trigger
+    Finished,  ///< stopped; the file is complete and synced
+    Failed,    ///< see error(); data written before are kept
 };
 
 struct RecorderProgress {
     RecorderState state = RecorderState::Idle;
     std::uint64_t rows = 0;      ///< written to the file
-    double seconds = 0;          ///< from the first row to the last, by the receiver's clock
-    std::uint64_t lost = 0;      ///< packages missing in the file, by whatever cause
+    double seconds = 0;          ///< from the first row to the last, on the receiver's clock
+    std::uint64_t lost = 0;      ///< packages missing in the file for any reason
     std::int64_t bytes = 0;      ///< size of the file
-    int files = 0;               ///< begun so far
-    std::int64_t freeBytes = 0;  ///< on its disk, looked up about once a second
+    int files = 0;               ///< number of files started
+    std::int64_t freeBytes = 0;  ///< on the disk of the file, updated about once per second
 };
 
-/// Owns the thread "tiller-record" (normal priority) that drains a subscription into the file.
-/// Threads  start() and stop() from one, the rest from any
+/// Owns the thread "tiller-record" (normal priority), which writes a subscription to the file.
+/// Threads  start() and stop() from one thread, the rest from any
 class Recorder {
 public:
     Recorder();
-    /// files  makes what a recording is written to; for tests
+    /// files  factory for the output file; for tests
     explicit Recorder(std::function<std::unique_ptr<RecordingFile>()> files);
-    ~Recorder();  ///< stops
+    ~Recorder();  ///< calls stop()
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// Creates the file (an existing one is replaced), writes the header and begins with the next package.
-    /// Errors   FileNotWritable (also while another recording writes to the file), DiskFull; FieldUnknown, naming each field that the receiver does not follow
-    /// (no
-    ///          file is made, an existing one is left as it is); InvalidArgument (a recording is under way)
-    /// Blocks   as long as the file system takes to create a file
+    /// Creates the file (replacing an existing one), writes the header and starts with the next package.
+    /// Errors   FileNotWritable (also if another recording uses the file), DiskFull; FieldUnknown, with all fields
+    ///          that the receiver does not subscribe to (an existing file is unchanged); InvalidArgument (a
+    ///          recording is active)
+    /// Blocks   until the file is created
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);
-    /// The same with a subscription of its own.
+    /// As above, with a new subscription.
     Result<void> start(const RecorderOptions& options, const receive::Receiver& receiver);
-    /// Writes what is still waiting, has it on the disk and closes the file. Finished only if all of that
-    /// went well: a disk or a share that takes the rows and loses them afterwards makes it Failed.
+    /// Writes the remaining rows, syncs and closes the file. The state is Finished only if all steps succeeded; it
+    /// is Failed if a disk or share lost data that it had accepted.
     void stop();
 
-    /// Into the file, where its format has a place for it. Any thread
+    /// Adds a note if the format supports it. Threads: any
     void note(const RecordedNote& note);
 
-    RecorderProgress progress() const;  ///< Any thread; rows, seconds and lost are of all files together
-    /// Why it failed: DiskFull, FileNotWritable; code None otherwise.
+    RecorderProgress progress() const;  ///< rows, seconds and lost are totals of all files. Threads: any
+    /// The reason of a failure: DiskFull, FileNotWritable; otherwise code None.
     Error error() const;
-    QString path() const;  ///< Of the file being written, or written last.
+    QString path() const;  ///< Path of the current or last file.
 
 private:
     struct Worker;
     std::shared_ptr<Worker> worker() const;
 
     std::function<std::unique_ptr<RecordingFile>()> files_;
-    mutable std::mutex mutex_;  ///< for the pointer: a new recording gets a new worker
+    mutable std::mutex mutex_;  ///< protects the pointer: a new recording has a new worker
     std::shared_ptr<Worker> d_;
 };
 

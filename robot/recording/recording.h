@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A recording that lies in a file, whatever its format: columns of numbers over one time axis. What is looked at is
-// fetched when it is asked for, so hours open at once; summaries of many rows come from the file where it keeps
-// them.
+// A recording in a file of any format: columns of numbers over a common time axis. Data are loaded on demand, so
+// that long recordings open immediately; summaries of many rows are read from the file if it contains them.
 
 #include <QByteArray>
 #include <QString>
@@ -21,87 +20,87 @@
 namespace tiller::recording {
 
 struct RecordedColumn {
-    std::string name;  ///< "actual_q_0", "robot_mode", as in the heading of a CSV recording
-    std::string unit;  ///< "rad"; empty: none, or not known
-    /// Counts, bits and enumerations: exact whole numbers, of which a mean says nothing.
+    std::string name;  ///< as in the header of a CSV recording, e.g. "actual_q_0", "robot_mode"
+    std::string unit;  ///< e.g. "rad"; empty: none or unknown
+    /// Counts, bit fields and enumerations: exact integers, without a meaningful mean.
     bool whole = false;
 };
 
-/// Neighbouring rows, counted from 0.
+/// Consecutive rows, counted from 0.
 struct RowRange {
     std::uint64_t first = 0;
     std::uint64_t count = 0;
 };
 
-/// Packages that are missing just before a row.
+/// Packages missing before a row.
 struct RecordedGap {
-    std::uint64_t row = 0;      ///< the first one after it
-    std::uint64_t packets = 0;  ///< how many; 0 where the file does not say
-    double seconds = 0;         ///< from the row before to this one
+    std::uint64_t row = 0;      ///< first row after the gap
+    std::uint64_t packets = 0;  ///< number of packages; 0 if unknown
+    double seconds = 0;         ///< duration from the previous row to this one
 };
 
-/// A line of the log, a note, or what the recorder has to say.
+/// A line of the log, a note, or a message of the recorder.
 struct RecordedEvent {
-    double seconds = 0;  ///< on the time axis of the recording; negative: before its first row
+    double seconds = 0;  ///< on the time axis of the recording; negative: before the first row
     int level = 20;      ///< as in rcl_interfaces/Log: 10 debug, 20 info, 30 warning, 40 error, 50 fatal
-    QString source{};    ///< who said it: "operator", "controller" ...
+    QString source{};    ///< origin, e.g. "operator", "controller"
     QString text{};
 };
 
-/// Least, greatest and mean value of each `rowsEach` neighbouring rows; NaN where all of them are.
+/// Minimum, maximum and mean of groups of `rowsEach` consecutive rows; NaN if all values are NaN.
 struct ColumnSummary {
     std::uint64_t firstRow = 0;
-    std::uint64_t rowsEach = 1;  ///< the last one may be of fewer
+    std::uint64_t rowsEach = 1;  ///< the last group may be smaller
     std::vector<double> min{};
     std::vector<double> max{};
     std::vector<double> mean{};
 };
 
-/// When a row was sent.
+/// The time of a row.
 struct TimeMark {
     std::uint64_t row = 0;
-    double seconds = 0;  ///< from the first row
+    double seconds = 0;  ///< since the first row
 };
 
-/// Threads  one at a time. Errors of every call that reads: FileNotReadable, FileCorrupt
+/// Threads  one at a time. Errors of all calls that read: FileNotReadable, FileCorrupt
 class Recording {
 public:
     virtual ~Recording() = default;
 
-    virtual const QString& path() const = 0;                            ///< Of the file.
+    virtual const QString& path() const = 0;                            ///< Path of the file.
     virtual QString format() const = 0;                                 ///< "CSV", "MCAP", "HDF5"
-    virtual const std::vector<RecordedColumn>& columns() const = 0;     ///< In the order of the file.
-    std::optional<std::size_t> indexOf(std::string_view column) const;  ///< Of a column by its name.
-    virtual std::uint64_t rows() const = 0;                             ///< Without headings.
-    virtual const std::vector<RecordedGap>& gaps() const = 0;           ///< In the order of their rows.
-    virtual const std::vector<RecordedEvent>& events() const;           ///< In the order of time.
-    /// Between neighbouring rows as a rule [s]; 0 when not known.
+    virtual const std::vector<RecordedColumn>& columns() const = 0;     ///< In file order.
+    std::optional<std::size_t> indexOf(std::string_view column) const;  ///< Index of a column by its name.
+    virtual std::uint64_t rows() const = 0;                             ///< Number of rows, without headers.
+    virtual const std::vector<RecordedGap>& gaps() const = 0;           ///< In row order.
+    virtual const std::vector<RecordedEvent>& events() const;           ///< In time order.
+    /// Usual interval of rows [s]; 0 if unknown.
     virtual double period() const = 0;
-    /// When the first row was sent [ns since 1970, UTC]; nothing where the file does not say.
+    /// Time of the first row [ns since 1970, UTC]; empty if not in the file.
     virtual std::optional<std::int64_t> startUtcNs() const;
-    /// What was written about it: "model", "serial_number", "software" ...
+    /// Metadata: "model", "serial_number", "software" ...
     virtual const std::map<std::string, std::string>& facts() const;
-    virtual QStringList attachments() const;                           ///< Names of the files inside it.
-    virtual Result<QByteArray> attachment(const QString& name) const;  ///< What is in one of them.
-    /// What could not be read, and why, a sentence each; empty: all of it was.
+    virtual QStringList attachments() const;                           ///< Names of attached files.
+    virtual Result<QByteArray> attachment(const QString& name) const;  ///< Content of an attached file.
+    /// One sentence per part that could not be read, with the reason; empty: none.
     virtual const QStringList& problems() const = 0;
 
-    /// Seconds from the first row, which never run backwards, of rows that exist.
+    /// Seconds since the first row, in ascending order, for existing rows.
     virtual Result<std::vector<double>> times(RowRange rows) const = 0;
-    /// One vector for each column asked for. NaN: the robot did not send it, or the cell is empty.
+    /// One vector per requested column. NaN: not sent by the robot, or an empty cell.
     virtual Result<std::vector<std::vector<double>>> read(std::span<const std::size_t> columns,
                                                           RowRange rows) const = 0;
-    /// At least `blocks` blocks if there are so many rows, and not more than sixteen times as many. The first may begin
-    /// before the range and the last end after it, where the file has them so.
+    /// At least `blocks` blocks if there are enough rows, and at most sixteen times as many. The first block may
+    /// begin before the range and the last may end after it.
     virtual Result<std::vector<ColumnSummary>> summaries(std::span<const std::size_t> columns, RowRange rows,
                                                          std::uint64_t blocks) const;
-    /// How many rows each summary has that the file keeps of all or most rows, the finest first; empty: summaries() reads
-    /// the rows.
+    /// Number of rows per summary, for each level stored for all or most rows, finest first; empty: summaries()
+    /// reads the rows.
     virtual std::vector<std::uint64_t> summaryRows() const { return {}; }
-    /// When some of the rows were sent, the first and the last among them, as the file knows it without being read: to a
-    /// few milliseconds. Between two of them rows come evenly, unless some are missing.
+    /// The times of some rows, including the first and the last, without reading the rows; accurate to a few
+    /// milliseconds. Rows between two marks are evenly spaced unless packages are missing.
     virtual Result<std::vector<TimeMark>> timeMarks() const;
-    /// The last row at or before a moment of the time axis; 0 before the first row.
+    /// The last row at or before this time; 0 before the first row.
     virtual Result<std::uint64_t> rowAt(double seconds) const;
 };
 

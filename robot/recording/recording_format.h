@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a recorder writes, apart from when and where: a format makes an encoder for each file, and the encoder turns
-// samples into bytes. CSV is here; others, which need more than this library, are in rooms of their own.
+// The file format of a recorder: a format creates an encoder for each file, and the encoder converts samples to
+// bytes. CSV is included here; formats that need other libraries are in separate folders.
 
 #include <cstdint>
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace tiller::recording {
 
-/// What is said while recording: a line of the log, or a note.
+/// A line of the log or a note added during a recording.
 struct RecordedNote {
     std::int64_t utcNs = 0;  ///< [ns since 1970]
     int level = 20;          ///< as in rcl_interfaces/Log: 20 info, 30 warning, 40 error
@@ -23,34 +23,34 @@ struct RecordedNote {
     Text text = {};
 };
 
-/// Bytes for the file, and what is in them.
+/// Bytes for the file, with the number of rows they contain.
 struct RecordedPart {
     std::string bytes{};
     std::uint64_t rows = 0;
-    std::uint64_t lost = 0;  ///< packages missing before those rows
+    std::uint64_t lost = 0;  ///< packages missing before these rows
 };
 
 /// Threads  one
 class RecordingEncoder {
 public:
     enum class Close {
-        WhenDue,  ///< what can be cut behind without harm, now or in half a second
-        Last,     ///< everything, and the end of the file
+        WhenDue,  ///< data up to a boundary at which the file may end, now or within half a second
+        Last,     ///< all data and the end of the file
     };
     virtual ~RecordingEncoder() = default;
 
-    /// utcNs  when it was received [ns since 1970]
+    /// utcNs  time of reception [ns since 1970]
     virtual void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) = 0;
-    virtual void add(const RecordedNote& note) = 0;  ///< Formats without a place for it leave it out.
-    /// Whole rows only: a file that ends behind them can be read. The first part begins the file.
+    virtual void add(const RecordedNote& note) = 0;  ///< Ignored by formats without notes.
+    /// Complete rows only, so that a file ending after them is readable. The first part includes the header.
     virtual RecordedPart take(Close how) = 0;
-    /// How much of a part that was written up to here is worth keeping, with its rows.
+    /// Usable length of a partially written part, with its rows.
     virtual std::size_t keepOf(std::string_view written, std::uint64_t& rows) const = 0;
 };
 
 struct RecordingSetup {
     std::shared_ptr<const receive::SampleLayout> layout;
-    std::vector<std::string> fields;  ///< all of which the layout has, or had
+    std::vector<std::string> fields;  ///< all of them in the layout
     bool asGiven = false;
 };
 
@@ -58,7 +58,7 @@ struct RecordingSetup {
 class RecordingFormat {
 public:
     virtual ~RecordingFormat() = default;
-    /// Null when there is nothing to record among the fields.
+    /// Null if none of the fields can be recorded.
     virtual std::unique_ptr<RecordingEncoder> encoder(const RecordingSetup& setup) const = 0;
 };
 

@@ -14,7 +14,7 @@ namespace tiller::recording {
 namespace {
 
 constexpr double kUsualPeriod = 0.002;  // [s]
-// Rows looked at to learn how far apart they usually are.
+// Number of rows used to determine their usual interval.
 constexpr std::size_t kRowsForPeriod = 1000;
 
 std::string lowerCase(std::string_view text) {
@@ -24,7 +24,7 @@ std::string lowerCase(std::string_view text) {
     return out;
 }
 
-/// The middle one of the distances of neighbours; 0 when there are none.
+/// Median of the intervals; 0 if there are none.
 double medianStep(std::span<const double> times) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < times.size() && steps.size() < kRowsForPeriod; ++i) {
@@ -77,7 +77,7 @@ void TableRecording::findTimes() {
                 shift = -stamps[i];
                 first = false;
             } else if (stamps[i] + shift < previous) {
-                shift = previous + period_ - stamps[i];  // the robot's clock began anew
+                shift = previous + period_ - stamps[i];  // the robot's clock was reset
             }
             time = stamps[i] + shift;
         }

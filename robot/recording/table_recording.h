@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A recording whose numbers are all in memory, as those of a text file are.
+// A recording with all numbers in memory, such as a text file.
 
 #include <utility>
 
@@ -9,7 +9,7 @@
 
 namespace tiller::recording {
 
-/// What a table is made of. `columns` and `values` go together; all columns are of one length.
+/// The content of a table. `columns` corresponds to `values`; all columns have the same length.
 struct RecordedTable {
     QString path{};
     QString format{};
@@ -18,9 +18,9 @@ struct RecordedTable {
     QStringList problems{};
 };
 
-/// The time axis is the column `timestamp`, or else the first one called time, seconds or t; else rows are taken to be
-/// 2 ms apart. A clock that was set back goes on where it was. Gaps are those of the column `packages_lost`, or
-/// where two rows are more than one and a half periods apart.
+/// The time axis is the column `timestamp`, or the first one named time, seconds or t; otherwise rows are assumed
+/// to be 2 ms apart. If the clock was reset, time continues from its last value. Gaps are taken from the column
+/// `packages_lost`, or detected where two rows are more than one and a half periods apart.
 class TableRecording : public Recording {
 public:
     explicit TableRecording(RecordedTable table);

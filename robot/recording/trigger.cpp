@@ -17,7 +17,7 @@ Result<RecordingTrigger> RecordingTrigger::parse(const Text& text) {
     if (text.simplified() == QLatin1String("program starts")) {
         trigger.column = "runtime_state";
         trigger.when = When::Equal;
-        constexpr double kPlaying = 2;  // of runtime_state; source: RTDE guide
+        constexpr double kPlaying = 2;  // value of runtime_state; source: RTDE guide
         trigger.value = kPlaying;
         return trigger;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// When a recording begins by itself, and ends: a condition on one number of the package, as people write it:
+// Automatic start and end of a recording: a condition on one value of the package in text form, e.g.
 // "actual_TCP_force_2 > 20", "robot_mode = 7", "actual_digital_input_bits:3 = 1", "runtime_state changes".
 
 #include <cstdint>
@@ -18,34 +18,34 @@ namespace tiller::recording {
 struct RecordingTrigger {
     enum class When { Above, Below, Equal, Unequal, Changes };
 
-    std::string column = {};  ///< "actual_TCP_force_2"
-    int bit = -1;             ///< this bit of it alone; -1: the number itself
+    std::string column = {};  ///< e.g. "actual_TCP_force_2"
+    int bit = -1;             ///< bit number; -1: the whole number
     When when = When::Above;
     double value = 0;
-    double before = 0;  ///< recorded from before it [s], 0 to 60
-    double after = 0;   ///< recorded from behind it [s]: from the moment the condition does not hold any more
-    int files = 0;      ///< so many; 0: one each time, until the recording is stopped
+    double before = 0;  ///< recorded time before the trigger [s], 0 to 60
+    double after = 0;   ///< recorded time after the condition has become false [s]
+    int files = 0;      ///< maximum number of files; 0: one per trigger until the recording is stopped
 
-    /// text  "COLUMN[:BIT] > VALUE", with one of > < = !=; "COLUMN changes"; or "program starts", the same as
+    /// text  "COLUMN[:BIT] > VALUE", with one of > < = !=; "COLUMN changes"; or "program starts", equivalent to
     ///       "runtime_state = 2"
-    /// Errors  InvalidArgument, saying what is expected
+    /// Errors  InvalidArgument, with the expected form
     static Result<RecordingTrigger> parse(const Text& text);
 };
 
-/// Watches one condition and says what is to become of each sample.
+/// Evaluates a condition for each sample.
 /// Threads  one
 class TriggerWatch {
 public:
     enum class Verdict {
-        Keep,   ///< for the time before, perhaps
-        Begin,  ///< with what is kept, and this one
+        Keep,   ///< keep it for the time before a trigger
+        Begin,  ///< start with the kept samples and this one
         Write,
-        End,  ///< this one is the first that does not belong to it
+        End,  ///< end before this sample
     };
-    /// Errors   FieldUnknown: the layout has not the trigger's column
+    /// Errors   FieldUnknown: the trigger's column is not in the layout
     static Result<TriggerWatch> make(const RecordingTrigger& trigger, const receive::SampleLayout& layout);
 
-    /// A condition that holds with the first sample of all does not begin anything: it has to come true.
+    /// A condition that is true for the first sample does not trigger; it has to become true later.
     Verdict add(const receive::Sample& sample);
 
 private:
@@ -60,7 +60,7 @@ private:
     std::int64_t heldUntilNs_ = 0;
 };
 
-/// "force_002.mcap" of "force.mcap" and 2.
+/// Example: "force_002.mcap" for "force.mcap" and 2.
 QString numberedPath(const QString& path, int number);
 
 }  // namespace tiller::recording

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The set-up half of the codec: requests, replies and text messages. Seldom and short, so it may allocate.
+// Requests, replies and text messages of the setup. They are rare and short, so these functions may allocate.
 #include "robot/rtde/codec.h"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ Error wrongSize(PackageType type, std::size_t expected, std::size_t got) {
     return malformed(type, QStringLiteral("payload of %1 bytes where %2 belong").arg(got).arg(expected));
 }
 
-/// Appends a package around what `fill` appends, and sets its size. A payload that would not fit the size
-/// field is cut: no caller of ours comes near, and a wrong size would break the stream for good.
+/// Appends a package around the bytes that `fill` appends, and sets its size. A payload too large for the size
+/// field is truncated: no caller produces one, and a wrong size would corrupt the stream permanently.
 template <class Fill>
 void writePackage(Bytes& out, PackageType type, Fill fill) {
     const std::size_t start = out.size();
@@ -118,8 +118,8 @@ Result<SetupReply> readReplyWithId(ByteView payload, PackageType type) {
     return SetupReply{payload[0], std::move(answers).value()};
 }
 
-/// message length, message, source length, source, level: both directions in version 2, to the controller in
-/// both.
+/// Layout: message length, message, source length, source, level. Used in both directions in version 2, and towards
+/// the controller in both versions.
 Result<TextMessage> readLongText(ByteView payload) {
     constexpr auto kType = PackageType::TextMessage;
     TextMessage text;

@@ -29,9 +29,9 @@ struct Connection::State {
     Descriptor socket = kNoSocket;
     QString peer;
     mutable std::mutex errorMutex;
-    Error error;    ///< under it
-    Bytes replies;  ///< what the session wants sent
-    // One data package being sent; more than zero bytes are left only if the peer is not reading.
+    Error error;    ///< protected by the mutex
+    Bytes replies;  ///< bytes that the session wants to send
+    // The data package being sent. Bytes remain here only while the peer is not reading.
     std::array<std::uint8_t, kMaxPackageSize> outgoing{};
     std::size_t outgoingBegin = 0;
     std::size_t outgoingEnd = 0;
@@ -45,7 +45,7 @@ struct Connection::State {
         }
     }
 
-    // On a breaking connection reader and writer find out at the same time.
+    // When a connection breaks, the reader and the writer can both detect it.
     void failWith(ErrorCode code, const QString& what) { keep({code, peer, what}); }
     void keep(const Error& reason) {
         const std::lock_guard lock(errorMutex);
@@ -99,7 +99,7 @@ struct Connection::State {
                 inner.controllerMessage};
     }
 
-    /// Moves the session on until `done` says so.
+    /// Advances the session until `done` returns true.
     template <class Done>
     Result<void> converse(const Deadline& deadline, Done done) {
         if (socket == kNoSocket) {
@@ -109,7 +109,7 @@ struct Connection::State {
             if (auto sent = sendReplies(deadline); !sent) {
                 return sent;
             }
-            // Stop at the goal: what follows in the buffer is data for the caller.
+            // Stop as soon as `done` is true: the remaining bytes in the buffer are data for the caller.
             while (!done() && !session.isFailed()) {
                 const auto package = splitter.next();
                 if (!package) {
@@ -158,7 +158,7 @@ Result<std::unique_ptr<Connection>> Connection::open(const ConnectionOptions& op
     if (!socket) {
         Error error = socket.error();
         if (error.code == ErrorCode::Timeout) {
-            error.code = ErrorCode::HostUnreachable;  // Timeout is for hosts that were reached
+            error.code = ErrorCode::HostUnreachable;  // Timeout is reserved for hosts that were reached.
         }
         return error;
     }
@@ -250,7 +250,7 @@ Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost, const 
         if (timeIsUp) {
             return Read::Nothing;
         }
-        // Waiting first costs two system calls a package, reading first would cost three.
+        // Waiting first costs two system calls per package; reading first would cost three.
         if (!onlyLook) {
             const auto left = end - std::chrono::steady_clock::now();
             if (left.count() <= 0 || !native_socket::waitReadable(d.socket, left, waker)) {
@@ -261,7 +261,7 @@ Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost, const 
         switch (got.status) {
             case Status::Ok:
                 d.splitter.commit(got.bytes);
-                // A peer that floods us with something else must not keep us here.
+                // A peer that floods the connection with other packages must not block this call.
                 timeIsUp = std::chrono::steady_clock::now() >= end;
                 break;
             case Status::WouldBlock:
@@ -284,7 +284,7 @@ Connection::Send Connection::sendInputs(std::size_t recipe, std::span<const doub
     if (d.socket == kNoSocket || recipe >= recipes.size() || !recipes[recipe].isValid()) {
         return Send::Failed;
     }
-    // The rest of an older package has to go first, or the stream would be broken.
+    // The rest of an earlier package has to be sent first to keep the stream intact.
     Status status = d.flush();
     if (status == Status::Ok) {
         d.outgoingEnd = writeDataPackage(d.outgoing, recipes[recipe].id(), recipes[recipe].layout(), values);
@@ -293,7 +293,7 @@ Connection::Send Connection::sendInputs(std::size_t recipe, std::span<const doub
         }
         status = d.flush();
         if (status == Status::WouldBlock) {
-            // Nothing of it left the house: drop it. Otherwise the rest follows with the next one.
+            // If no byte of the package was sent, drop it. Otherwise the rest follows with the next package.
             const bool begun = d.outgoingBegin > 0;
             if (!begun) {
                 d.outgoingEnd = 0;

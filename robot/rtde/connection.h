@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// An RTDE connection: opens a native socket, runs the handshake within a deadline, and then moves data packages
-// over it without allocating. Its owner reads it in one thread and may send from others, one at a time; it has
-// none of its own. The destructor closes it, at once, whatever the peer does.
+// An RTDE connection: opens a native socket, runs the handshake within a deadline, and then transfers data
+// packages without allocating. It has no thread: one thread reads, and one thread at a time may send. The
+// destructor closes the socket immediately, whatever state the peer is in.
 
 #include <QString>
 #include <chrono>
@@ -28,10 +28,10 @@ struct ConnectionOptions {
 
 class Connection {
 public:
-    /// Connects and shakes hands.
+    /// Connects and performs the handshake.
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, ConnectionClosed, Timeout, Cancelled,
-    ///          ProtocolError, FieldUnknown (none of the outputs exists), RegisterInUse, Rejected; the
-    ///          context names host and port
+    ///          ProtocolError, FieldUnknown (the controller has none of the outputs), RegisterInUse, Rejected;
+    ///          the context names host and port
     /// Threads  any. Blocks: until the deadline at most. Real-time: no
     static Result<std::unique_ptr<Connection>> open(const ConnectionOptions& options,
                                                     const Deadline& deadline);
@@ -39,43 +39,43 @@ public:
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
-    const SoftwareVersion& version() const;     ///< Of the controller.
-    ProtocolVersion protocol() const;           ///< 2, or 1 on old software.
-    const Recipe& outputs() const;              ///< As the controller answered.
-    const std::vector<Recipe>& inputs() const;  ///< As the controller answered.
-    /// The whole answer of the handshake: names in use, text messages.
+    const SoftwareVersion& version() const;     ///< Software version of the controller.
+    ProtocolVersion protocol() const;           ///< V2, or V1 with old software.
+    const Recipe& outputs() const;              ///< The output recipe as accepted by the controller.
+    const std::vector<Recipe>& inputs() const;  ///< The input recipes as accepted by the controller.
+    /// The result of the handshake, including input names in use and text messages.
     const Session& session() const;
     /// Time between two data packages [s].
     double period() const;
-    /// "192.168.0.10:30004", for messages.
+    /// Address for messages, e.g. "192.168.0.10:30004".
     const QString& peer() const;
-    native_socket::Descriptor descriptor() const;  ///< Of the socket.
+    native_socket::Descriptor descriptor() const;  ///< Descriptor of the socket.
 
     enum class Read {
-        Package,   ///< values were filled
-        Nothing,   ///< no package within the time
+        Package,   ///< the values were filled
+        Nothing,   ///< no package arrived in time
         Closed,    ///< the controller ended the connection
-        Failed,    ///< the connection broke
-        Malformed  ///< bytes that are no RTDE; see error()
+        Failed,    ///< the connection failed
+        Malformed  ///< the received bytes are not RTDE; see error()
     };
-    /// Waits for the next data package and decodes it. Packages of other kinds are taken in silently (text
-    /// messages are kept in session()). A zero time only looks.
+    /// Waits for the next data package and decodes it. Packages of other types are consumed; text messages are
+    /// kept in session(). With a zero time the function only checks for received packages.
     /// values   at least outputs().size() numbers
-    /// waker    may end the wait early: Nothing then
-    /// Blocks: atMost. Real-time: yes (two system calls a package)
+    /// waker    may end the wait early; the result is then Nothing
+    /// Blocks: atMost. Real-time: yes (two system calls per package)
     Read readPackage(std::span<double> values, std::chrono::nanoseconds atMost,
                      const native_socket::Waker* waker = nullptr);
-    /// The same without decoding, for who has a better place for the numbers than a row of them.
-    /// wire  becomes what decodeEach() takes with outputs().layout(); there until the next call
+    /// Like readPackage(), without decoding the values.
+    /// wire  set to the bytes that decodeEach() reads with outputs().layout(); valid until the next call
     Read readWire(ByteView& wire, std::chrono::nanoseconds atMost,
                   const native_socket::Waker* waker = nullptr);
-    /// True when another package has already been received: readPackage() will not wait.
+    /// Returns  true if another package has already been received, so that readPackage() will not block
     bool hasPackage() const;
 
     enum class Send {
         Sent,
-        Busy,    ///< the peer does not read; the package was dropped, a later one may pass
-        Failed,  ///< the connection broke, or the recipe is not valid
+        Busy,    ///< the peer does not read; the package was dropped, later ones may succeed
+        Failed,  ///< the connection failed, or the recipe is not valid
     };
     /// Sends one data package.
     /// recipe   index into inputs()
@@ -83,14 +83,17 @@ public:
     /// Blocks: never. Real-time: yes (one system call)
     Send sendInputs(std::size_t recipe, std::span<const double> values);
 
-    /// Errors  Timeout, Cancelled, ConnectionClosed, Rejected, ProtocolError. Blocks: deadline
+    /// Resumes the data packages.
+    /// Errors   Timeout, Cancelled, ConnectionClosed, Rejected, ProtocolError
+    /// Blocks: until the deadline
     Result<void> start(const Deadline& deadline);
-    Result<void> pause(const Deadline& deadline);  ///< Data stop until start().
+    Result<void> pause(
+        const Deadline& deadline);  ///< Stops the data packages until start(). Errors as start().
 
-    /// Closes the socket. Reading and sending fail from now on. Blocks: never
+    /// Closes the socket. Later reads and sends fail. Blocks: never
     void close();
-    bool isOpen() const;  ///< Neither closed nor failed.
-    /// Why the last read or send did not work.
+    bool isOpen() const;  ///< False after close() and after a failure.
+    /// The reason for the last failed read or send.
     Error error() const;
 
 private:

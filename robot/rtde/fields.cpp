@@ -22,14 +22,14 @@ const char* prefix(Direction registers) {
     return registers == Direction::Output ? "output_" : "input_";
 }
 
-/// Built once; the names of the registers are kept alive by `names`.
+/// Built once; `names` owns the register names.
 class Catalogue {
 public:
     Catalogue() {
         outputs_.assign(tables::kOutputs.begin(), tables::kOutputs.end());
         inputs_.assign(tables::kInputs.begin(), tables::kInputs.end());
         addRegisters(outputs_, Direction::Output, Direction::Output);
-        // A client may also read back what it or others have set.
+        // A client may also read back input registers.
         addRegisters(outputs_, Direction::Output, Direction::Input);
         addRegisters(inputs_, Direction::Input, Direction::Input);
         for (const Field& field : outputs_) {
@@ -59,7 +59,8 @@ private:
         into.push_back({names_.back().c_str(), type, "", meaning, direction, since});
     }
 
-    /// direction  which way the field travels; registers  whose registers they are
+    /// direction  of the transmission
+    /// registers  whether input or output registers
     void addRegisters(std::vector<Field>& into, Direction direction, Direction registers) {
         const Since lowBits = registers == Direction::Output ? Since{} : kSince34;
         add(into, direction, std::string(prefix(registers)) + "bit_registers0_to_31", DataType::UInt32,
@@ -119,14 +120,14 @@ const Field* findInput(std::string_view name) {
 
 std::string_view nearestOutput(std::string_view name) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    constexpr std::size_t kLongest = 100;  // no field's name is longer
+    constexpr std::size_t kLongest = 100;  // longer than all field names
     if (name.size() > kLongest) {
         return {};
     }
     std::string_view nearest;
     std::size_t least = std::max<std::size_t>(2, name.size() / 4) + 1;
     for (const Field& field : outputFields()) {
-        // The edit distance, row by row: one for each letter put in, left out or exchanged.
+        // Levenshtein distance, row by row: insertions, deletions and substitutions cost 1 each.
         const std::string_view known = field.name;
         std::vector<std::size_t> row(known.size() + 1);
         std::iota(row.begin(), row.end(), std::size_t(0));

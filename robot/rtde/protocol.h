@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The words of RTDE (Real-Time Data Exchange, TCP port 30004): package types, data types, versions and
-// limits. Nothing here does anything; client and simulated controller share it. Source: RTDE guide.
+// Constants of RTDE (Real-Time Data Exchange, TCP port 30004): package types, data types, versions and limits,
+// shared by the client and the simulated controller. Source: RTDE guide.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,24 +15,24 @@
 
 namespace tiller::rtde {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
 
 inline constexpr std::uint16_t kPort = 30004;
 
-/// Size (2 bytes, itself included) and type (1 byte) in front of every payload.
+/// Size (2 bytes, including the header) and type (1 byte) precede every payload.
 inline constexpr std::size_t kHeaderSize = 3;
-/// What the size field can say.
+/// Largest value of the size field [bytes].
 inline constexpr std::size_t kMaxPackageSize = 65535;
-/// Some clients throw larger packages away; a controller should stay at or below.
+/// Some clients discard larger packages; a controller should not exceed this size [bytes].
 inline constexpr std::size_t kMaxPortablePackageSize = 4093;
-/// Longest comma-separated name list a controller promises to accept in one setup request [bytes].
+/// Longest comma-separated name list that every controller accepts in one setup request [bytes].
 inline constexpr std::size_t kMaxNameListSize = 2048;
 
-/// A fresh connection speaks V1 until another has been accepted. V3 is V2 with room for more configurable
-/// outputs: `configurable_digital_output` and its mask are UINT32. Source: the vendor's Python client.
+/// A new connection uses V1 until another version has been accepted. V3 equals V2, except that
+/// `configurable_digital_output` and its mask are UINT32. Source: the vendor's Python client.
 enum class ProtocolVersion : std::uint16_t { V1 = 1, V2 = 2, V3 = 3 };
 
 enum class PackageType : std::uint8_t {
@@ -47,7 +47,7 @@ enum class PackageType : std::uint8_t {
     ReadProperties = 'R',  ///< since 5.26 and 10.15
 };
 
-/// The guide's name of a package type, for messages: "RTDE_DATA_PACKAGE"; "unknown" for anything else.
+/// Name of a package type as in the RTDE guide, e.g. "RTDE_DATA_PACKAGE"; "unknown" for other values.
 const char* packageTypeName(PackageType type);
 
 enum class TextLevel : std::uint8_t { Exception = 0, Error = 1, Warning = 2, Info = 3 };
@@ -65,11 +65,11 @@ enum class DataType : std::uint8_t {
     Vector6UInt32,
 };
 
-/// The spelling in setup replies: "VECTOR6D".
+/// Spelling of a data type in setup replies, e.g. "VECTOR6D".
 const char* dataTypeName(DataType type);
-std::optional<DataType> dataTypeByName(std::string_view name);  ///< "VECTOR6D"
+std::optional<DataType> dataTypeByName(std::string_view name);  ///< The inverse of dataTypeName().
 
-/// Bytes on the wire.
+/// Size of one value on the wire [bytes].
 constexpr std::size_t wireSize(DataType type) {
     switch (type) {
         case DataType::Bool:
@@ -91,7 +91,7 @@ constexpr std::size_t wireSize(DataType type) {
     return 0;
 }
 
-/// Numbers in one value: 1, 3 or 6.
+/// Numbers in one value of the type: 1, 3 or 6.
 constexpr std::size_t componentCount(DataType type) {
     switch (type) {
         case DataType::Vector3D:

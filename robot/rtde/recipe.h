@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What was asked of the controller and what it answered: one list of fields with the types the robot itself
-// reported. A field it does not know is absent, which is a fact about the robot and not a failure.
+// A list of requested fields with the types that the controller reported. A field unknown to the robot is
+// listed as absent; this is not an error.
 
 #include <cstdint>
 #include <optional>
@@ -15,33 +15,38 @@
 
 namespace tiller::rtde {
 
-/// One field of a recipe in force.
+/// One field of an active recipe.
 struct RecipeField {
     std::string name;
     DataType type = DataType::Double;
-    std::size_t first = 0;  ///< index of its first number among the recipe's values
+    std::size_t first = 0;  ///< index of its first number in the values of the recipe
 };
 
 class Recipe {
 public:
     Recipe() = default;
-    /// requested, answers  of equal length; fields not answered with a type are absent
+    /// requested, answers  of equal length; fields answered without a type become absent
     Recipe(std::uint8_t id, const std::vector<std::string>& requested,
            const std::vector<FieldAnswer>& answers);
 
-    std::uint8_t id() const { return id_; }  ///< As the controller gave it.
-    /// True when packages of this recipe can be sent or will come.
+    std::uint8_t id() const { return id_; }  ///< Recipe id assigned by the controller.
+    /// True if packages of this recipe can be sent or received.
     bool isValid() const { return id_ != 0; }
-    const std::vector<RecipeField>& fields() const { return fields_; }  ///< In the order of the package.
-    const std::vector<std::string>& absent() const { return absent_; }  ///< Asked for, but not there.
-    const ValueLayout& layout() const { return layout_; }               ///< Of the package.
-    /// Numbers in one set of values.
+    const std::vector<RecipeField>& fields() const {
+        return fields_;
+    }  ///< Fields in the order of the package.
+    /// Requested fields that the robot does not have.
+    const std::vector<std::string>& absent() const { return absent_; }
+    const ValueLayout& layout() const { return layout_; }  ///< Layout of the package payload.
+    /// Number of values in one package.
     std::size_t size() const { return layout_.components(); }
 
-    const RecipeField* find(std::string_view name) const;  ///< Null when it is not among them.
-    /// Index of the field's first number among the values; nothing when the robot does not have it.
+    /// Returns  null if the recipe does not contain the field
+    const RecipeField* find(std::string_view name) const;
+    /// Index of the field's first number in the values; empty if the robot does not have the field.
     std::optional<std::size_t> indexOf(std::string_view name) const;
-    bool has(std::string_view name) const { return find(name) != nullptr; }  ///< It is among the fields.
+    /// Returns  true if the recipe contains the field
+    bool has(std::string_view name) const { return find(name) != nullptr; }
 
 private:
     std::uint8_t id_ = 0;

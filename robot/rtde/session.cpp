@@ -52,7 +52,7 @@ void Session::handle(const PackageView& package, Bytes& out) {
             keepText(package);
             return;
         case PackageType::Data:
-            // The first data can overtake the reply to START in the controller's hands.
+            // The first data package can overtake the reply to START.
             if (state_ == State::Starting) {
                 state_ = State::Running;
             }
@@ -88,9 +88,9 @@ void Session::handle(const PackageView& package, Bytes& out) {
             }
             return;
         case PackageType::ReadProperties:
-            return;  // never asked for
+            return;  // not requested
     }
-    // Another kind of package is the controller's affair; clients log it at most.
+    // Packages of unknown types are ignored.
 }
 
 void Session::start(Bytes& out) {
@@ -139,7 +139,7 @@ double Session::period() const {
 
 double Session::requestedFrequency() const {
     const double most = version_.maxFrequency();
-    // Version 1 cannot ask: data come as often as the controller can.
+    // Version 1 has no frequency field: data arrive at the maximum rate.
     if (protocol_ == ProtocolVersion::V1 || !(request_.frequency > 0)) {
         return most;
     }
@@ -159,7 +159,7 @@ void Session::onProtocol(ByteView payload, Bytes& out) {
         writeProtocolRequest(out, askedProtocol_);
         return;
     }
-    // Refused even version 1: it is what a connection speaks that has agreed on nothing.
+    // Version 1 was refused: it is the default of a connection without an agreed version.
     state_ = State::AskingVersion;
     writeVersionRequest(out);
 }
@@ -317,11 +317,11 @@ void Session::fail(ErrorCode code, const QString& context, const QString& messag
 void Session::keepText(const PackageView& package) {
     auto text = readControllerText(package.payload, protocol_);
     if (!text && protocol_ == ProtocolVersion::V2) {
-        // Sent before version 2 was agreed on.
+        // sent before version 2 was agreed on
         text = readControllerText(package.payload, ProtocolVersion::V1);
     }
     if (!text) {
-        return;  // not worth a connection
+        return;  // a malformed text does not end the connection
     }
     if (texts_.size() == kTextsKept) {
         texts_.erase(texts_.begin());

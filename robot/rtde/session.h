@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The client's side of an RTDE connection as a state machine without any I/O: packages in, bytes to send and
-// a state out. It asks for protocol 2 and is content with 1, reads the version, sets up outputs and inputs
-// (again without the fields the robot does not know), starts, and can pause and resume. Text messages and
-// late data packages may come at any point. Source: RTDE guide.
+// Client side of an RTDE connection as a state machine without I/O: it consumes packages and produces the bytes
+// to send. It negotiates protocol 2 (or 1), reads the controller version, sets up outputs and inputs (repeating the
+// request without the fields unknown to the robot), starts, pauses and resumes. Text messages and delayed data
+// packages may arrive in any state. Source: RTDE guide.
 
 #include <cstdint>
 #include <optional>
@@ -22,18 +22,18 @@ namespace tiller::rtde {
 /// One input recipe to set up.
 struct InputRequest {
     std::vector<std::string> names;
-    /// What to do when another client or a fieldbus owns one of the names: true ends the session with
-    /// RegisterInUse, false leaves this recipe invalid and goes on (see Session::inUse).
+    /// Behaviour if another client or a fieldbus uses one of the names: true fails the session with
+    /// RegisterInUse, false leaves only this recipe invalid (see Session::inUse).
     bool required = true;
 };
 
 struct SessionRequest {
-    /// Outputs wanted, in the order their values shall come. Empty: no data asked for.
+    /// Requested outputs, in the order of the decoded values. Empty: no data packages.
     std::vector<std::string> outputs;
-    /// Packages a second; 0 asks for the most the controller offers. Held to 1 .. the controller's maximum.
+    /// Packages per second; 0 requests the maximum of the controller. Clamped to 1 .. this maximum.
     double frequency = 0;
     std::vector<InputRequest> inputs;
-    /// Send START at the end of the handshake. Only with outputs; inputs alone need none.
+    /// Sends START at the end of the handshake. Needs outputs; a session with inputs only does not start.
     bool start = true;
 };
 
@@ -46,40 +46,40 @@ public:
         SettingUpOutputs,
         SettingUpInputs,
         Starting,
-        Ready,    ///< handshake done, not started (no outputs, or start was not wanted)
-        Running,  ///< data come
+        Ready,    ///< handshake complete, not started (no outputs, or `start` is false)
+        Running,  ///< data packages arrive
         Pausing,
-        Failed,  ///< see error(); nothing gets it out of here
+        Failed,  ///< see error(); final
     };
 
     explicit Session(SessionRequest request);
 
-    /// The first request. All functions append what is to be sent to `out`.
+    /// Appends the first request to `out`. All other functions also append the bytes to send to `out`.
     void begin(Bytes& out);
-    /// Takes any package except a data package while running (the caller decodes those itself).
+    /// Processes any package, except a data package while running (the caller decodes those).
     void handle(const PackageView& package, Bytes& out);
-    /// From Ready or Running; ignored otherwise.
+    /// Requests data packages. Allowed in Ready and Running; ignored otherwise.
     void start(Bytes& out);
-    void pause(Bytes& out);  ///< Appends the request.
+    void pause(Bytes& out);  ///< Requests a pause.
 
-    State state() const { return state_; }                     ///< Of the handshake.
-    bool isFailed() const { return state_ == State::Failed; }  ///< See error().
-    /// True once the handshake came to its end.
+    State state() const { return state_; }
+    bool isFailed() const { return state_ == State::Failed; }
+    /// True once the handshake is complete.
     bool isReady() const { return state_ == State::Ready || state_ == State::Running; }
-    const Error& error() const { return error_; }  ///< Why it failed.
-    /// What is being waited for, for messages: "the reply to RTDE_GET_URCONTROL_VERSION".
+    const Error& error() const { return error_; }  ///< The reason for State::Failed.
+    /// The pending reply, for messages, e.g. "the reply to RTDE_GET_URCONTROL_VERSION".
     QString awaited() const;
 
-    ProtocolVersion protocol() const { return protocol_; }       ///< Agreed upon.
-    const SoftwareVersion& version() const { return version_; }  ///< Of the controller.
-    const Recipe& outputs() const { return outputs_; }           ///< Of the data packages.
-    /// As many as were requested, in that order; one that was refused is invalid.
+    ProtocolVersion protocol() const { return protocol_; }       ///< The negotiated protocol version.
+    const SoftwareVersion& version() const { return version_; }  ///< Software version of the controller.
+    const Recipe& outputs() const { return outputs_; }           ///< Recipe of the data packages.
+    /// One recipe per InputRequest, in the same order; a refused recipe is invalid.
     const std::vector<Recipe>& inputs() const { return inputs_; }
-    /// Names owned by others, per input recipe.
+    /// Names used by other clients, per input recipe.
     const std::vector<std::vector<std::string>>& inUse() const { return inUse_; }
-    /// Time between two data packages [s]: a whole number of control steps.
+    /// Time between two data packages [s]: a multiple of the control period.
     double period() const;
-    /// Text messages that came so far; the newest 32 are kept.
+    /// The newest 32 text messages.
     const std::vector<TextMessage>& texts() const { return texts_; }
 
 private:
@@ -105,8 +105,8 @@ private:
     Recipe outputs_;
     std::vector<Recipe> inputs_;
     std::vector<std::vector<std::string>> inUse_;
-    std::vector<std::string> asked_;   ///< names of the setup request under way
-    std::vector<std::string> absent_;  ///< names dropped from it so far
+    std::vector<std::string> asked_;   ///< names in the pending setup request
+    std::vector<std::string> absent_;  ///< names removed from this request so far
     std::vector<TextMessage> texts_;
 };
 

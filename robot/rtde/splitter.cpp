@@ -8,7 +8,7 @@
 
 namespace tiller::rtde {
 
-// Twice the largest package: after compacting there is always room for the rest of one.
+// Twice the largest package: after compacting, the rest of a package always fits.
 PackageSplitter::PackageSplitter(std::size_t limit)
     : limit_(std::clamp(limit, kHeaderSize, kMaxPackageSize)), buffer_(2 * limit_) {}
 
@@ -91,7 +91,7 @@ void PackageSplitter::compact() {
     if (begin_ == 0) {
         return;
     }
-    // Moving is cheap when little is left, and needed only when the tail runs short.
+    // Compacting is cheap when few bytes are left, and needed only when the free tail is short.
     const std::size_t left = end_ - begin_;
     if (left == 0) {
         begin_ = end_ = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A byte stream cut into RTDE packages, for both ends of a connection. Never trusts a length. Source: RTDE
-// guide.
+// Splits a byte stream into RTDE packages, for both ends of a connection, and validates every length.
+// Source: RTDE guide.
 
 #include <optional>
 #include <span>
@@ -12,14 +12,14 @@
 
 namespace tiller::rtde {
 
-/// One complete package; the payload points into the splitter's buffer.
+/// One complete package; the payload points into the buffer of the splitter.
 struct PackageView {
     PackageType type{};
     ByteView payload;
 };
 
-/// Cuts a byte stream into packages, however it was segmented.
-/// Threads  one at a time. Real-time: yes (its buffer is allocated once, at construction)
+/// Splits a byte stream into packages, independent of its segmentation.
+/// Threads  one at a time. Real-time: yes (the buffer is allocated once, at construction)
 class PackageSplitter {
 public:
     enum class Fault {
@@ -31,26 +31,26 @@ public:
     /// limit  the largest package accepted [bytes, header included]
     explicit PackageSplitter(std::size_t limit = kMaxPackageSize);
 
-    /// Room to receive into, never empty while there is no fault and packages are taken; then say how much
-    /// came with commit(). Invalidates views handed out before.
+    /// Space for received bytes; never empty while there is no fault and packages are taken. Call commit() with
+    /// the number of bytes received. Invalidates earlier views.
     std::span<std::uint8_t> writable();
-    void commit(std::size_t bytes);  ///< So many were written into the space.
+    void commit(std::size_t bytes);  ///< Marks `bytes` of the writable space as received.
 
-    /// Copies bytes in. Invalidates views handed out before.
-    /// Returns  how many were taken: less than offered when packages have to be taken out first, or after a
+    /// Copies bytes into the buffer. Invalidates earlier views.
+    /// Returns  the number of bytes accepted; fewer than offered if packages have to be taken first, or after a
     ///          fault
     std::size_t feed(ByteView bytes);
 
-    /// The next complete package, if there is one. Its view lives until the next writable() or feed().
+    /// The next complete package, if any. Its view is valid until the next writable() or feed().
     std::optional<PackageView> next();
-    /// True when next() would return a package.
+    /// True if next() would return a package.
     bool hasNext() const;
 
-    /// After a fault the stream cannot be understood any more: nothing comes out until reset().
+    /// After a fault the stream is undefined, and next() returns nothing until reset().
     Fault fault() const { return fault_; }
-    /// ProtocolError naming the size field that was wrong; code None when there is no fault.
+    /// ProtocolError with the invalid size field; code None if there is no fault.
     Error error() const;
-    void reset();  ///< For a new connection.
+    void reset();  ///< Clears buffer and fault for a new connection.
 
 private:
     std::size_t nextSize() const;

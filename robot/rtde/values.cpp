@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/rtde/values.h"
 
-// The data-package half of the codec: what runs 500 times a second.
+// Encodes and decodes data packages, 500 times per second.
 #include <cmath>
 #include <limits>
 
@@ -9,7 +9,7 @@ namespace tiller::rtde {
 
 namespace {
 
-/// Rounds and holds to the range of an integer type; a NaN has no integer, 0 is the harmless one.
+/// Rounds and clamps to the range of an integer type. NaN becomes 0.
 template <class Integer>
 Integer toInteger(double value) {
     if (std::isnan(value)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The numbers of a data package, to and from the wire, without allocating. Source: RTDE guide; everything is
-// big-endian.
+// Converts the values of a data package from and to wire format without allocating. All numbers are big-endian.
+// Source: RTDE guide.
 
 #include <optional>
 #include <span>
@@ -13,15 +13,15 @@
 
 namespace tiller::rtde {
 
-/// The types of one recipe in order, with the sums a codec needs.
+/// The types of a recipe in order, with the totals that the codec needs.
 class ValueLayout {
 public:
     ValueLayout() = default;
     explicit ValueLayout(std::vector<DataType> types);
 
-    const std::vector<DataType>& types() const { return types_; }  ///< In their order.
-    std::size_t wireBytes() const { return wireBytes_; }           ///< packed, without recipe id
-    std::size_t components() const { return components_; }         ///< numbers in one set of values
+    const std::vector<DataType>& types() const { return types_; }  ///< Types in the order of the package.
+    std::size_t wireBytes() const { return wireBytes_; }           ///< size without recipe id [bytes]
+    std::size_t components() const { return components_; }         ///< numbers in one package
 
 private:
     std::vector<DataType> types_;
@@ -29,12 +29,12 @@ private:
     std::size_t components_ = 0;
 };
 
-/// Values travel as doubles: BOOL is 0 or 1, every 32-bit integer is exact, UINT64 is exact up to 2^53 (bit
-/// fields and counters stay far below).
-/// Returns  false, and touches nothing, when the sizes do not fit the layout
+/// Values are doubles: BOOL is 0 or 1, all 32-bit integers are exact, UINT64 is exact up to 2^53 (bit fields
+/// and counters stay far below).
+/// Returns  false, without writing anything, if the sizes do not match the layout
 /// Real-time: yes
 bool decodeValues(const ValueLayout& layout, ByteView wire, std::span<double> into);
-/// The same, each number straight to where it belongs: sink(index, value), in the order of the package.
+/// Like decodeValues(), with a callback for each number: sink(index, value), in the order of the package.
 template <class Sink>
 bool decodeEach(const ValueLayout& layout, ByteView wire, Sink sink) {
     if (wire.size() != layout.wireBytes()) {
@@ -77,27 +77,28 @@ bool decodeEach(const ValueLayout& layout, ByteView wire, Sink sink) {
     }
     return true;
 }
-/// Integers are rounded and held to their type's range; a NaN becomes 0.
+/// Integers are rounded and clamped to the range of their type; NaN becomes 0.
 bool encodeValues(const ValueLayout& layout, std::span<const double> values, std::span<std::uint8_t> wire);
 
-/// Size of a whole data package with header and, if it has one, recipe id.
+/// Size of a complete data package including the header and, if present, the recipe id [bytes].
 constexpr std::size_t dataPackageSize(std::size_t wireBytes, bool withRecipeId) {
     return kHeaderSize + (withRecipeId ? 1 : 0) + wireBytes;
 }
-/// Writes a whole data package. recipeId: absent only for outputs in protocol version 1.
-/// Returns  bytes written; 0 when it does not fit or the sizes do not match
+/// Writes a complete data package.
+/// recipeId  absent only for outputs in protocol version 1
+/// Returns   the number of bytes written; 0 if the sizes do not match or `into` is too small
 /// Real-time: yes
 std::size_t writeDataPackage(std::span<std::uint8_t> into, std::optional<std::uint8_t> recipeId,
                              const ValueLayout& layout, std::span<const double> values);
 
-/// A data package's payload taken apart.
+/// The parts of a data package's payload.
 struct DataView {
-    std::uint8_t recipeId = 0;  ///< 0 for outputs in protocol version 1, which carry none
+    std::uint8_t recipeId = 0;  ///< 0 for outputs in protocol version 1, which carry no id
     ByteView values;
 };
-/// Controller to client.
+/// Reads a package sent by the controller.
 std::optional<DataView> readOutputData(ByteView payload, ProtocolVersion version);
-/// Client to controller: both versions carry the recipe id.
+/// Reads a package sent by a client; both protocol versions carry the recipe id.
 std::optional<DataView> readInputData(ByteView payload);
 
 }  // namespace tiller::rtde

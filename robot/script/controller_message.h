@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the controller says on its primary interface: log lines, errors, popups, the beginning and end of
-// programs. And what it tells about the arm there.
+// Messages of the controller on the primary interface: log lines, errors, popups, start and end of programs; and
+// the arm configuration reported there.
 
 #include <QMetaType>
 #include <QString>
@@ -17,7 +17,7 @@
 
 namespace tiller::script {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 enum class MessageKind : std::uint8_t {
     Text,              ///< textmsg() of a program
@@ -25,35 +25,35 @@ enum class MessageKind : std::uint8_t {
     Popup,             ///< shown on the pendant
     Version,           ///< first message of every connection
     SafetyMode,        ///< the safety mode changed
-    ErrorCode,         ///< a numbered error: C209A0
+    ErrorCode,         ///< a numbered error, e.g. C209A0
     Key,               ///< a program started or stopped
     RequestValue,      ///< a program waits for an input on the pendant
-    RuntimeException,  ///< a program could not be compiled, or failed while running
-    Other,             ///< of a kind this library does not know
+    RuntimeException,  ///< a program could not be compiled, or failed at run time
+    Other,             ///< unknown to this library
 };
 
 enum class MessageSeverity : std::uint8_t { Debug, Info, Warning, Violation, Fault };
 
 struct ControllerMessage {
-    std::int64_t hostTimeNs = 0;  ///< when it arrived, by the client's Clock
-    std::uint64_t robotTime = 0;  ///< as sent; the unit is not documented
+    std::int64_t hostTimeNs = 0;  ///< time of arrival on the client's Clock
+    std::uint64_t robotTime = 0;  ///< time stamp of the controller; the unit is not documented
     MessageKind kind = MessageKind::Other;
     MessageSeverity severity = MessageSeverity::Info;
     int source = 0;  ///< -2 robot interface, -3 real-time machine, 7 controller ...
-    int code = 0;    ///< ErrorCode, Key, SafetyMode
+    int code = 0;    ///< for ErrorCode, Key and SafetyMode
     int argument = 0;
-    QString title;  ///< Key, Popup
+    QString title;  ///< for Key and Popup
     QString text;
-    int line = 0;  ///< RuntimeException: 1-based, 0 = not given
+    int line = 0;  ///< for RuntimeException: 1-based, 0 = unknown
     int column = 0;
 
-    /// "C209A0" for an error code, empty for everything else.
+    /// e.g. "C209A0" for an error code, otherwise empty.
     QString codeName() const;
 };
 
-/// The parts of the 10 Hz robot state that RTDE does not have.
+/// Values of the 10 Hz robot state that RTDE does not provide.
 struct PrimaryState {
-    SoftwareVersion version;  ///< zeros until the version message came
+    SoftwareVersion version;  ///< zeros until the version message is received
     bool powerOn = false;
     bool emergencyStopped = false;
     bool protectiveStopped = false;
@@ -61,10 +61,10 @@ struct PrimaryState {
     bool programPaused = false;
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
-    std::uint64_t packages = 0;  ///< robot state packages seen; 0 = nothing above is valid yet
+    std::uint64_t packages = 0;  ///< number of robot state packages received; 0: no valid values yet
 };
 
-/// The arm's own dimensions and limits, calibration included.
+/// Dimensions and limits of the individual arm, including calibration.
 struct RobotConfiguration {
     std::array<double, 6> minPosition{};  ///< [rad]
     std::array<double, 6> maxPosition{};  ///< [rad]

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Bounds how many messages of a controller are shown. A program that opens popups or writes texts in a loop, or a
-// defective controller, sends more than anyone can read and more than a window can lay out.
+// Limits the number of displayed controller messages. A program that opens popups or writes texts in a loop, or a
+// defective controller, can send more than a person can read and a window can lay out.
 
 #include <array>
 #include <cstdint>
@@ -14,8 +14,8 @@
 namespace tiller::script {
 
 struct MessageLimits {
-    double burst = 100;     ///< messages of one kind that pass at once
-    double perSecond = 20;  ///< of one kind, once the burst is used up [1/s]
+    double burst = 100;     ///< messages of one kind that pass immediately
+    double perSecond = 20;  ///< per kind, after the burst is used up [1/s]
 };
 
 /// One budget for each kind of message, so that a flood of popups hides no error.
@@ -24,13 +24,13 @@ class MessageLimiter {
 public:
     explicit MessageLimiter(const MessageLimits& limits = {}) : limits_(limits) {}
 
-    /// Removes the messages beyond the budget of their kind; the order of the others stays.
+    /// Removes the messages beyond the budget of their kind and keeps the order of the others.
     /// nowNs  monotonic time
     void limit(std::vector<ControllerMessage>& messages, std::int64_t nowNs);
-    /// Returns how many messages were removed since the last count that was not 0, including those of setDropped().
-    /// A count is given once a second at most; 0 in between.
+    /// Returns the number of messages removed since the last nonzero count, including those of setDropped().
+    /// Nonzero at most once per second; 0 in between.
     std::uint64_t takeRemoved(std::int64_t nowNs);
-    /// total  messages that were dropped before they got here, since the beginning
+    /// total  number of messages dropped by the source so far
     void setDropped(std::uint64_t total);
 
 private:

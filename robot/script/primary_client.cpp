@@ -17,12 +17,12 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// A controller sends some 20 kB/s. What a flood sends beyond 100 times as much waits in the buffers of TCP, and then at
-/// the sender, in place of taking a core here.
+/// A controller sends about 20 kB/s. Data beyond 100 times this rate remain in the TCP buffers and slow down the
+/// sender, so that a flood does not occupy a CPU.
 class ReadPace {
 public:
     void take(std::size_t bytes) { taken_ += bytes; }
-    /// Until the next read.
+    /// Pause before the next read.
     milliseconds pause() {
         const auto now = std::chrono::steady_clock::now();
         if (now >= end_) {
@@ -49,7 +49,7 @@ struct PrimaryClient::Private {
     mutable std::mutex mutex;
     mutable std::condition_variable changed;
     ListenerThread thread{mutex, changed};
-    // All below under the mutex.
+    // The following members are protected by the mutex.
     std::deque<ControllerMessage> messages;
     PrimaryState state;
     std::optional<RobotConfiguration> configuration;
@@ -88,7 +88,7 @@ void PrimaryClient::Private::run() {
     changed.notify_all();
 }
 
-// Returns why the connection could not be made, or ended.
+// Returns the reason why the connection could not be opened, or ended.
 Error PrimaryClient::Private::listen() {
     constexpr milliseconds kConnectTime(3000);
     auto socket = openTcpSocket(options.host, options.port, Deadline::after(kConnectTime, thread.cancel));
@@ -106,11 +106,11 @@ Error PrimaryClient::Private::listen() {
     PrimaryReader reader;
     ReadPace pace;
     std::uint64_t malformedBefore = 0;
-    // Short enough that the end of the thread is not felt in the 20 ms in which a cancel takes effect.
+    // Short compared to the 20 ms within which a cancel takes effect.
     constexpr milliseconds kPoll(5);
     while (!thread.cancel.isCancelled()) {
         if (stopWanted.exchange(false, std::memory_order_acq_rel)) {
-            // What is so short fits whenever anything does; a connection that takes nothing is told of
+            // The message is short enough for any working connection; failures of the connection are reported
             // elsewhere.
             (void)sendStopProgram(descriptor);
         }
@@ -158,7 +158,7 @@ void PrimaryClient::Private::publish(PrimaryParser& parser) {
     changed.notify_all();
 }
 
-// False when it was cut short by stop().
+// Returns false if interrupted by stop().
 bool PrimaryClient::Private::pauseFor(milliseconds time) {
     std::unique_lock lock(mutex);
     return !changed.wait_for(lock, time, [this] { return thread.cancel.isCancelled(); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Listens to the primary interface (port 30001): messages of the controller, and the arm's own dimensions.
+// Receives the primary interface (port 30001): messages of the controller and the configuration of the arm.
 
 #include <QString>
 #include <memory>
@@ -20,12 +20,12 @@ struct PrimaryClientOptions {
     Text host = QStringLiteral("127.0.0.1");
     int port = 30001;
     const Clock* clock = &SteadyClock::shared();
-    bool reconnect = true;            ///< after 0.5, 1, 2, 5, 5 ... s
-    std::size_t maxMessages = 10000;  ///< kept until taken; then the oldest go and are counted
+    bool reconnect = true;            ///< with delays of 0.5, 1, 2, 5, 5 ... s
+    std::size_t maxMessages = 10000;  ///< buffered messages; beyond this the oldest are dropped and counted
 };
 
-/// Thread: one, normal priority; started by start(), ended by stop() or the destructor. It reads the socket;
-/// messages and states cross to the callers under a mutex.
+/// Owns one thread with normal priority; started by start(), ended by stop() or the destructor. The thread reads
+/// the socket; a mutex protects messages and states.
 class PrimaryClient {
 public:
     explicit PrimaryClient(const PrimaryClientOptions& options);
@@ -33,28 +33,29 @@ public:
     PrimaryClient(const PrimaryClient&) = delete;
     PrimaryClient& operator=(const PrimaryClient&) = delete;
 
-    // Threads  any, for everything below. Blocks: only where a deadline is given, and stop() for some 20 ms.
+    // Starts the thread.
+    // Threads  any, for all functions. Blocks: only functions with a deadline, and stop() for about 20 ms
     void start();
-    void stop();  ///< Ends the thread. Harmless when not running.
+    void stop();  ///< Ends the thread. Allowed when not running.
 
-    /// Waits until the first robot state has come.
-    /// Errors   what kept the connection from working: HostUnreachable, ConnectionRefused, Timeout ...
+    /// Waits until the first robot state was received.
+    /// Errors   the reason for the missing connection: HostUnreachable, ConnectionRefused, Timeout ...
     Result<void> waitForState(const Deadline& deadline) const;
-    bool isConnected() const;  ///< Any thread
-    /// Why there is no connection now; code None when there is one or none was tried.
+    bool isConnected() const;
+    /// The reason for the missing connection; code None if connected or not yet tried.
     Error connectionError() const;
 
-    /// Lets its thread tell the controller to stop the program that runs or is paused, within some 5 ms. Lost
-    /// when there is no connection. Real-time: yes
+    /// Requests the thread to stop the running or paused program on the controller, within about 5 ms. Without
+    /// effect if there is no connection. Real-time: yes
     void requestProgramStop();
 
     /// All messages since the last call, oldest first.
     std::vector<ControllerMessage> takeMessages();
-    PrimaryState state() const;  ///< The newest. Any thread
-    /// From the first robot state of a connection on.
+    PrimaryState state() const;  ///< The newest state.
+    /// Available after the first robot state of a connection.
     std::optional<RobotConfiguration> configuration() const;
-    std::uint64_t droppedMessages() const;  ///< For want of space. Any thread
-    /// Packages that were not what the protocol says, and were skipped.
+    std::uint64_t droppedMessages() const;  ///< Messages dropped because of a full buffer.
+    /// Skipped packages that violate the protocol.
     std::uint64_t malformedPackages() const;
 
 private:

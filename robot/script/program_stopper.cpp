@@ -19,10 +19,10 @@ namespace {
 
 constexpr int kReadOnlySocket = 210;
 constexpr std::int64_t kAskForNs = 2 * kNsPerSecond;
-/// A controller that was told tells within two of its states, 100 ms apart, that it stopped.
+/// A controller reports a stop within two robot states, 100 ms apart.
 constexpr std::int64_t kAskAgainNs = 300 * kNsPerMs;
 constexpr milliseconds kConnectTime(1000);
-/// For the connection that a stop goes out on besides the one there is, which is not read meanwhile.
+/// For the second connection of a stop; the existing one is not read meanwhile.
 constexpr milliseconds kSecondConnectTime(300);
 
 void closeIfOpen(Descriptor socket) {
@@ -39,19 +39,19 @@ struct ProgramStopper::Private {
     mutable std::mutex mutex;
     mutable std::condition_variable changed;
     ListenerThread thread{mutex, changed};
-    // All below under the mutex.
+    // The following members are protected by the mutex.
     bool running = false;
-    Descriptor socket = -1;  ///< closed by the thread alone
-    bool anew = false;       ///< this connection is to be given up
+    Descriptor socket = -1;  ///< closed by the thread only
+    bool renew = false;      ///< close this connection and open a new one
     Error connectionError;
     bool asked = false;
     bool sent = false;    ///< on this connection
-    bool second = false;  ///< another connection is to be made for what was asked
-    int states = 0;       ///< of the controller, since it was sent
-    int refusals = 0;     ///< since it was asked for
+    bool second = false;  ///< open a second connection for the request
+    int states = 0;       ///< robot states received since sending
+    int refusals = 0;     ///< since the request
     std::int64_t askedNs = 0;
     std::int64_t sentNs = 0;
-    Error outcome;  ///< of the last request; code None: it was carried out, or there was none
+    Error outcome;  ///< of the last request; code None: stopped, or no request
 
     QString context() const {
         return QStringLiteral("stop the program at %1:%2").arg(options.host).arg(options.port);
@@ -69,15 +69,15 @@ struct ProgramStopper::Private {
     bool pauseFor(milliseconds time);
 };
 
-// All of these under the mutex.
+// All functions below require the mutex.
 
 void ProgramStopper::Private::send() {
-    if (socket < 0 || anew) {
+    if (socket < 0 || renew) {
         return;
     }
     const native_socket::Transfer out = sendStopProgram(socket);
     if (out.status != Status::Ok || out.bytes != kStopProgram.size()) {
-        anew = true;  // broken, or full because nobody reads
+        renew = true;  // connection broken, or its buffer full
         return;
     }
     sent = true;
@@ -95,7 +95,8 @@ void ProgramStopper::Private::look() {
     if (!asked) {
         return;
     }
-    constexpr int kRefusals = 2;  // the first may be due to a connection older than the switch to Remote
+    constexpr int kRefusals =
+        2;  // the first one may come from a connection opened before the switch to Remote
     if (refusals >= kRefusals) {
         settle({ErrorCode::RemoteControlRequired, context(),
                 QStringLiteral("the robot takes no programs and no stops from here while it is in Local")});
@@ -104,22 +105,22 @@ void ProgramStopper::Private::look() {
                    ? connectionError
                    : Error{ErrorCode::Timeout, context(), QStringLiteral("the program goes on")});
     } else if (sent && now() - sentNs > kAskAgainNs) {
-        anew = true;
+        renew = true;
     }
 }
 
 void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& packages) {
-    const bool waits = asked && sent && !anew;
+    const bool waits = asked && sent && !renew;
     for (const ControllerMessage& message : parser.takeMessages()) {
-        if (waits && !anew && message.kind == MessageKind::ErrorCode && message.code == kReadOnlySocket) {
+        if (waits && !renew && message.kind == MessageKind::ErrorCode && message.code == kReadOnlySocket) {
             ++refusals;
-            anew = true;
+            renew = true;
         }
     }
     const PrimaryState& state = parser.state();
-    if (waits && !anew && state.packages != packages) {
+    if (waits && !renew && state.packages != packages) {
         ++states;
-        constexpr int kFresh = 2;  // the first may have been on its way already
+        constexpr int kFresh = 2;  // the first state may have been sent before the stop
         if (states >= kFresh && !state.programRunning && !state.programPaused) {
             settle({});
         }
@@ -127,10 +128,10 @@ void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& package
     packages = state.packages;
 }
 
-// The thread's own.
+// Members used by the thread only.
 
 void ProgramStopper::Private::run() {
-    // Who is hung up on at once is not to be asked a thousand times a second.
+    // Limits the rate of attempts with a peer that closes every connection immediately.
     constexpr milliseconds kBrief(50);
     std::size_t attempt = 0;
     while (!thread.cancel.isCancelled()) {
@@ -147,7 +148,7 @@ void ProgramStopper::Private::run() {
         bool atOnce = false;
         {
             const std::lock_guard lock(mutex);
-            atOnce = opened.ok() && std::exchange(anew, false) &&
+            atOnce = opened.ok() && std::exchange(renew, false) &&
                      std::chrono::steady_clock::now() - since > kBrief;
             connectionError = ended;
             look();
@@ -167,7 +168,7 @@ void ProgramStopper::Private::run() {
 void ProgramStopper::Private::use(Descriptor descriptor) {
     const std::lock_guard lock(mutex);
     socket = descriptor;
-    anew = false;
+    renew = false;
     sent = false;
     second = false;
     connectionError = {};
@@ -182,7 +183,7 @@ bool ProgramStopper::Private::wantsSecond() {
     return std::exchange(second, false) && asked;
 }
 
-// Closes the connection. Returns why it ended.
+// Closes the connection and returns the reason for its end.
 Error ProgramStopper::Private::listen(Descriptor descriptor) {
     use(descriptor);
     auto reader = std::make_unique<PrimaryReader>();
@@ -190,8 +191,8 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
     constexpr milliseconds kPoll(10);
     Error ended{ErrorCode::ConnectionClosed, context(), {}};
     bool goesOn = true;
-    // The connection before the newest one. With something unread the system would cut it when it is closed,
-    // and a stop that was sent on it just now could go with it.
+    // The previous connection. Closing a socket with unread data resets the connection and could discard a stop
+    // that was just sent on it.
     Descriptor before = -1;
     while (goesOn && !thread.cancel.isCancelled()) {
         if (wantsSecond()) {
@@ -214,7 +215,7 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
         const std::lock_guard lock(mutex);
         hear(reader->parser(), packages);
         look();
-        goesOn = goesOn && !anew;
+        goesOn = goesOn && !renew;
     }
     {
         const std::lock_guard lock(mutex);
@@ -226,10 +227,10 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
 }
 
 bool ProgramStopper::Private::pauseFor(milliseconds time) {
-    // Shorter while a stop waits: the robot may be back any moment.
+    // Shorter while a stop is requested, because the robot may become reachable at any time.
     constexpr milliseconds kWhileAsked(50);
     std::unique_lock lock(mutex);
-    const auto wanted = [this] { return thread.cancel.isCancelled() || anew; };
+    const auto wanted = [this] { return thread.cancel.isCancelled() || renew; };
     const auto end = std::chrono::steady_clock::now() + time;
     while (!wanted() && std::chrono::steady_clock::now() < end) {
         if (asked) {
@@ -238,7 +239,7 @@ bool ProgramStopper::Private::pauseFor(milliseconds time) {
         }
         changed.wait_until(lock, end, [&] { return wanted() || asked; });
     }
-    anew = false;
+    renew = false;
     return !thread.cancel.isCancelled();
 }
 
@@ -306,7 +307,7 @@ Error ProgramStopper::error() const {
 void ProgramStopper::reconnect() {
     {
         const std::lock_guard lock(d_->mutex);
-        d_->anew = true;
+        d_->renew = true;
     }
     d_->changed.notify_all();
 }

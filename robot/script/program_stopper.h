@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stops whatever program runs on the controller, whoever started it, at once: "stop program" on a connection
-// to the primary interface that is made beforehand and kept, so that nothing but the command itself has to go
-// out; and on a new connection as well, because the controller may have forgotten the other one without a
-// sign. What moves through control::Controller is stopped by Controller::stop(); this is for programs of
-// others, from the teach pendant, another PC, or a program that was left running.
+// Stops any program on the controller immediately, independent of its origin (teach pendant, another PC): sends
+// "stop program" on an existing connection to the primary interface, and also on a new connection, because the
+// controller may have dropped the existing one without closing it. Motions of control::Controller are stopped by
+// Controller::stop() instead.
 //
-// A robot in Local control refuses it, as it refuses everything on this interface; the pendant stops it then.
-// A connection that was made in Local stays refused after the switch to Remote, so a refusal is answered by
-// one more try on a new connection. Software whose primary interface is switched off has DashboardClient and
-// RobotService::perform(StopProgram) instead; who wants to be sure asks both ways.
+// A robot in Local refuses this command, as all commands on this interface; use the pendant in this case. A
+// connection opened in Local is refused even after the switch to Remote, so a refusal is followed by another
+// attempt on a new connection. If the primary interface is disabled, use DashboardClient or
+// RobotService::perform(StopProgram); callers that must be sure use both.
 //
-// Source: Universal Robots client library ("stop program" on port 30001; a socket opened in Local stays
-// read-only). Whether a real controller in Local makes an exception for this word is not known.
+// Source: Universal Robots client library ("stop program" on port 30001; a socket opened in Local stays read-only).
+// It is not known whether a real controller in Local accepts this command as an exception.
 
 #include <QString>
 #include <memory>
@@ -28,12 +27,12 @@ namespace tiller::script {
 struct ProgramStopperOptions {
     QString host = QStringLiteral("127.0.0.1");
     int port = kPrimaryPort;
-    const Clock* clock = &SteadyClock::shared();  ///< for how long a stop is asked for again
+    const Clock* clock = &SteadyClock::shared();  ///< limits the duration of the repeated stop requests
 };
 
-/// Thread: one, normal priority; started by start(), ended by end() or the destructor. It makes the
-/// connection (again after 0.5, 1, 2, 5, 5 ... s, at once while a stop is asked for) and reads it; the socket
-/// and what is asked for are shared with the callers under a mutex that nobody holds while waiting.
+/// Owns one thread with normal priority; started by start(), ended by end() or the destructor. The thread opens the
+/// connection (again after 0.5, 1, 2, 5, 5 ... s, immediately while a stop is requested) and reads it. A mutex,
+/// never locked while waiting, protects the socket and the request.
 class ProgramStopper {
 public:
     explicit ProgramStopper(const ProgramStopperOptions& options);
@@ -41,28 +40,29 @@ public:
     ProgramStopper(const ProgramStopper&) = delete;
     ProgramStopper& operator=(const ProgramStopper&) = delete;
 
-    // Threads  any, for everything below. Blocks: only where a deadline is given, and end() for some 20 ms.
+    // Starts the thread.
+    // Threads  any, for all functions. Blocks: only functions with a deadline, and end() for about 20 ms
     void start();
-    void end();  ///< Ends the thread.
+    void end();
 
-    /// Asks for the stop. Where there is a connection the command is on its way when this returns. It is sent
-    /// on a new connection too, some 10 ms later, and again on a new one every 0.3 s, until the controller
-    /// reports that no program runs, for two seconds.
+    /// Requests the stop. If there is a connection, the command has been sent when this function returns. It is
+    /// sent on a new connection as well about 10 ms later, and again on a new connection every 0.3 s for two
+    /// seconds, until the controller reports that no program is running.
     void requestStop();
-    /// Asks no more: whoever starts a program now wants it to run.
+    /// Cancels the request, so that a program started from now on is not stopped.
     void withdraw();
-    /// Waits for what became of the last request.
-    /// Errors   RemoteControlRequired, Timeout (the program goes on, or the controller is mute), Cancelled
-    ///          (withdraw(), end(), or the deadline's token); what kept the connection from being made:
+    /// Waits for the outcome of the last request.
+    /// Errors   RemoteControlRequired, Timeout (the program continues, or the controller does not respond),
+    ///          Cancelled (withdraw(), end(), or the deadline's token), or the reason for a missing connection:
     ///          HostUnreachable, ConnectionRefused ...
     Result<void> waitUntilStopped(const Deadline& deadline) const;
-    /// What became of the last request, if that is known: nothing yet while it is under way.
+    /// True while the outcome of the last request is not known.
     bool isUnderWay() const;
-    Error error() const;  ///< Why the last stop failed.
+    Error error() const;  ///< The reason for the failure of the last stop.
 
-    /// Makes the connection anew: after the switch from Local to Remote.
+    /// Opens a new connection, e.g. after the switch from Local to Remote.
     void reconnect();
-    bool isConnected() const;  ///< Any thread
+    bool isConnected() const;
 
 private:
     struct Private;

@@ -12,10 +12,10 @@ using native_socket::Status;
 
 namespace {
 
-/// What the controller streams.
+/// Discards data streamed by the controller.
 Status readUnwanted(native_socket::Descriptor socket) {
     std::array<std::uint8_t, 16384> unwanted;
-    constexpr int kReads = 256;  // more than a connection holds; a flood does not keep us here
+    constexpr int kReads = 256;  // more than a socket buffer; limits the time spent in a flood
     Status status = Status::Ok;
     for (int i = 0; i < kReads && status == Status::Ok; ++i) {
         status = native_socket::receive(socket, unwanted).status;
@@ -67,7 +67,7 @@ Result<void> ScriptClient::send(const Text& text, const Deadline& deadline) {
             return Error{ErrorCode::ConnectionClosed, context, {}};
         }
         if (deadline.hasExpired()) {
-            // Half a program is on its way: only a closed connection keeps the rest from being glued to it.
+            // Part of the program was sent: close the connection, so that no further text is appended to it.
             close();
             return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context, {}};
         }
@@ -78,7 +78,7 @@ Result<void> ScriptClient::send(const Text& text, const Deadline& deadline) {
 
 void ScriptClient::close() {
     if (socket_ >= 0) {
-        // With something unread the system would cut the connection, and what was sent could go with it.
+        // Closing a socket with unread data resets the connection and can discard the sent program.
         readUnwanted(socket_);
         native_socket::close(std::exchange(socket_, -1));
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sends URScript to the controller. It keeps the connection open after sending: a controller can drop a
-// program whose sender hangs up at once. What became of the program is told by the primary interface only,
-// see primary_client.h; the state the controller streams here is thrown away whenever the client is used.
+// Sends URScript to the controller. The connection stays open after sending, because a controller can drop a
+// program if its sender disconnects immediately. The outcome of the program is only reported on the primary
+// interface, see primary_client.h; data received on this connection are discarded.
 
 #include <QString>
 
@@ -28,11 +28,11 @@ public:
 
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
-    /// Sends the text and sees it off the machine. Adds the newline without which nothing is executed.
+    /// Sends the text and waits until it is transmitted. Adds the final newline that the controller requires.
     /// Errors   NotConnected, ConnectionClosed, Timeout, Cancelled, InvalidArgument (empty text)
     Result<void> send(const Text& text, const Deadline& deadline);
-    void close();  ///< Harmless when not connected.
-    /// Not any more once the controller has hung up, which one does whose stream nobody reads for minutes.
+    void close();  ///< Allowed when not connected.
+    /// False after the controller has closed the connection, e.g. because its stream was not read for minutes.
     bool isConnected();
 
 private:

@@ -9,12 +9,12 @@ namespace tiller::script {
 
 namespace {
 
-// What a sum of control periods may miss by rounding [s].
+// Rounding error of a sum of control periods [s].
 constexpr double kRounding = 0.0005;
-// The controller's own watchdog comes after the thread.
+// The controller's own watchdog reacts after the thread.
 constexpr double kLater = 1.5;
 
-/// Without strings and comments.
+/// Removes strings and comments.
 QString codeOf(const QString& line) {
     static const QRegularExpression kString(QStringLiteral("\"[^\"]*\"?"));
     QString code = line;
@@ -22,14 +22,14 @@ QString codeOf(const QString& line) {
     return code.section(QLatin1Char('#'), 0, 0).trimmed();
 }
 
-/// Words that are no URScript: "run program", "power on".
+/// Commands that are not URScript: "run program", "power on".
 bool isCommand(const QString& code) {
     static const QRegularExpression kCommand(
         QStringLiteral("^(?:(?:run|stop|pause) program|power (?:on|off)|set \\w+.*)$"));
     return kCommand.match(code).hasMatch();
 }
 
-/// By how many blocks a line opens more than it closes.
+/// Number of blocks opened minus blocks closed by a line.
 int depthChange(const QString& code) {
     static const QRegularExpression kWord(
         QStringLiteral("(?<![\\w.])(?:(def|sec|thread|if|while)|(end))\\b"));
@@ -45,7 +45,7 @@ bool beginsWith(const QString& code, const char* keyword) {
     return word.match(code).hasMatch();
 }
 
-/// The length of "def name(...):" where the line goes on with statements; 0 otherwise.
+/// Length of "def name(...):" if statements follow on the same line; otherwise 0.
 qsizetype headerLength(const QString& line) {
     static const QRegularExpression kHeader(QStringLiteral("^\\s*def\\s+\\w+\\s*\\([^)]*\\)\\s*:"));
     const qsizetype length = kHeader.match(line).capturedLength();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A program of the user's with a watchdog thread in it: the program ends, and with it every motion, when its
-// client no longer sends a heartbeat. Without the thread a program runs on after its client has been killed.
+// Adds a watchdog thread to a user program: the program, and with it every motion, ends if the client stops sending
+// a heartbeat. Without this thread a program continues after its client has crashed.
 
 #include <QString>
 #include <chrono>
@@ -13,53 +13,52 @@
 
 namespace tiller::script {
 
-/// Input registers through which a client shows a running program that it is alive.
+/// Input registers for the heartbeat of a client.
 struct Heartbeat {
-    int number = 0;  ///< integer register: a different number with every packet
-    /// Value of another integer register.
+    int number = 0;  ///< integer register with a different number in every packet
+    /// A required value of another integer register.
     struct Expected {
         int number = 0;
         std::int32_t value = 0;
     };
-    /// The heartbeat counts only while this register has this value: another client sends another one.
+    /// The heartbeat is valid only while this register has this value; it distinguishes clients.
     std::optional<Expected> session = {};
-    /// A larger number in this register ends the program at once.
+    /// A larger number in this register ends the program immediately.
     std::optional<Expected> lastEpoch = {};
-    /// Output register that is 0 from the beginning of the program and gets this value when no heartbeat has come:
-    /// how a client that is still there learns why the program ended.
+    /// Output register that is 0 at the start of the program, and is set to this value when the heartbeat is
+    /// missing, so that a running client can read why the program ended.
     std::optional<Expected> expired = {};
-    std::chrono::milliseconds timeout{0};  ///< without a heartbeat the program ends after this time
+    std::chrono::milliseconds timeout{0};  ///< maximum time without a heartbeat
 };
 
 struct SupervisedProgram {
     QString text;
-    QString name;           ///< of the first program in it, in the controller's messages; may be empty
-    int insertedAfter = 0;  ///< lines of the user's text before the inserted lines
-    int insertedLines = 0;  ///< 0: the text is the user's own
-    /// Line of the user's text, counted from 1, for a line of `text`; 0 for an inserted line.
+    QString name;           ///< name of the first program, as in the controller's messages; may be empty
+    int insertedAfter = 0;  ///< number of original lines before the inserted lines
+    int insertedLines = 0;  ///< 0: the text is unchanged
+    /// Original line number (from 1) of a line of `text`; 0 for an inserted line.
     int lineOf(int line) const;
 };
 
-/// Inserts the watchdog thread into each `def` at the top level, behind "def name():". Lines outside of a
-/// `def` become a program of their own, which runs them one after the other. A `sec` cannot move the arm and
-/// stays as it is.
+/// Inserts the watchdog thread into each top-level `def`, after "def name():". Lines outside of a `def` are
+/// collected in an additional program. A `sec` cannot move the arm and remains unchanged.
 ///
-/// On expiry the thread calls `halt`. A thread must not call stopj while another one moves the arm ("another
-/// thread is already controlling the robot"), and `halt` ends a program from any of its threads. How hard the
-/// arm then brakes is up to the controller. `rtde_set_watchdog` does the same half that time later, from outside of
-/// the program: for one that lets none of its other threads run.
+/// On expiry the thread calls `halt`. It cannot call stopj while another thread moves the arm ("another thread is
+/// already controlling the robot"), whereas `halt` ends a program from any of its threads; the controller defines
+/// the deceleration. `rtde_set_watchdog` does the same with a 50 % longer timeout from outside of the program, for
+/// programs that block their other threads.
 /// Source   URScript halt, rtde_set_watchdog
 SupervisedProgram supervised(const QString& program, const Heartbeat& heartbeat,
                              const SoftwareVersion& version);
-/// The watchdog thread on its own, for text that becomes part of a program made elsewhere.
+/// The watchdog thread only, for programs that are assembled elsewhere.
 QString watchdogScript(const Heartbeat& heartbeat, const SoftwareVersion& version);
-/// The program as it is: it runs on when its client is gone.
+/// The unchanged program: it continues without its client.
 SupervisedProgram unsupervised(const QString& program);
 
-/// Names that begin with this belong to the inserted lines.
+/// Prefix of all names in the inserted lines.
 inline constexpr auto kHeartbeatPrefix = "tiller_heartbeat";
 
-/// URScript for the length of a control period [s].
+/// URScript expression for the control period [s].
 QString stepTimeText(const SoftwareVersion& version);
 
 }  // namespace tiller::script

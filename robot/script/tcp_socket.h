@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For this room and the dashboard's: tiller::connectTcp() with Qt's socket around it.
+// Connects a QTcpSocket by tiller::connectTcp(), for this folder and robot/dashboard.
 
 #include <QString>
 #include <memory>
@@ -14,9 +14,9 @@ class QTcpSocket;
 namespace tiller::script {
 
 /// Connects to host:port.
-/// Returns  a socket that belongs to the calling thread, with Nagle's algorithm off.
-/// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled; the context is
-///          "connect to host:port"
+/// Returns  a socket owned by the calling thread, with Nagle's algorithm disabled
+/// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled; the context is "connect to
+///          host:port"
 /// Threads  any. Blocks: until the deadline
 Result<std::unique_ptr<QTcpSocket>> openTcpSocket(const QString& host, int port, const Deadline& deadline);
 

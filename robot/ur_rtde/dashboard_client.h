@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The dashboard server of the robot (CB3 and e-Series), one line for each command.
+// Client of the dashboard server of the robot (CB3 and e-Series), one line per command.
 //
-// Errors of every command: std::runtime_error when there is no connection, it breaks, or no reply comes
-// within 2.5 s. With the server's own words when it answers something else than that it does as told:
-// std::runtime_error from loadURP(), play(), stop() and pause(), std::logic_error from the others, as
-// programs expect it.
+// Errors of every command: std::runtime_error without a connection, if it breaks, or without a reply for 2.5 s. If
+// the server refuses, the exception contains its reply: std::runtime_error from loadURP(), play(), stop() and
+// pause(), std::logic_error from the others, as in ur_rtde.
 
 #include <ur_rtde/dashboard_enums.h>
 #include <ur_rtde/rtde.h>
@@ -17,7 +16,7 @@
 
 namespace ur_rtde {
 
-/// Threads  any; calls are carried out one after the other.
+/// Threads  any; calls are serialized
 class DashboardClient {
 public:
     enum class ConnectionState : std::uint8_t { DISCONNECTED = 0, CONNECTED = 1 };
@@ -32,9 +31,9 @@ public:
     bool isConnected();
     void disconnect();
 
-    /// Any command line, with or without its line end; receive() gives the reply.
+    /// Sends any command, with or without line end; receive() returns the reply.
     void send(const std::string& str);
-    /// The reply to the oldest line sent that has not been fetched.
+    /// Returns the reply to the oldest line for which it has not been read.
     std::string receive();
 
     // Programs
@@ -43,8 +42,8 @@ public:
     void stop();
     void pause();
     bool running();
-    std::string programState();      ///< "STOPPED name"
-    std::string getLoadedProgram();  ///< "Loaded program: " and its path, or that there is none
+    std::string programState();      ///< e.g. "STOPPED name"
+    std::string getLoadedProgram();  ///< "Loaded program: " and the path, or a text that none is loaded
     bool isProgramSaved();
 
     // Power and safety
@@ -54,20 +53,20 @@ public:
     void unlockProtectiveStop();
     void restartSafety();
     void closeSafetyPopup();
-    std::string robotmode();     ///< "Robotmode: RUNNING"
-    std::string safetymode();    ///< "Safetymode: NORMAL"
-    std::string safetystatus();  ///< "Safetystatus: NORMAL"
+    std::string robotmode();     ///< e.g. "Robotmode: RUNNING"
+    std::string safetymode();    ///< e.g. "Safetymode: NORMAL"
+    std::string safetystatus();  ///< e.g. "Safetystatus: NORMAL"
 
     // Pendant
     void popup(const std::string& message);
     void closePopup();
     void addToLog(const std::string& message);
-    void setUserRole(const UserRole& role);  ///< CB3
+    void setUserRole(const UserRole& role);  ///< CB3 only
 
     // Controller
     void quit();                     ///< ends the connection
-    void shutdown();                 ///< switches the robot and its controller off
-    std::string polyscopeVersion();  ///< "5.22.1.1214193"
+    void shutdown();                 ///< switches off the robot and its controller
+    std::string polyscopeVersion();  ///< e.g. "5.22.1.1214193"
     std::string getRobotModel();
     std::string getSerialNumber();
     bool isInRemoteControl();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The words of the dashboard server.
+// Names used by the dashboard server.
 
 namespace ur_rtde {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Programs include this header by its name; the robot's state is read with RTDEReceiveInterface.
+// For compatibility with programs that include this header; use RTDEReceiveInterface to read the robot's state.
 
 #include <ur_rtde/rtde.h>

@@ -34,13 +34,13 @@ struct RobotiqGripper::Private {
 
     tiller::io::RobotiqClient client;
 
-    int minPosition = 0;           ///< open, device units
+    int minPosition = 0;           ///< open, in device units
     int maxPosition = kDeviceMax;  ///< closed
     int range_mm = 40;             ///< stroke
     eUnit units[3] = {UNIT_NORMALIZED, UNIT_NORMALIZED, UNIT_NORMALIZED};
-    int speed = kDeviceMax;  ///< presets, device units
-    int force = 0;           // as gentle as can be
-    int requested = 0;       ///< the last position commanded, device units
+    int speed = kDeviceMax;  ///< presets, in device units
+    int force = 0;           // minimum force
+    int requested = 0;       ///< last commanded position, in device units
 
     int get(const std::string& name) {
         const auto value = client.get(name, tiller::urrtde::within(kGripperReplyTime));
@@ -77,7 +77,7 @@ struct RobotiqGripper::Private {
         return true;
     }
 
-    /// Position: 1 open ... 0 closed, seen from the user; device units rise towards closed.
+    /// Positions for the user are 1 (open) ... 0 (closed); device units increase towards closed.
     float fromDevice(eMoveParameter param, int device) const {
         const auto value = static_cast<float>(device);
         float part = value / kDeviceMaxReal;
@@ -112,7 +112,7 @@ struct RobotiqGripper::Private {
         return 1.0F;
     }
 
-    /// Held to what the gripper can, as programs count on.
+    /// Clamped to the range of the gripper, as in ur_rtde.
     int toDevice(eMoveParameter param, const char* name, float wanted) const {
         const double limit = std::numeric_limits<float>::max();
         check::number(name, static_cast<double>(wanted), -limit, limit);
@@ -128,7 +128,7 @@ struct RobotiqGripper::Private {
         return minPosition + static_cast<int>(std::lround((1.0F - part) * span));
     }
 
-    /// Returns when the gripper has taken the request: before that its status is that of an earlier one.
+    /// Returns when the gripper has accepted the request: before that, its status belongs to the previous motion.
     void moveDevice(int position, int withSpeed, int withForce) {
         requested = std::clamp(position, 0, kDeviceMax);
         if (!set({{"POS", requested}, {"SPE", withSpeed}, {"FOR", withForce}, {"GTO", 1}}) ||

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A Robotiq gripper at the robot's wrist, through the socket its URCap opens on the controller.
+// A Robotiq gripper at the robot's wrist, controlled through the socket of its URCap on the controller.
 //
-// Errors: std::runtime_error when there is no connection, it breaks, or the URCap does not answer within 2 s.
+// Errors: std::runtime_error without a connection, if it breaks, or if the URCap does not respond within 2 s.
 
 #include <ur_rtde/rtde.h>
 
@@ -15,9 +15,9 @@
 
 namespace ur_rtde {
 
-/// Positions, speeds and forces are in the units of setUnit(); at first all are normalized (0 ... 1).
-/// Position 1 is open, 0 is closed. Values beyond what the gripper can are held to that. A negative speed or
-/// force means the one preset by setSpeed() and setForce(), at first full speed with the least force.
+/// Positions, speeds and forces are in the units of setUnit(), initially normalized (0 ... 1). Position 1 is open,
+/// 0 is closed. Values are clamped to the range of the gripper. A negative speed or force selects the preset of
+/// setSpeed() and setForce(), initially full speed and minimum force.
 /// Threads  one at a time
 class RobotiqGripper {
 public:
@@ -54,7 +54,7 @@ public:
 
     /// Resets and activates the gripper, which opens and closes it once; returns when it is ready.
     void activate(bool auto_calibrate = false);
-    /// Closes and opens the empty gripper to learn its end positions.
+    /// Closes and opens the empty gripper to determine its end positions.
     void autoCalibrate(float Speed = -1.0);
     bool isActive();
 
@@ -64,26 +64,26 @@ public:
     bool isOpen();
     bool isClosed();
 
-    /// Returns  the object status (eObjectStatus), with START_MOVE when the motion has begun
+    /// Returns  the object status (eObjectStatus); START_MOVE returns at the start of the motion
     int move(float Position, float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
     int open(float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
     int close(float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
-    /// Opens or closes slowly whatever happens; afterwards the gripper has to be activated again.
+    /// Opens or closes slowly in any case; afterwards the gripper has to be activated again.
     void emergencyRelease(ePostionId Direction, eMoveMode MoveMode = WAIT_FINISHED);
     int faultStatus();  ///< eFaultCode
 
     void setUnit(eMoveParameter Param, eUnit Unit);
-    /// Stroke of the gripper, for UNIT_MM; 40 unless set.
+    /// Stroke of the gripper for UNIT_MM; initially 40.
     void setPositionRange_mm(int Range);
-    /// Preset for moves without one; held to what the gripper can.
-    /// Returns  the preset in force
+    /// Preset for moves without a value, clamped to the range of the gripper.
+    /// Returns  the resulting preset
     float setSpeed(float Speed);
     float setForce(float Force);
 
     eObjectStatus objectDetectionStatus();
     eObjectStatus waitForMotionComplete();
 
-    // The URCap's own variables: ACT, GTO, ATR, ARD, FOR, SPE, POS, STA, PRE, OBJ, FLT.
+    // Sets variables of the URCap: ACT, GTO, ATR, ARD, FOR, SPE, POS, STA, PRE, OBJ, FLT.
     bool setVars(const std::vector<std::pair<std::string, int>> Vars);
     bool setVar(const std::string& Var, int Value);
     int getVar(const std::string& var);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What every header of the ur_rtde interface brings along: programs written for it include less than they
-// use, and this header by its name. The RTDE connection itself is robot/rtde.
+// Common includes of the ur_rtde interface, for compatibility: programs written for it rely on indirect includes
+// and include this header by name. The RTDE connection itself is robot/rtde.
 
 #include <ur_rtde/rtde_export.h>
 

@@ -16,8 +16,8 @@ using List = std::vector<double>;
 
 namespace {
 
-constexpr double kMaxMass = 100.0;    // [kg], above every arm's payload
-constexpr double kMaxLength = 2.0;    // [m], centres of gravity and the like
+constexpr double kMaxMass = 100.0;    // [kg], above the payload of all arms
+constexpr double kMaxLength = 2.0;    // [m], for centres of gravity and similar lengths
 constexpr double kMaxGravity = 20.0;  // [m/s2]
 
 tiller::control::Supervision supervisionOf(bool unattended) {
@@ -40,7 +40,7 @@ List joined(List first, const List& second) {
 }
 
 constexpr double kUnused = 1000;
-constexpr double kMaxForce = 1000;  // [N], [Nm]; above what any arm withstands
+constexpr double kMaxForce = 1000;  // [N], [Nm]; above the limits of all arms
 
 double flag(bool value) {
     return value ? 1.0 : 0.0;
@@ -51,7 +51,7 @@ List reals(const std::vector<int>& values) {
 }
 
 List servoValues(List target, double speed, double acceleration, double time, double lookahead, double gain) {
-    // Not used by any software of today: whatever they are, nothing depends on them.
+    // Ignored by current software: any finite value is accepted.
     check::number("speed", speed, 0, kUnused);
     check::number("acceleration", acceleration, 0, kUnused);
     check::number("time", time, 0, 10, "s");
@@ -66,11 +66,11 @@ struct RTDEControlInterface::Private {
     explicit Private(const SessionOptions& options, double p) : session(options), givenPeriod(p) {}
 
     tiller::urrtde::ControlSession session;
-    double givenPeriod;  ///< [s]; 0: the controller's own
+    double givenPeriod;  ///< [s]; 0: default of the controller
 
     tiller::control::JointLimits limits() const { return session.backend()->jointLimits(); }
 
-    /// Since 5.4; what the program does elsewhere is nothing.
+    /// Available since 5.4; in older software the program has no contact detection.
     bool feelsContact() const {
         const auto& version = session.identity().versions;
         return version.major > 5 || (version.major == 5 && version.minor >= 4);
@@ -83,7 +83,7 @@ struct RTDEControlInterface::Private {
         const auto answer = session.backend()->perform({id, 1, values});
         return answer && (answer->result != 0 || session.isForeign());
     }
-    /// The six values the robot answers with; none when it does not, or says that there are none.
+    /// The six result values; empty without an answer or a result.
     List six(CommandId id, int recipe, const List& values = {}, bool mayFail = false) {
         const auto answer = session.backend()->perform({id, recipe, values});
         if (!answer || (mayFail && answer->result == 0)) {
@@ -97,7 +97,7 @@ struct RTDEControlInterface::Private {
     }
 
 private:
-    /// Programs customised by users leave the result alone where the original has none.
+    /// Custom programs leave the result register unchanged for commands without a result.
     static bool answersResult(CommandId id) {
         switch (id) {
             case CommandId::PoseWithinLimits:
@@ -327,7 +327,7 @@ double RTDEControlInterface::getStepTime() {
 List RTDEControlInterface::getActualJointPositionsHistory(int steps) {
     check::integer("steps", steps, 0, 100000);
     if (steps > 0 && !d_->feelsContact()) {
-        return {};  // software that keeps no history has none of contacts either
+        return {};  // software without a history of positions has none of contacts either
     }
     return d_->six(CommandId::JointPositionsHistory, 9, {static_cast<double>(steps)});
 }
@@ -379,8 +379,8 @@ List RTDEControlInterface::getForwardKinematics(const List& q, const List& tcp_o
     if (!tcp_offset.empty()) {
         check::pose("tcp_offset", tcp_offset);
     }
-    // Without a TCP the active one counts, which has to be asked for: the command takes what is in the
-    // registers.
+    // Without a TCP argument the active TCP is used. It has to be queried, because the command uses the register
+    // values.
     const List tcp = tcp_offset.empty() ? getTCPOffset() : tcp_offset;
     return answered("getForwardKinematics", d_->six(CommandId::ForwardKinematicsOf, 12, joined(joints, tcp)));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The mark of what a library offers; programs include this header by its name. Nothing has to be marked here.
+// Export macros, for compatibility with programs that include this header; not needed here.
 
 #define RTDE_EXPORT

@@ -20,7 +20,7 @@ using tiller::rtde::Connection;
 using tiller::rtde::Direction;
 namespace check = tiller::urrtde::check;
 
-/// What can be owned separately is set up separately.
+/// Groups of inputs that another client can use separately have separate recipes.
 enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kAnalog, kIntRegisters };
 
 constexpr int kFirstRegister = 18;
@@ -35,7 +35,7 @@ struct RTDEIOInterface::Private {
     std::string host;
     bool verbose = false;
     int offset = 0;
-    std::mutex mutex;  ///< of the connection
+    std::mutex mutex;  ///< protects the connection
     std::unique_ptr<Connection> connection;
 
     tiller::Result<void> open(std::chrono::milliseconds atMost) {
@@ -66,7 +66,7 @@ struct RTDEIOInterface::Private {
         return {};
     }
 
-    /// The robot sends nothing here, so a closed connection is only noticed by looking.
+    /// The robot sends no data on this connection, so a closed connection is only detected by checking.
     bool isAlive() const {
         return connection &&
                connection->readPackage({}, std::chrono::nanoseconds(0)) == Connection::Read::Nothing;

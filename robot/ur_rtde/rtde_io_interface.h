@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets outputs, the speed slider and general purpose registers through an RTDE connection of its own, whether
-// or not a program runs. Only what is asked for is touched.
+// Sets outputs, the speed slider and general purpose registers through an own RTDE connection, with or without a
+// running program. All other outputs remain unchanged.
 
 #include <ur_rtde/rtde_utility.h>
 
@@ -12,14 +12,14 @@
 
 namespace ur_rtde {
 
-/// Every setter returns true when the command is on its way, false when there is no connection (one attempt
-/// is made to get it back), the robot does not read, or another client or a fieldbus owns the input.
-/// Arguments out of range throw std::range_error before anything is sent.
-/// Threads  any; calls are carried out one after the other
+/// Setters return true when the command was sent, and false without a connection (after one attempt to reconnect),
+/// if the robot does not read, or if another client or a fieldbus uses the input. Arguments out of range throw
+/// std::range_error before sending.
+/// Threads  any; calls are serialized
 class RTDEIOInterface {
 public:
     /// use_upper_range_registers  registers 42-46 instead of 18-22
-    /// Throws std::runtime_error when the controller cannot be reached within 3 s.
+    /// Throws std::runtime_error if the controller cannot be reached within 3 s.
     explicit RTDEIOInterface(std::string hostname, bool verbose = false,
                              bool use_upper_range_registers = false, int rt_priority = RT_PRIORITY_UNDEFINED);
     virtual ~RTDEIOInterface();
@@ -32,14 +32,14 @@ public:
     bool setStandardDigitalOut(std::uint8_t output_id, bool signal_level);      ///< 0 ... 7
     bool setConfigurableDigitalOut(std::uint8_t output_id, bool signal_level);  ///< 0 ... 7
     bool setToolDigitalOut(std::uint8_t output_id, bool signal_level);          ///< 0, 1
-    /// speed  0.02 ... 1. Below that the arm would creep, and 0 has caused protective stops: to hold the arm still,
-    /// pause the program or stop it
+    /// speed  0.02 ... 1. Lower values would make the arm creep, and 0 has caused protective stops: to hold the
+    ///        arm, pause or stop the program
     bool setSpeedSlider(double speed);
     bool setAnalogOutputVoltage(std::uint8_t output_id,
                                 double voltage_ratio);  ///< 0, 1; ratio 0 ... 1 of 10 V
     bool setAnalogOutputCurrent(std::uint8_t output_id, double current_ratio);  ///< 0, 1; 0 ... 1 of 4-20 mA
     bool setInputIntRegister(int input_id, int value);                          ///< 18-22, upper range 42-46
-    bool setInputDoubleRegister(int input_id, double value);                    ///< likewise
+    bool setInputDoubleRegister(int input_id, double value);                    ///< 18-22, upper range 42-46
 
 private:
     struct Private;

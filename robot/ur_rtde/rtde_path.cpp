@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kRow = 9;
 constexpr double kMaxBlend = 2.0;
 
-// Enough digits that nothing is lost on the way to the robot.
+// Full precision.
 std::string number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.12g", value);

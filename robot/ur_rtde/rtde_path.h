@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A list of moves that are carried out as one, with blends between them.
+// A list of moves executed as one path with blends.
 
 #include <cstddef>
 #include <string>
@@ -14,15 +14,13 @@ struct PathEntry {
     enum eMoveType { MoveJ, MoveL, MoveP, MoveC };
     enum ePositionType { PositionTcpPose, PositionJoints };
 
-    /// parameters  MoveJ, MoveL, MoveP: 6 values (a pose [m, rad] or joint positions [rad]), speed,
-    /// acceleration,
-    ///             blend radius [m]. MoveC: 12 values (via, to), speed, acceleration, blend radius, and the
-    ///             orientation mode (0 free, 1 fixed), which may be left out.
-    /// Throws std::invalid_argument for the wrong number of parameters or one that is not a number,
-    /// std::range_error for one out of range.
+    /// parameters  MoveJ, MoveL, MoveP: 6 values (a pose [m, rad] or joint positions [rad]), speed, acceleration,
+    ///             blend radius [m]. MoveC: 12 values (via, to), speed, acceleration, blend radius, and optionally
+    ///             the orientation mode (0 free, 1 fixed) Throws std::invalid_argument for a wrong number of
+    ///             parameters or NaN, std::range_error for a value out of range.
     PathEntry(eMoveType move_type, ePositionType position_type, const std::vector<double> parameters);
 
-    /// The line of URScript, with its end.
+    /// The URScript line, including the line end.
     std::string toScriptCode() const;
 
     eMoveType move_type_;
@@ -40,7 +38,7 @@ public:
     void appendMovelPath(const std::vector<std::vector<double>>& path);
     /// path  rows of 9: joint positions [rad], speed [rad/s], acceleration [rad/s2], blend radius [m]
     void appendMovejPath(const std::vector<std::vector<double>>& path);
-    /// One line for each entry, each after a line that reports its number as progress.
+    /// One line per entry, each preceded by a line that reports its number as progress.
     std::string toScriptCode() const;
 
 private:

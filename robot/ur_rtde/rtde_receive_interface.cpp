@@ -30,7 +30,7 @@ namespace {
 
 constexpr milliseconds kReceiveConnectTime(3000);
 constexpr milliseconds kSilenceLimit(2500);
-constexpr double kRampUpTime = 0.2;  // [s] from a standstill to full speed after a pause
+constexpr double kRampUpTime = 0.2;  // [s] from standstill to full speed after a pause
 
 ReceiverOptions optionsOf(const std::string& host, double frequency, std::vector<std::string> variables,
                           bool upper, int priority) {
@@ -62,26 +62,26 @@ struct RTDEReceiveInterface::Private {
     tiller::receive::Receiver receiver;
     tiller::recording::Recorder recorder;
     bool verbose = false;
-    double givenPeriod = 0;  ///< [s]; 0: the controller's own
+    double givenPeriod = 0;  ///< [s]; 0: default of the controller
 
-    std::mutex mutex;  ///< of starting and stopping
+    std::mutex mutex;  ///< protects starting and stopping
     std::mutex pausing;
     PausingState state = PausingState::RUNNING;
-    double resumedAt = 0;  ///< `timestamp` when the program went on after a pause [s]
+    double resumedAt = 0;  ///< `timestamp` at the end of the last pause [s]
 
-    /// The newest package, in a copy of the calling thread's own.
+    /// The newest package, in a copy of the calling thread.
     const Sample& newest() const;
     List list(std::string_view field) const;
     double number(std::string_view field) const;
     double registerValue(const std::string& field) const;
     double speed();
-    /// Starts and waits for the first package. The receiver goes on trying when none came.
+    /// Starts the receiver and waits for the first package. Without data, the receiver keeps trying.
     void start();
     bool waitForPackage(milliseconds atMost);
 };
 
 const Sample& RTDEReceiveInterface::Private::newest() const {
-    // One for each thread, so that nobody waits and nothing is allocated.
+    // One per thread, to avoid locking and allocation.
     thread_local Sample sample;
     receiver.latest(sample);
     return sample;
@@ -225,7 +225,7 @@ bool RTDEReceiveInterface::startFileRecording(const std::string& filename,
     }
     tiller::recording::RecorderOptions options;
     options.path = QString::fromStdString(filename);
-    options.asGiven = true;  // programs find columns by their number
+    options.asGiven = true;  // programs identify columns by number
     options.fields.clear();
     for (const auto& entry : d_->receiver.layout()->entries()) {
         options.fields.push_back(entry.name);

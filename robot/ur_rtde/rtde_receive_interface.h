@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads what the robot sends over RTDE, and records it to CSV files. A thread of its own follows the stream
-// and goes on trying to connect when it breaks, until disconnect(); the getters give values of the newest
-// package, however old that is: isConnected() tells whether new ones come.
+// Reads the RTDE data of the robot and records them to CSV files. A separate thread receives the stream and
+// reconnects automatically until disconnect(). The getters return values of the newest package, independent of its
+// age; use isConnected() to check whether data arrive.
 //
-// Errors of the getters: std::runtime_error naming the field when it is not followed (see `variables`) or the
-// robot does not have it.
+// Errors of the getters: std::runtime_error with the field name if the field was not requested (see `variables`) or
+// the robot does not have it.
 
 #include <ur_rtde/rtde.h>
 #include <ur_rtde/rtde_utility.h>
@@ -19,7 +19,7 @@
 
 namespace ur_rtde {
 
-/// How the speed comes back after a pause; see getSpeedScalingCombined().
+/// Speed state after a pause; see getSpeedScalingCombined().
 enum class PausingState { PAUSED, RUNNING, RAMPUP };
 
 /// Threads  any
@@ -141,12 +141,11 @@ public:
         OUTPUT_DOUBLE_REGISTER_47 = 47,
     };
 
-    /// frequency  packages a second; -1: as many as the controller gives (500, on CB3 125)
-    /// variables  names of RTDE output fields to follow; empty: all this interface knows
-    /// use_upper_range_registers  follow output registers 26, 36-43 instead of 2, 12-19
-    /// rt_priority  of the thread that receives
-    /// Throws std::runtime_error when no data come within 3 s, std::invalid_argument for an unknown field
-    /// name.
+    /// frequency                  packages per second; -1: maximum of the controller (500, or 125 on CB3)
+    /// variables                  names of RTDE output fields to receive; empty: all fields of this interface
+    /// use_upper_range_registers  receive output registers 26, 36-43 instead of 2, 12-19
+    /// rt_priority                of the receive thread
+    /// Throws std::runtime_error without data for 3 s, std::invalid_argument for an unknown field name.
     explicit RTDEReceiveInterface(std::string hostname, double frequency = -1.0,
                                   std::vector<std::string> variables = {}, bool verbose = false,
                                   bool use_upper_range_registers = false,
@@ -156,29 +155,29 @@ public:
     RTDEReceiveInterface& operator=(const RTDEReceiveInterface&) = delete;
 
     void disconnect();
-    /// Connects anew and waits for data. Returns  false when none came within 3 s; attempts go on by
-    /// themselves
+    /// Reconnects and waits for data.
+    /// Returns  false without data for 3 s; the thread keeps trying
     bool reconnect();
     bool isConnected();
 
-    /// The beginning of a cycle, for waitPeriod().
+    /// Start of a cycle, for waitPeriod().
     std::chrono::steady_clock::time_point initPeriod();
-    /// Sleeps until one period of `frequency` after the beginning of the cycle.
+    /// Sleeps until one period of `frequency` after the start of the cycle.
     void waitPeriod(const std::chrono::steady_clock::time_point& t_cycle_start);
 
-    /// Writes one row for each package from now on, a column for each number (actual_q_0 ...).
-    /// variables  field names, in the order of the columns; empty: all that is followed, `timestamp` first
-    /// Throws std::invalid_argument for a field that is not followed.
-    /// Returns  false when the file cannot be written or a recording is under way
+    /// Records every package from now on, one row per package and one column per number (actual_q_0 ...).
+    /// variables  field names in column order; empty: all received fields, `timestamp` first
+    /// Throws std::invalid_argument for a field that is not received.
+    /// Returns    false if the file cannot be written or a recording is active
     bool startFileRecording(const std::string& filename, const std::vector<std::string>& variables = {});
-    /// Returns  false when nothing was being recorded, or it failed
+    /// Returns  false if there was no recording, or it failed
     bool stopFileRecording();
-    /// Returns when the next package has come, or after 2.5 s without one.
+    /// Returns after the next package, or after 2.5 s without a package.
     void receiveCallback();
-    /// Returns when the next package has been handed to the recording; at once when there is none.
+    /// Returns after the next package was passed to the recording; immediately without a recording.
     void recordCallback();
 
-    double getTimestamp();                        ///< [s] since the controller was started
+    double getTimestamp();                        ///< [s] since the start of the controller
     std::vector<double> getTargetQ();             ///< [rad]
     std::vector<double> getTargetQd();            ///< [rad/s]
     std::vector<double> getTargetQdd();           ///< [rad/s2]
@@ -204,7 +203,7 @@ public:
     uint32_t getSafetyStatusBits();                    ///< see SafetyStatus
     std::vector<double> getActualToolAccelerometer();  ///< 3 values [m/s2]
     double getSpeedScaling();                          ///< 0 ... 1
-    double getTargetSpeedFraction();                   ///< the speed slider, 0 ... 1
+    double getTargetSpeedFraction();                   ///< speed slider, 0 ... 1
     double getActualMomentum();                        ///< [kg m/s]
     double getActualMainVoltage();                     ///< [V]
     double getActualRobotVoltage();                    ///< [V]
@@ -219,9 +218,9 @@ public:
     double getStandardAnalogOutput1();
     bool isProtectiveStopped();
     bool isEmergencyStopped();
-    int getOutputIntRegister(int output_id);  ///< 12-19, upper range 36-43, or as asked for in `variables`
-    double getOutputDoubleRegister(int output_id);  ///< likewise
-    /// Speed scaling times speed slider; zero while the program is paused, and rising gently afterwards.
+    int getOutputIntRegister(int output_id);  ///< 12-19, upper range 36-43, or as requested in `variables`
+    double getOutputDoubleRegister(int output_id);  ///< same registers as getOutputIntRegister()
+    /// Speed scaling times speed slider; 0 while the program is paused, then increasing smoothly.
     double getSpeedScalingCombined();
     std::vector<double> getFtRawWrench();     ///< flange frame [N, Nm]
     double getPayload();                      ///< [kg]

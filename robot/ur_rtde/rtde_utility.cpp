@@ -76,12 +76,12 @@ bool RTDEUtility::isRealtimeKernelAvailable() {
 
 bool RTDEUtility::setRealtimePriority(int priority) {
 #ifdef _WIN32
-    // 16 ... 31 there; not run in this project's CI.
+    // 16 ... 31 on Windows; not run in this project's CI.
     priority = priority >= 31 ? 99 : 50;
 #endif
     const auto report = tiller::realtime::requestThreadPriority(priority);
 #ifdef __linux__
-    // Where only so much may be locked, later allocations would fail: then the priority has to do.
+    // With a limited amount of lockable memory, later allocations would fail: then do without locking.
     rlimit limit{};
     if (report.ok() && ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) {
         ::mlockall(MCL_CURRENT | MCL_FUTURE);

@@ -53,7 +53,8 @@ struct ScriptClient::Private {
         return sent.ok();
     }
 
-    /// One mark, "5.10" or "3.15". Returns  whether the software is as new; none when it is no mark
+    /// Evaluates a version mark, e.g. "5.10" or "3.15".
+    /// Returns  whether the software has at least this version; empty for an invalid mark
     std::optional<bool> fits(const std::string& mark) const {
         std::istringstream text(mark);
         unsigned markMajor = 0;
@@ -139,7 +140,7 @@ std::string ScriptClient::getScript() {
     const std::lock_guard lock(d_->mutex);
     std::string text;
     if (d_->file.empty()) {
-        // By the name programs for ur_rtde know it.
+        // Uses the program name known to ur_rtde.
         text = tiller::control::Programs::controlProgram({d_->major, d_->minor, 0, 0},
                                                          tiller::control::RegisterRange::Lower)
                    .replace(QStringLiteral("def tiller_control()"), QStringLiteral("def rtde_control()"))
@@ -165,8 +166,8 @@ bool ScriptClient::removeUnsupportedFunctions(std::string& ur_script) {
             kept += line + "\n";
             continue;
         }
-        constexpr std::size_t kOne = 5;   // "$5.4 "
-        constexpr std::size_t kTwo = 10;  // "$5.10|3.15"
+        constexpr std::size_t kOne = 5;   // length of "$5.4 "
+        constexpr std::size_t kTwo = 10;  // length of "$5.10|3.15"
         const std::size_t bar = line.find('|');
         const bool two = bar != std::string::npos && bar < kTwo;
         const std::size_t width = two ? kTwo : kOne;

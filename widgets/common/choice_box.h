@@ -7,11 +7,11 @@
 
 namespace tiller {
 
-/// A list to choose from that the wheel never changes.
+/// A combo box that ignores the mouse wheel.
 class ChoiceBox : public QComboBox {
 public:
     explicit ChoiceBox(QWidget* parent = nullptr) : QComboBox(parent) {
-        // This one takes the height of its rows from the style sheet, the combo box's own does not.
+        // This delegate uses the row height of the style sheet, unlike the default delegate of the combo box.
         setItemDelegate(new QStyledItemDelegate(this));
     }
 

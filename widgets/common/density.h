@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How large what is clicked or touched is. The style sheet takes the heights of keys and fields from here,
-// tables those of their rows. A change reaches every widget as QEvent::StyleChange, as a change of theme
-// does.
+// Size of buttons, fields and table rows. The style sheet and the tables use these values. A change is sent to all
+// widgets as QEvent::StyleChange, like a change of theme.
 
 class QApplication;
 class QTableView;
@@ -11,35 +10,34 @@ class QTableView;
 namespace tiller {
 
 enum class Density {
-    Compact,  ///< a mouse, and much to see at once
+    Compact,  ///< for a mouse, with much content on the screen
     Mouse,
-    Touch,  ///< a finger: 48 px keys, 44 px rows
+    Touch,  ///< for fingers: 48 px buttons, 44 px rows
 };
 
-/// The one set last; Mouse before that.
+/// The current density; initially Mouse.
 /// Threads  GUI
 Density currentDensity();
-/// Sizes of the whole application. Call it before applyTheme(), or anew after it.
+/// Sets the sizes of the whole application. Call this before applyTheme(), or again after it.
 /// Threads  GUI
 void applyDensity(QApplication& application, Density density);
 
-/// Of a table [px].
+/// Row height of tables [px].
 int rowHeight(Density density);
-/// Of keys outside the jog column [px].
+/// Height of buttons outside the jog column [px].
 int keyHeight(Density density);
 
-/// The least height of what a finger touches and what is small for a mouse: tabs, joint keys, the keys in title
-/// bars [px]. 0 where they keep the size that they have for a mouse, which is everywhere but in Touch, and there
-/// too in a window that has no room for more.
+/// Minimum size of small touch targets: tabs, joint buttons, buttons in title bars [px]. 0 for the mouse size:
+/// always except in Touch, and also in Touch if the window is too small.
 int touchHeight();
-/// Whether the window has room for that; true until told otherwise. Lays the application out anew when it changes
-/// in Touch.
+/// Sets whether the window is large enough for touch targets; initially true. A change in Touch updates the layout
+/// of the application.
 /// Threads  GUI
 void setRoomForTouch(QApplication& application, bool room);
-/// A window of this height has it [px].
+/// Minimum window height for touch targets [px].
 inline constexpr int kRoomForTouch = 980;
 
-/// Gives the table's rows the height of the density, now and whenever it changes.
+/// Keeps the row height of the table in sync with the density.
 void followDensity(QTableView& table);
 
 }  // namespace tiller

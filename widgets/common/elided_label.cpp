@@ -7,7 +7,7 @@
 namespace tiller {
 namespace {
 
-constexpr int kLeastWidth = 24;  ///< however long the text [px]
+constexpr int kLeastWidth = 24;  ///< minimum width, independent of the text [px]
 
 }  // namespace
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A label of one line that gives way: when there is too little room it ends in an ellipsis and the whole text
-// becomes its tooltip.
+// A one-line label that is elided when it does not fit, and then shows the whole text as its tooltip.
 
 #include <QLabel>
 

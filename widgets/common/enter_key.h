@@ -6,9 +6,9 @@
 
 namespace tiller {
 
-/// For keys that set something going: Enter presses it, once for each press; Space stops the arm everywhere and
-/// presses nothing.
-/// Returns  true where the event was one of these keys, and has been dealt with
+/// For buttons that trigger an action: Enter clicks the button, once per press; Space is reserved for stopping the
+/// arm.
+/// Returns  true if the event was one of these keys and was handled
 inline bool pressByEnter(QAbstractButton& button, QKeyEvent& event) {
     switch (event.key()) {
         case Qt::Key_Return:
@@ -25,7 +25,7 @@ inline bool pressByEnter(QAbstractButton& button, QKeyEvent& event) {
     }
 }
 
-/// A key with words on it that Space does not press.
+/// A push button that ignores Space.
 class EnterKey : public QPushButton {
 public:
     using QPushButton::QPushButton;

@@ -19,14 +19,14 @@ constexpr QLatin1Char kHyphen('-');
 constexpr QLatin1Char kPoint('.');
 constexpr QLatin1Char kComma(',');
 
-/// With the signs of the screen and of the window's language.
+/// With the minus sign and the decimal separator of the user interface.
 QString asShown(QString text) {
     const QString sign = QLocale().decimalPoint();
     text.replace(kHyphen, kMinusSign).replace(kComma, kPoint);
     return sign == kPoint ? text : text.replace(kPoint, sign);
 }
 
-/// With those that the base class reads.
+/// With the characters expected by the base class.
 QString asRead(QString text) {
     return text.replace(kMinusSign, kHyphen)
         .replace(QLocale().decimalPoint(), QString(kPoint))
@@ -60,8 +60,8 @@ void FigureBox::explainRefusal() {
     QAccessible::updateAccessibility(&event);
 }
 
-// What is out of the range is let stand while it is typed: to swallow a digit would make another figure of it.
-// More decimals than are shown are rounded.
+// Values out of range are accepted while typing: dropping a digit would change the number. Additional decimals are
+// rounded.
 QValidator::State FigureBox::validate(QString& text, int& position) const {
     text = asShown(text);
     bool isNumber = false;
@@ -109,7 +109,7 @@ void FigureBox::focusOutEvent(QFocusEvent* event) {
         QDoubleSpinBox::focusOutEvent(event);
         return;
     }
-    // The base class would put the last figure in its place, as if that had been typed.
+    // The base class would replace the input by the last value, as if it had been entered.
     QCoreApplication::sendEvent(lineEdit(), event);
     QWidget::focusOutEvent(event);
     explainRefusal();
@@ -126,7 +126,7 @@ QString FigureBox::bare(QString text) const {
     return asRead(text.trimmed());
 }
 
-/// Copy and cut: no spreadsheet and no script knows the minus of the screen.
+/// Copy and cut: spreadsheets and scripts do not accept the typographic minus sign.
 bool FigureBox::copies(const QKeyEvent& event) {
     const bool cut = event.matches(QKeySequence::Cut);
     if ((!cut && !event.matches(QKeySequence::Copy)) || !lineEdit()->hasSelectedText()) {

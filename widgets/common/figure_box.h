@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A figure to be typed, with its unit behind it. The wheel never changes it, point and
-// comma both are the decimal sign, and it is told of only when it is finished: by Return, or when the focus goes on.
-// Whatever is typed stands as it was typed; what is outside the range is refused, with the range, and changes nothing. Esc brings the last
-// figure back. A minus is shown as in all figures, and copied as spreadsheets and scripts read it.
+// Input field for a number with a unit. The mouse wheel does not change it, both point and comma are accepted as
+// decimal separators, and the value is reported only when editing is finished by Return or a change of focus. The
+// entered text remains as typed; a value outside the range is refused with a message. Esc restores the last value.
+// The minus sign is displayed typographically and copied as a hyphen for spreadsheets and scripts.
 
 #include <QDoubleSpinBox>
 
@@ -16,14 +16,14 @@ class FigureBox : public QDoubleSpinBox {
 public:
     explicit FigureBox(QWidget* parent = nullptr);
 
-    /// Whether the text that stands in it is no figure it takes; value() is still the one before.
+    /// True if the text is not a valid value; value() is then the previous one.
     bool isRefused() const;
-    /// Says so, with the range, beside the box.
+    /// Shows the error with the valid range next to the box.
     void explainRefusal();
 
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
-    /// With the minus that all figures of the window have, and the decimal sign of its language.
+    /// With the typographic minus sign and the decimal separator of the language.
     QString textFromValue(double value) const override;
 
 protected:
@@ -32,7 +32,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    /// Without the unit, as a number is read: with a hyphen for the minus and a point.
+    /// Without the unit, with a hyphen as minus sign and a decimal point.
     QString bare(QString text) const;
     bool copies(const QKeyEvent& event);
     void restore();

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What is shown or hidden beside a widget must not change how much room both need: a panel that is as small as it can
-// be would grow, and the key that was pressed go from under the pointer.
+// Showing or hiding an element next to a widget must not change the height of both together: a panel at its minimum
+// size would grow and move the pressed button away from the pointer.
 
 #include <QWidget>
 #include <algorithm>
 
 namespace tiller {
 
-/// From now on the widget needs that much less height than it says itself [px]; 0: what it says.
+/// Reduces the minimum height of the widget by this value [px]; 0: its normal minimum height.
 inline void giveWay(QWidget& widget, int height) {
     widget.setMinimumHeight(height == 0 ? 0 : std::max(1, widget.minimumSizeHint().height() - height));
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Takes the look of a key under the pointer away where the pointer has gone without telling: a finger leaves no
-// pointer behind, and while a menu or dialog is open the widgets below hear of no move.
+// Removes the hover state of a widget when the pointer left it without an event: touch input has no pointer after
+// the release, and while a menu or dialog is open the widgets below receive no move events.
 
 #include <QObject>
 
 namespace tiller {
 
-/// One for the whole application.
+/// One instance for the whole application.
 /// Threads  GUI
 class HoverKeeper : public QObject {
     Q_OBJECT
@@ -25,7 +25,7 @@ private:
     void look();
 
     bool pending_ = false;
-    bool byFinger_ = false;  ///< what came last came from a touch screen
+    bool byFinger_ = false;  ///< the last event was from a touch screen
 };
 
 }  // namespace tiller

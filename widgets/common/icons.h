@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The application's icons: one-colour SVG drawings of our own in resources/icons, tinted to the theme.
+// The application's icons: monochrome SVG files in resources/icons, in the colour of the theme.
 
 #include <QColor>
 #include <QIcon>
@@ -11,11 +11,11 @@ namespace tiller {
 
 /// name  of the file without ".svg": "play", "pause", "record"
 /// ink   colour of the lines
-/// Returns  a null icon for a name that does not exist
+/// Returns  a null icon for an unknown name
 QIcon themedIcon(const QString& name, const QColor& ink);
-/// In the text colour of the current theme, with a disabled variant. Ask again after a theme change.
+/// In the text colour of the current theme, with a disabled variant. Request it again after a change of theme.
 QIcon themedIcon(const QString& name);
-/// The application's own icon, in its own colours.
+/// The application icon, in its original colours.
 QIcon applicationIcon();
 
 }  // namespace tiller

@@ -10,7 +10,7 @@ namespace tiller {
 
 namespace {
 
-/// Between two letters of one word; longer than the list itself waits, for those who look for the keys.
+/// Pause between two letters of a word; longer than in the list itself, for slow typists.
 constexpr qint64 kLeastPauseMs = 1000;
 
 bool isLetter(const QKeyEvent& key) {

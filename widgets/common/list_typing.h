@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Letters typed at a list look for the row that begins with them. Once a word has begun its letters are letters: the
-// T of "waypoint 5" teaches nothing and the G of "magazine" moves nothing.
+// Keyboard search in lists: letters select the row that begins with them. During a search, letters do not trigger
+// commands, such as the T in "waypoint 5" or the G in "magazine".
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -16,10 +16,10 @@ class ListTyping : public QObject {
     Q_OBJECT
 
 public:
-    /// Follows this list for as long as it lives.
+    /// Follows this list for its lifetime.
     explicit ListTyping(QAbstractItemView& list);
 
-    /// True for a followed list at which a word is being typed.
+    /// True for a followed list during a keyboard search.
     static bool isAt(const QWidget* widget);
 
 protected:

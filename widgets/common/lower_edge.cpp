@@ -41,7 +41,7 @@ void LowerEdge::place() {
     }
     const int tall = shown_.hasHeightForWidth() ? shown_.heightForWidth(width) : shown_.sizeHint().height();
     const int height = std::max(tall, shown_.minimumSizeHint().height());
-    // Low areas are covered downwards: above them stand keys.
+    // Areas with little height are covered at the bottom: there are buttons above them.
     const int top = std::max(room.top(), room.bottom() + 1 - kEdgeMargin - height);
     const int lowest = std::max(0, page_.height() - height);
     shown_.setGeometry(room.left() + kEdgeMargin, std::min(top, lowest), width, height);

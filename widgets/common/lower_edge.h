@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Keeps a widget at the lower edge of another, over it and not beside it: what comes and goes while a hand is on
-// its way to a row pushes no row away.
+// Shows a widget as an overlay at the bottom of another one, so that the rows do not move when it appears or
+// disappears.
 
 #include <QList>
 #include <QObject>
@@ -16,7 +16,7 @@ class LowerEdge : public QObject {
 
 public:
     /// shown  becomes a child of `page`
-    /// areas  of that page; the first that is visible counts
+    /// areas  of this page; the first visible one is used
     LowerEdge(QWidget& shown, QWidget& page, const QList<QWidget*>& areas);
 
 protected:

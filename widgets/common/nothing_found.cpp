@@ -8,7 +8,7 @@ namespace tiller {
 
 namespace {
 
-constexpr qsizetype kLongest = 40;  // [characters] of what was typed
+constexpr qsizetype kLongest = 40;  // [characters] displayed of the search text
 constexpr int kMargin = 16;         // [px]
 
 }  // namespace

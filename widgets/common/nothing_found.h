@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a list says that a search has emptied: an empty list could also mean that there is nothing.
+// Message for a list that is empty because of a search or filter.
 
 #include <QLabel>
 
@@ -13,10 +13,10 @@ class NothingFound : public QLabel {
     Q_OBJECT
 
 public:
-    /// list  over which it stands
+    /// list  the list to cover
     explicit NothingFound(QAbstractScrollArea& list);
 
-    /// words  what was searched for; empty where other choices have emptied the list
+    /// words  the search text; empty if the list is empty for other reasons
     void tell(bool nothing, const QString& words);
 
 protected:

@@ -35,8 +35,8 @@ NoticeBar::NoticeBar(QWidget* parent)
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));
     dismiss_->setAccessibleName(tr("Dismiss"));
 
-    // Apart from each other: what a notice is answered with brings the next one at times, and a second click
-    // must not close that one unread.
+    // Buttons of different notices at different positions: the response to a notice may open the next one, and a
+    // second click must not close that one unread.
     auto* keys = new QHBoxLayout;
     keys->addWidget(dismiss_);
     keys->addStretch();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A question or a message inside the panel, where the eye already is: no dialog, nothing is blocked. Esc or
-// the second key puts it away.
+// A question or message inside a panel, without a dialog. Nothing is blocked. Esc or the second button closes it.
 
 #include <QFrame>
 #include <QString>
@@ -14,17 +13,17 @@ class QPushButton;
 
 namespace tiller {
 
-/// A question or a message with up to three answers.
+/// A question or a message with up to three buttons.
 struct Notice {
     QString title;
     QString text;
-    QString accept = {};  ///< label of the primary key; empty for a message that only needs to be closed
+    QString accept = {};  ///< label of the primary button; empty for a message that is only closed
     std::function<void()> accepted = {};
-    QString other = {};  ///< label of the second key; empty for none
+    QString other = {};  ///< label of the second button; empty: none
     std::function<void()> otherAccepted = {};
-    QString dismiss = {};  ///< label of the key that closes the notice; empty: Close or Cancel
-    /// What the notice is about, for NoticeBar::resolve(). Notices with a cause wait until those shown over them are
-    /// closed; one without is replaced by the next.
+    QString dismiss = {};  ///< label of the close button; empty: Close or Cancel
+    /// Identifies the cause for NoticeBar::resolve(). Notices with a cause wait until those shown above them are
+    /// closed; a notice without a cause is replaced by the next one.
     QString cause = {};
 };
 
@@ -36,18 +35,18 @@ public:
 
     explicit NoticeBar(QWidget* parent = nullptr);
 
-    /// accept  label of the primary key; empty for a message that only needs to be put away
+    /// accept  label of the primary button; empty for a message that is only closed
     void show(Kind kind, const QString& title, const QString& text, const QString& accept = {},
               std::function<void()> accepted = {});
     void show(Kind kind, const Notice& notice);
-    /// Closes the notice. One that waits with a cause is shown again.
+    /// Closes the notice. A waiting notice with a cause is shown again.
     void dismiss();
-    /// As dismiss(), but a notice with a cause remains.
+    /// As dismiss(), but keeps a notice with a cause.
     void dismissWithoutCause();
-    /// The cause is gone: removes its notice, also one that waits.
+    /// Removes the notice of a cause that no longer exists, including a waiting one.
     void resolve(const QString& cause);
-    /// What the notice was computed from has changed: closes a question without a cause. Its answer would do something
-    /// other than what it shows. Messages remain.
+    /// Closes a question without a cause after a change of the data it is based on, because its answer would have a
+    /// different effect than shown. Messages remain.
     void dismissQuestion();
     Kind kind() const { return kind_; }
     QString title() const;
@@ -67,7 +66,7 @@ private:
 
     Kind kind_ = Kind::Question;
     Notice notice_;
-    std::vector<Waiting> waiting_;  ///< the one to be shown next is the last
+    std::vector<Waiting> waiting_;  ///< the last one is shown next
     QLabel* title_;
     QLabel* text_;
     QPushButton* accept_;

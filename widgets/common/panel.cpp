@@ -24,7 +24,7 @@ Panel::Panel(const QString& title, QWidget* parent)
     setAccessibleName(title);
     layout_->setContentsMargins(1, 1, 1, 1);
     layout_->setSpacing(0);
-    // As high as what is in it, which grows with the density.
+    // The height depends on the content, which depends on the density.
     header_->setMinimumHeight(kHeaderHeight);
     header_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     headerLayout_->setContentsMargins(12, 0, 12, 0);
@@ -71,7 +71,7 @@ void Panel::addHeaderWidget(QWidget* widget) {
 
 void Panel::addFoldingHeaderWidget(QWidget* widget) {
     if (folding_.isEmpty()) {
-        // What folds asks for no room: the bar's least width is set where it is folded.
+        // Collapsible widgets do not count for the minimum width, which is set when the bar collapses.
         header_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         header_->installEventFilter(this);
     }
@@ -95,7 +95,7 @@ void Panel::foldHeader() {
         least -= widget->isHidden() ? 0 : widthOf(widget);
     }
     header_->setMinimumWidth(least);
-    // From the last one on, as many as there is room for.
+    // From the last one on, as many as fit.
     int room = header_->width() - least;
     for (auto widget = folding_.crbegin(); widget != folding_.crend(); ++widget) {
         room -= widthOf(*widget);
@@ -107,7 +107,7 @@ void Panel::setHeaderWidget(QWidget* widget) {
     title_->hide();
     subtitle_->hide();
     hint_->hide();
-    headerLayout_->setContentsMargins(0, 0, 6, 0);  // what stands behind the widget keeps off the border
+    headerLayout_->setContentsMargins(0, 0, 6, 0);  // the rightmost widget keeps a distance from the border
     headerLayout_->insertWidget(0, widget, 1);
 }
 
@@ -123,7 +123,7 @@ void Panel::setContent(QWidget* content) {
 void Panel::paintEvent(QPaintEvent* event) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
-    // What changes often lies inside: there are no corners and no line to draw there.
+    // Frequently repainted content is inside, where no corners and no line have to be painted.
     const QRect inside(kCornerRadius, header_->geometry().bottom() + 2, width() - 2 * kCornerRadius,
                        height() - header_->geometry().bottom() - 2 - kCornerRadius);
     if (inside.contains(event->rect())) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A part of the window: a rounded surface with a title bar (title, subtitle, room for small controls and a
-// hint at the right) and one content widget below.
+// A part of the window: a rounded surface with a title bar (title, subtitle, small controls and a hint at the
+// right), and one content widget below.
 
 #include <QFrame>
 #include <QVector>
@@ -23,18 +23,18 @@ public:
 
     QString title() const;
     void setTitle(const QString& title);
-    /// Grey words right behind the title.
+    /// Grey text after the title.
     void setSubtitle(const QString& text);
-    /// Grey words at the right end; elided when the panel is narrow.
+    /// Grey text at the right end; elided if the panel is narrow.
     void setHint(const QString& text);
     /// Adds a small control at the right end of the title bar.
     void addHeaderWidget(QWidget* widget);
-    /// The same, for what is there only where the panel is wide enough, and can be reached in another way too. The one
-    /// added first goes first.
+    /// As addHeaderWidget(), for a control that is hidden if the panel is too narrow and is also available
+    /// elsewhere. The first one added is hidden first.
     void addFoldingHeaderWidget(QWidget* widget);
-    /// Puts a widget in place of title and hint, a tab bar for instance. The bar keeps its height.
+    /// Replaces title and hint by a widget, e.g. a tab bar. The height of the bar does not change.
     void setHeaderWidget(QWidget* widget);
-    /// Takes ownership; replaces what was there.
+    /// Takes ownership; replaces existing content.
     void setContent(QWidget* content);
     QWidget* content() const { return content_; }
 

@@ -10,13 +10,13 @@ namespace {
 #ifdef Q_OS_WIN
 constexpr quint32 kFirstCode = 0;
 #else
-constexpr quint32 kFirstCode = 8;  // X11 and Wayland count the same keys from here
+constexpr quint32 kFirstCode = 8;  // offset of the key codes of X11 and Wayland
 #endif
 
-/// Cyrillic, Greek, Hebrew and so on; signs and digits belong to no script.
+/// E.g. Cyrillic, Greek, Hebrew; signs and digits do not count.
 bool writesLetterOfAnotherScript(const QKeyEvent& event) {
 #ifdef Q_OS_MACOS
-    return event.key() < 0;  // Qt gives shortcuts their Latin letters there by itself
+    return event.key() < 0;  // Qt itself maps shortcuts to Latin letters on this platform
 #else
     const int key = event.key();
     if (key < 0x100 || key > static_cast<int>(QChar::LastValidCodePoint)) {
@@ -27,7 +27,7 @@ bool writesLetterOfAnotherScript(const QKeyEvent& event) {
 #endif
 }
 
-/// The letter that a US keyboard has at this place; 0 where it has none.
+/// The letter at this position of a US keyboard; 0 if there is none.
 int letterAt(quint32 scanCode) {
     struct Row {
         quint32 first;
@@ -49,7 +49,7 @@ int letterAt(quint32 scanCode) {
 KeyCode PhysicalKeys::codeOf(const QKeyEvent& event) {
     KeyCode code = event.nativeScanCode();
 #ifdef Q_OS_MACOS
-    // There the virtual key is the place of the key, and 0 is one of them.
+    // On macOS the virtual key identifies the position, and 0 is a valid value.
     code = event.nativeVirtualKey() + 1;
 #endif
     return code != 0 && hasNumber(code) ? code : kNoNumber | static_cast<KeyCode>(event.key());

@@ -14,7 +14,7 @@
 namespace tiller {
 namespace {
 
-constexpr double kFarthest = 10.0;  ///< [m] nothing in a cell is further from the base
+constexpr double kFarthest = 10.0;  ///< [m] maximum distance from the base
 constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "rx", "ry", "rz"};
 constexpr std::array<const char*, 6> kLetters = {"X", "Y", "Z", "RX", "RY", "RZ"};
 
@@ -22,7 +22,7 @@ bool asVector() {
     return Notation::current().rotation == RotationNotation::RotationVector;
 }
 
-/// The six figures as they are shown.
+/// The six displayed values.
 std::array<double, 6> figuresOf(const Pose& pose) {
     const Eigen::Vector3d position = pose.position / format::metresPerUnit();
     const Eigen::Vector3d turns =
@@ -64,7 +64,7 @@ PoseEditor::PoseEditor(const QString& name, const QString& spoken, const QString
 
 void PoseEditor::setPose(const Pose& pose) {
     if (pose == pose_) {
-        return;  // what is being typed stays
+        return;  // keep a value that is being edited
     }
     pose_ = pose;
     showFigures();
@@ -91,7 +91,7 @@ void PoseEditor::showFigures() {
                       : asVector() ? QStringLiteral(" rad")
                                    : QStringLiteral("°"));
         box.setValue(shown_[i]);
-        // Rounded to what can be seen: only what was typed counts as a change.
+        // Rounded to the displayed digits: only edited values count as changed.
         shown_[i] = box.value();
     }
 }

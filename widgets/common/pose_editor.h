@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A pose in six figures, to be read and to be typed, in the units and the notation chosen in the settings.
+// Displays and edits a pose as six numbers, in the units and notation of the settings.
 
 #include <QWidget>
 #include <array>
@@ -16,17 +16,17 @@ class PoseEditor : public QWidget {
     Q_OBJECT
 
 public:
-    /// name    its boxes are the objects name.x ... name.rz
-    /// spoken  what the position is of: "Origin", "TCP"
-    /// advice  what typing does, one sentence, for the tool tips
+    /// name    the boxes have the object names name.x ... name.rz
+    /// spoken  object of the position: "Origin", "TCP"
+    /// advice  one sentence about the effect of editing, for the tooltips
     PoseEditor(const QString& name, const QString& spoken, const QString& advice, QWidget* parent = nullptr);
 
     void setPose(const Pose& pose);
-    /// The first box, with its figure selected.
+    /// The first box, with its text selected.
     void editFirst();
 
 Q_SIGNALS:
-    /// A figure was finished. The other five keep the digits that are not shown.
+    /// A value was edited. The other five keep the digits that are not displayed.
     void poseEntered(const tiller::Pose& pose);
 
 protected:

@@ -41,8 +41,8 @@ void ReplayBand::tell(const QString& words) {
     }
     live_->setEnabled(!words.isEmpty());
     style();
-    // Its room stays as long as the pointer is in it: what is above or below would come under the pointer otherwise, and a
-    // double click on the key would press that.
+    // The band stays visible while the pointer is on it, because the layout change would move another button under
+    // the pointer, which a double click would press.
     if (words.isEmpty() && !isHidden() && underMouse()) {
         return;
     }
@@ -60,7 +60,7 @@ void ReplayBand::setShown(bool shown) {
 
 void ReplayBand::leaveEvent(QEvent* event) {
     QFrame::leaveEvent(event);
-    // A finger is away at once: its second tap is waited for.
+    // For touch there is no pointer: wait for a second tap.
     QTimer::singleShot(QApplication::doubleClickInterval(), this, [this] {
         if (words().isEmpty() && !underMouse()) {
             setShown(false);
@@ -74,7 +74,7 @@ QString ReplayBand::words() const {
 
 void ReplayBand::style() {
     const Theme& theme = Theme::current();
-    // The colours of what is selected, turned round: no part that is live looks like it.
+    // Inverted selection colours, which no live element uses.
     const QString sheet =
         words().isEmpty()
             ? QString()

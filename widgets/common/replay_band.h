@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The line under a part of the window that shows what was, not what is: says of when, and leads back to what is live.
-// What stands above it may give way: with it or without, the panel needs the same height, and no key moves.
+// A band below a part of the window that shows past data: displays the time, and returns to live data. The widget
+// above reduces its height accordingly, so that no button moves.
 
 #include <QFrame>
 
@@ -16,16 +16,16 @@ class ReplayBand : public QFrame {
     Q_OBJECT
 
 public:
-    /// name   of the object; its key is "<name>.live"
-    /// above  what gives way, in the same layout; null: nothing
+    /// name   objectName; its button is "<name>.live"
+    /// above  widget in the same layout that reduces its height; null: none
     explicit ReplayBand(const QString& name, QWidget* above = nullptr, QWidget* parent = nullptr);
 
-    /// Empty: what is shown is live, there is no band once the pointer has left it.
+    /// Empty: live data; the band is hidden after the pointer has left it.
     void tell(const QString& words);
     QString words() const;
 
 Q_SIGNALS:
-    /// Back to what is live.
+    /// The user wants to return to live data.
     void liveWanted();
 
 protected:

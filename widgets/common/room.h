@@ -5,8 +5,8 @@ class QWidget;
 
 namespace tiller {
 
-/// Enlarges a window until everything in it is whole; never shrinks it. Words that wrap need this, because
-/// they tell their height only for a width.
+/// Enlarges a window until its content fits; never shrinks it. Needed for word wrap, whose height depends on the
+/// width.
 void makeRoom(QWidget& window);
 
 }  // namespace tiller

@@ -30,7 +30,7 @@ RowTable::RowTable(QAbstractItemModel& model, int nameColumn, QWidget* parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     horizontalHeader()->setMinimumSectionSize(24);
-    // The headings may use the gap to the next column.
+    // The header texts may extend to the next column.
     horizontalHeader()->setStyleSheet(QStringLiteral("QHeaderView::section { padding: 6px 0 6px 12px; }"));
 }
 
@@ -56,7 +56,7 @@ RowDelegate::RowDelegate(QString editorName, QObject* parent)
 QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                                    const QModelIndex& index) const {
     QWidget* editor = named(QStyledItemDelegate::createEditor(parent, option, index), index);
-    // The cell's own height is small: no margins inside it.
+    // Without margins, because the height of a cell is small.
     editor->setStyleSheet(QStringLiteral("min-height: 0; padding: 0 8px;"));
     return editor;
 }
@@ -68,7 +68,7 @@ void RowDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewIt
 
 void RowDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
-    option->state &= ~QStyle::State_HasFocus;  // the row is the unit, not the cell
+    option->state &= ~QStyle::State_HasFocus;  // rows are selected, not cells
     option->textElideMode = Qt::ElideRight;
 }
 

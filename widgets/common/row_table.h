@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A list of which each row is one thing with a name: rows are chosen, not cells, and the name takes the width
-// that the other columns leave.
+// A table with one named object per row: rows are selected instead of cells, and the name column takes the
+// remaining width.
 
 #include <QStyledItemDelegate>
 #include <QTableView>
@@ -16,7 +16,7 @@ public:
     /// nameColumn  of the model: edited in place (F2 or double click)
     RowTable(QAbstractItemModel& model, int nameColumn, QWidget* parent = nullptr);
 
-    /// Begins to edit the name of the current row.
+    /// Starts editing the name of the current row.
     void renameCurrent();
 
 Q_SIGNALS:
@@ -29,7 +29,7 @@ private:
     int nameColumn_;
 };
 
-/// Draws cells without a focus of their own, and lets them be edited within a row's height.
+/// Draws cells without focus, and limits editors to the height of a row.
 class RowDelegate : public QStyledItemDelegate {
 public:
     /// editorName  object name of every editor
@@ -42,7 +42,7 @@ public:
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
-    /// Gives an editor its names: its own and, for who cannot see it, the column's.
+    /// Sets the object name and, for screen readers, the accessible name from the column.
     QWidget* named(QWidget* editor, const QModelIndex& index) const;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A row of joined keys of which exactly one is chosen: frame, motion, speed. The wheel never changes it.
-// Each key is a QAbstractButton named "<name of the control>.<index>".
+// A row of joined buttons of which exactly one is selected, e.g. frame, motion, speed. The mouse wheel does not
+// change it. Each button is a QAbstractButton named "<name of the control>.<index>".
 
 #include <QStringList>
 #include <QVector>
@@ -22,20 +22,20 @@ public:
 
     int count() const { return static_cast<int>(segments_.size()); }
     int currentIndex() const { return current_; }
-    /// Chooses and tells, also for a key that is disabled; out of range is ignored.
+    /// Selects a segment and emits currentChanged(), even for a disabled segment; an invalid index is ignored.
     void setCurrentIndex(int index);
     QString text(int index) const;
     void setText(int index, const QString& text);
-    /// Room for the widest text the segment will have: the others keep their places.
+    /// Reserves the width of the longest text of the segment, so that the others do not move.
     void reserve(int index, const QString& widest);
-    /// reason  tooltip that says why, when disabled
+    /// reason  shown as tooltip when disabled
     void setSegmentEnabled(int index, bool enabled, const QString& reason = {});
     QAbstractButton* segment(int index) const;
-    /// Names the control and its keys, for tests and for screen readers.
+    /// Sets the names of the control and its buttons for tests and screen readers.
     void setNames(const QString& objectName, const QString& accessibleName);
 
 Q_SIGNALS:
-    /// Another key was chosen, by hand or by setCurrentIndex().
+    /// Another segment was selected by the user or by setCurrentIndex().
     void currentChanged(int index);
 
 private:

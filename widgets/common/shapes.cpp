@@ -33,7 +33,7 @@ void drawExclamation(QPainter& painter, const QRectF& box, const QColor& colour,
 }
 
 void drawHand(QPainter& painter, const QRectF& box, const QColor& ink) {
-    // Four fingers, a thumb and a palm.
+    // A hand: four fingers, a thumb and a palm.
     const double w = box.width();
     const double h = box.height();
     QPainterPath hand;

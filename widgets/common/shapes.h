@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The small shapes that stand in front of a state's words, drawn from paths so that they follow the theme.
+// Small symbols before the text of a state, drawn as paths so that they follow the theme.
 
 #include <QRectF>
 
@@ -11,9 +11,9 @@ class QPainter;
 
 namespace tiller {
 
-/// ink     colour of the shape
-/// ground  colour behind it, for marks cut out of a filled shape
-/// mark    up to two letters: inside an octagon in place of its exclamation mark, else at its right
+/// ink     colour of the symbol
+/// ground  background colour, for cutouts in a filled symbol
+/// mark    up to two letters: inside an octagon instead of the exclamation mark, otherwise to its right
 void drawShape(QPainter& painter, StateChip::Shape shape, const QRectF& box, const QColor& ink,
                const QColor& ground, const QString& mark = {});
 

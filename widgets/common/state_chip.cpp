@@ -178,7 +178,7 @@ QFont StateChip::valueFont() const {
 
 int StateChip::widthFor(const QString& value, const QString& caption) const {
     const int captionWidth = QFontMetrics(captionFont(true)).horizontalAdvance(caption);
-    // On scaled screens letters have fractions of a pixel: a chip that is short by one loses three letters.
+    // With display scaling, text widths are fractional: one missing pixel would elide three letters.
     const int letters = static_cast<int>(std::ceil(QFontMetricsF(valueFont()).horizontalAdvance(value))) + 1;
     const int valueWidth = letters + shapeRoom() + (menuArrow_ ? kArrowRoom : 0);
     return std::max(captionWidth, valueWidth) + 2 * padding() + 2;
@@ -220,7 +220,7 @@ void StateChip::paintEvent(QPaintEvent*) {
     const Colours colours = coloursOf(emphasis_, theme);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    // A ring only for those who walk by keyboard.
+    // The focus ring is only shown for keyboard navigation.
     const bool ring = hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange);
     painter.setPen(ring ? QPen(theme.moving, 2) : QPen(colours.border, 1));
     painter.setBrush(colours.fill);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A small labelled box of the header: a caption, and below it one state as icon shape and words. Grey while
-// all is normal; coloured only when a person must look or act.
+// A small labelled field of the header: a caption, and below it a state as symbol and text. Grey in the normal
+// state; coloured only if attention or an action is required.
 
 #include <QWidget>
 
@@ -12,10 +12,10 @@ class StateChip : public QWidget {
     Q_OBJECT
 
 public:
-    /// Colour comes only with a reason to look.
+    /// Colour is only used if attention is required.
     enum class Emphasis { Normal, Moving, Warning, Alarm, OperatorNeeded, Muted };
     Q_ENUM(Emphasis)
-    /// Drawn in front of the words, so that no state is told by colour alone.
+    /// Drawn before the text, so that no state is indicated by colour alone.
     enum class Shape {
         None,
         Circle,
@@ -38,31 +38,30 @@ public:
     explicit StateChip(const QString& caption, QWidget* parent = nullptr);
 
     QString caption() const { return caption_; }
-    /// What gives way when room is short: what stands behind " · ", or what stands before it.
+    /// The part of the caption that is elided first: the part after " · ", or the part before it.
     enum class GivesWay { Behind, Before };
     void setCaption(const QString& caption, GivesWay givesWay = GivesWay::Behind);
-    /// As it is drawn at this width.
+    /// The caption as displayed at this width.
     QString shownCaption() const;
     QString text() const { return text_; }
     Emphasis emphasis() const { return emphasis_; }
     Shape shape() const { return shape_; }
-    /// advice  what it means and what to do, as the tooltip; the text itself stands there too where it is
-    /// elided
+    /// advice  meaning and suggested action, shown as tooltip together with the text if that is elided
     void setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice = {});
-    /// Up to two letters in (octagon) or beside the shape, which tell apart states that share it.
+    /// Up to two letters in (octagon) or next to the symbol, to distinguish states with the same symbol.
     void setMark(const QString& mark);
     QString mark() const { return mark_; }
-    /// Numbers in the fixed-width face.
+    /// Use the fixed-width font for numbers.
     void setFigures(bool figures);
-    /// Smaller letters and margins, for a narrow window.
+    /// Use smaller text and margins, for a narrow window.
     void setDense(bool dense);
-    /// Never narrower than the caption and this many characters of the value; the rest is elided.
+    /// Minimum width: the caption and this number of characters of the value; the rest is elided.
     void setLeastCharacters(int characters);
-    /// This wide whatever it says [px]: words that are longer get smaller letters, and are elided at last.
+    /// Fixed width [px]: longer texts get a smaller font, and are elided if necessary.
     void setRoom(int width);
-    /// Nothing of the value is elided at this width.
+    /// True if the value is not elided at this width.
     bool isWhole() const { return shownText() == text_; }
-    /// Shows the little arrow of something that opens a menu.
+    /// Show a menu arrow.
     void setMenuArrow(bool arrow);
 
     QSize sizeHint() const override;
@@ -82,14 +81,14 @@ protected:
 private:
     int padding() const;
     QFont valueFont() const;
-    /// The size at which the value fits, no smaller than can be read.
+    /// The largest legible font size at which the value fits.
     QFont fittingFont() const;
     int valueRoom() const;
     QString shownText() const;
     int widthFor(const QString& value, const QString& caption) const;
     int shapeRoom() const;
     bool isStrong() const { return emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted; }
-    /// The part of the caption that is always there.
+    /// The part of the caption that is never elided.
     QString leastCaption() const;
     void showTip();
 
@@ -103,7 +102,7 @@ private:
     bool figures_ = false;
     bool menuArrow_ = false;
     int leastCharacters_ = 4;
-    int room_ = 0;  ///< 0: as wide as what it says
+    int room_ = 0;  ///< 0: depends on the text
     bool dense_ = false;
 };
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A scroll area that scrolls only for somebody. Qt's own brings the next widget into sight whenever the focus
-// moves, also when it moves because the one that had it was hidden or disabled: a click then slides everything
-// away under the pointer.
+// A scroll area that does not scroll to the focus widget. QScrollArea does this even if the focus changes because
+// the focus widget was hidden or disabled, so that a click moves the content under the pointer.
 
 #include <QScrollArea>
 

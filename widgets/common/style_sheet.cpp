@@ -11,7 +11,7 @@ namespace tiller {
 
 namespace {
 
-// Colours are written as @role and filled in from the theme.
+// Colours are placeholders of the form @role, replaced by the theme.
 constexpr char kTemplate[] = R"(
 QMainWindow, QDialog, QMessageBox { background: @background; }
 QMainWindow::separator { background: @background; width: 10px; height: 10px; }
@@ -105,7 +105,7 @@ QGroupBox { border: 1px solid @border; border-radius: 6px; margin-top: 18px; pad
 QGroupBox::title { subcontrol-origin: margin; left: 8px; color: @secondary; }
 )";
 
-// What is small for a mouse and has room for a finger everywhere: it scrolls, or it stands in front.
+// Small mouse targets in areas with enough space for touch: scroll areas and overlays.
 constexpr char kTouch[] = R"(
 QCheckBox, QRadioButton { min-height: @touch; spacing: 12px; }
 QCheckBox::indicator, QRadioButton::indicator { width: 24px; height: 24px; }
@@ -114,7 +114,7 @@ QComboBox QAbstractItemView::item { min-height: @touch; }
 QPushButton[dense="true"] { min-height: @keyHeight; }
 )";
 
-// What stands in the window at all times.
+// Permanent parts of the window.
 constexpr char kRoomyTouch[] = R"(
 QTabBar::tab { min-height: 36px; }
 QToolButton[quiet="true"], QPushButton[quiet="true"] { min-height: @keyHeight; }
@@ -141,9 +141,9 @@ QString styleSheet(const Theme& t) {
         {QStringLiteral("scheme"), t.isDark() ? QStringLiteral("dark") : QStringLiteral("light")},
         {QStringLiteral("keyHeight"), pixels(key)},
         {QStringLiteral("fieldHeight"),
-         pixels(touchHeight() > 0 ? key - 6 : key - 10)},  // and padding and border
+         pixels(touchHeight() > 0 ? key - 6 : key - 10)},  // plus padding and border
         {QStringLiteral("touch"), pixels(key)},
-        // Six of them have to find room beside a table in the smallest window.
+        // Six of them must fit next to a table in the smallest window.
         {QStringLiteral("denseHeight"), pixels(touchHeight() > 0 ? key - 6 : std::min(key - 10, 28))},
         {QStringLiteral("menuPadding"), pixels(touch ? 16 : (key - 24) / 2)},
     };

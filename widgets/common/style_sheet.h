@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The style sheet of the standard widgets. Ours paint themselves; see theme.h.
+// The style sheet of the standard widgets. Tiller's own widgets paint themselves; see theme.h.
 
 #include <QString>
 
@@ -9,7 +9,7 @@ namespace tiller {
 
 struct Theme;
 
-/// Dynamic properties it knows: QPushButton[primary="true"], QPushButton[danger="true"],
+/// Supported dynamic properties: QPushButton[primary="true"], QPushButton[danger="true"],
 /// QToolButton[quiet="true"], QLabel[role="secondary"|"caption"|"strong"|"warning"|"alarm"].
 QString styleSheet(const Theme& theme);
 

@@ -5,7 +5,7 @@ class QWidget;
 
 namespace tiller {
 
-/// True for a widget in which keys write: no key that moves the arm may be meant there.
+/// True for a widget with text input: keys must not move the arm while it has the focus.
 bool takesText(const QWidget* widget);
 
 }  // namespace tiller

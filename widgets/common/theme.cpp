@@ -148,7 +148,7 @@ const Theme& Theme::current() {
 }
 
 void applyTheme(QApplication& application, const Theme& theme) {
-    initResources();  // the style sheet names pictures
+    initResources();  // the style sheet references images in the resources
     application.setProperty(kSchemeProperty, theme.isDark());
     if (application.style() == nullptr || application.styleSheet().isEmpty()) {
         application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

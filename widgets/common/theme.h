@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The look of the application: every colour by its role, the two schemes, and the fonts. Widgets that paint
-// themselves ask Theme::current() while painting; everything else gets its look from the palette and the
-// style sheet that applyTheme() sets. A change reaches every widget as QEvent::StyleChange and repaints it.
+// The appearance of the application: colours by role, two colour schemes, and fonts. Widgets that paint themselves
+// read Theme::current() while painting; all others use the palette and the style sheet set by applyTheme(). A
+// change is sent to all widgets as QEvent::StyleChange and repaints them.
 
 #include <QColor>
 #include <QFont>
@@ -16,41 +16,41 @@ namespace tiller {
 
 enum class ColorScheme { Light, Dark };
 
-/// Colours by role. Text roles have a contrast of at least 4.5:1 on every surface they are used on, state and
+/// Colours by role. The contrast of text roles is at least 4.5:1 on all surfaces they are used on, of states and
 /// values 5:1.
 struct Theme {
     ColorScheme scheme;
 
-    QColor background;  ///< behind the panels
+    QColor background;  ///< background between the panels
     QColor panel;
-    QColor raised;  ///< keys, fields, header and status line
-    QColor border;  ///< 1 px lines around and between; also tracks of bars
-    QColor hover;   ///< a raised key under the pointer
+    QColor raised;  ///< buttons, fields, header and status bar
+    QColor border;  ///< borders and separators of 1 px; also background of bars
+    QColor hover;   ///< a raised button under the pointer
 
     QColor text;
     QColor secondary;
     QColor disabledText;
-    QColor inverse;      ///< filled: the selected segment, the one primary button
-    QColor inverseText;  ///< on `inverse`
+    QColor inverse;      ///< filled: the selected segment, the primary button
+    QColor inverseText;  ///< text on `inverse`
 
     QColor moving;
-    QColor movingText;  ///< on `moving`
-    QColor movingTint;  ///< behind the selected row and the key that moves the arm
+    QColor movingText;  ///< text on `moving`
+    QColor movingTint;  ///< background of the selected row and of the button that moves the arm
     QColor warning;     ///< text and icon
     QColor warningBackground;
-    QColor alarm;  ///< text and icon; in the dark scheme brighter than the table's, which is too dim for text
+    QColor alarm;  ///< text and icon; in the dark scheme brighter than in tables, to be legible
     QColor alarmBackground;
-    QColor stop;      ///< the STOP key and chips of a stopped robot
-    QColor stopText;  ///< on `stop`
+    QColor stop;      ///< the STOP button and chips of a stopped robot
+    QColor stopText;  ///< text on `stop`
     QColor operatorNeeded;
-    QColor operatorNeededText;  ///< on `operatorNeeded`
+    QColor operatorNeededText;  ///< text on `operatorNeeded`
     QColor simulation;
     QColor simulationStripe;
-    QColor simulationText;  ///< on both
+    QColor simulationText;  ///< text on both
     QColor recording;
 
     QColor axisX, axisY, axisZ;       ///< bars, arrows, lines
-    std::array<QColor, 3> axisTexts;  ///< the same, dark or bright enough for letters
+    std::array<QColor, 3> axisTexts;  ///< the same colours with sufficient contrast for text
     std::array<QColor, 6> curves;
 
     bool isDark() const { return scheme == ColorScheme::Dark; }
@@ -60,7 +60,7 @@ struct Theme {
     static const Theme& light();
     static const Theme& dark();
     static const Theme& of(ColorScheme scheme) { return scheme == ColorScheme::Dark ? dark() : light(); }
-    /// The one applied to the application last; light before that.
+    /// The theme applied last; initially light.
     /// Threads  GUI
     static const Theme& current();
 };
@@ -69,7 +69,8 @@ struct Theme {
 /// Threads  GUI
 void applyTheme(QApplication& application, const Theme& theme);
 
-/// While it lives, Theme::current() is the light one, for what is painted on paper; the application keeps its look.
+/// During its lifetime, Theme::current() is the light theme, for painting on paper; the application does not
+/// change.
 /// Threads  GUI
 class PaperColors {
 public:
@@ -82,12 +83,12 @@ private:
     bool wasDark_;
 };
 
-/// Corner radius of panels and keys [px].
+/// Corner radius of panels and buttons [px].
 inline constexpr int kCornerRadius = 6;
 
-/// The application's typeface (its digits all have one width).
+/// The font of the application (with digits of equal width).
 QFont textFont(int pixelSize, QFont::Weight weight = QFont::Normal);
-/// Fixed-width companion for columns of numbers.
+/// Fixed-width font for columns of numbers.
 QFont figureFont(int pixelSize, QFont::Weight weight = QFont::Normal);
 
 /// WCAG 2 contrast ratio of two opaque colours, 1 ... 21.

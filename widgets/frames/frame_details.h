@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The lower end of the tab: the selected frame in figures, to be read and to be typed. Typing moves nothing
-// but the frame.
+// Details of the selected frame below the table, displayed and editable as numbers. Editing only changes the frame.
 
 #include <QWidget>
 #include <optional>
@@ -22,16 +21,16 @@ class FrameDetails : public QWidget {
 public:
     explicit FrameDetails(QWidget* parent = nullptr);
 
-    /// waypoints  how many move with it
+    /// waypoints  number of waypoints that move with it
     void setFrame(const std::optional<project::Frame>& frame, int waypoints);
-    /// Nothing while there are no data.
+    /// Empty without data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
     void editFigures();
 
     QString headline() const;
 
 Q_SIGNALS:
-    /// The operator finished a figure: the frame shall stand here.
+    /// The user edited a value: the new pose of the frame.
     void placeEntered(const tiller::Pose& T_base_frame);
 
 protected:

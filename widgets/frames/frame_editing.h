@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What is done to frames apart from taking points: make one, move one with what is given in it, duplicate and
-// delete. Every step is one edit of the document, which can be undone; what moves waypoints is asked first.
+// Edits frames other than by teaching points: create, move with the waypoints in it, duplicate and delete. Every
+// step is an undoable edit of the document; moving waypoints requires a confirmation.
 
 #include <QObject>
 
@@ -19,25 +19,25 @@ class FrameEditing : public QObject {
     Q_OBJECT
 
 public:
-    /// document, model, notice  must outlive it; notice is where it asks
+    /// document, model, notice  must outlive the object; notice shows the questions
     FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, QObject* parent = nullptr);
 
-    /// A new frame, behind the others.
+    /// Adds a frame after the others.
     void insert(const Pose& T_base_frame);
-    /// Says how the frame would move and what moves with it, and asks.
+    /// Asks for confirmation and shows how the frame and its waypoints would move.
     void askToMove(const QUuid& id, const Pose& T_base_frame);
-    /// A place entered by hand: the frame is moved at once.
+    /// Moves a frame to a manually entered pose without confirmation.
     void place(const project::Frame& frame, const Pose& T_base_frame);
     void duplicate(const project::Frame& frame);
-    /// Asks when waypoints are given in it.
+    /// Asks for confirmation if waypoints are in this frame.
     void remove(const project::Frame& frame);
 
 Q_SIGNALS:
-    /// Something the operator should be able to read again later.
+    /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
 
 private:
-    /// Returns  what moved with it, in words
+    /// Returns  a description of the moved waypoints
     QString move(const QUuid& id, const Pose& T_base_frame, const QString& step);
 
     ProjectDocument& document_;

@@ -13,7 +13,7 @@ namespace tiller {
 FrameModel::FrameModel(ProjectDocument& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
     connect(&document_, &ProjectDocument::framesChanged, this, &FrameModel::follow);
-    // Another waypoint may be given in a frame now.
+    // The frame of a waypoint may have changed.
     connect(&document_, &ProjectDocument::documentChanged, this, [this] {
         if (rowCount() > 0) {
             Q_EMIT dataChanged(index(0, Waypoints), index(rowCount() - 1, Waypoints));
@@ -73,7 +73,7 @@ void FrameModel::setTcp(const std::optional<Pose>& T_base_tcp) {
     }
 }
 
-// ---- edits by hand ---------------------------------------------------------------------------------
+// ---- editing ---------------------------------------------------------------------------------------
 
 QString FrameModel::nameProblem(const QString& name, const QUuid& own) const {
     if (name.trimmed().isEmpty()) {
@@ -116,7 +116,7 @@ bool FrameModel::setData(const QModelIndex& index, const QVariant& value, int ro
     return true;
 }
 
-// ---- the table's face ------------------------------------------------------------------------------
+// ---- table -----------------------------------------------------------------------------------------
 
 int FrameModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(ids_.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The frames of the project as a table. What is typed in it becomes an edit of the document.
+// Table model of the frames of the project. Editing changes the document.
 
 #include <QAbstractTableModel>
 #include <optional>
@@ -12,10 +12,10 @@ namespace tiller {
 
 class ProjectDocument;
 
-/// What a frame's other place would do to the waypoints that move with it.
+/// Effect of a move of the frame on its waypoints.
 struct FrameUse {
     int waypoints = 0;
-    int outOfReach = 0;  ///< of those
+    int outOfReach = 0;  ///< number of unreachable waypoints
 };
 
 class FrameModel : public QAbstractTableModel {
@@ -28,16 +28,16 @@ public:
     explicit FrameModel(ProjectDocument& document, QObject* parent = nullptr);
 
     const project::FrameList& frames() const;
-    /// -1 when there is none.
+    /// -1 if there is none.
     int rowOf(const QUuid& id) const;
-    /// How many waypoints move with it, and how many of them could not be reached if it stood at
+    /// Number of waypoints that move with the frame, and how many of them would be unreachable with the frame at
     /// `T_base_frame`.
     FrameUse use(const QUuid& id, const Pose& T_base_frame) const;
     FrameUse use(const project::Frame& frame) const { return use(frame.id, frame.T_base_frame); }
-    /// For the column of distances; nothing while there are no data.
+    /// For the distance column; empty without data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
 
-    /// Why a frame cannot have that name, as a sentence; empty when it can.
+    /// The reason why a frame cannot have this name, as a sentence; empty if it can.
     QString nameProblem(const QString& name, const QUuid& own = {}) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -48,7 +48,7 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
-    /// An edit was refused, and why.
+    /// An edit was refused, with the reason.
     void editRefused(const QString& reason);
 
 private:
@@ -56,7 +56,7 @@ private:
     QString display(const project::Frame& frame, int column) const;
 
     ProjectDocument& document_;
-    QVector<QUuid> ids_;  ///< as the views know them
+    QVector<QUuid> ids_;  ///< as known to the views
     std::optional<Pose> tcp_;
 };
 

@@ -19,7 +19,7 @@ void FrameTable::resizeEvent(QResizeEvent* event) {
 
 void FrameTable::shareWidth() {
     const int room = viewport()->width();
-    // Four digits before the point, and a sign, each.
+    // Four digits before the decimal point, and a sign, per column.
     constexpr int kName = 90;
     constexpr int kThreeFigures = 196;
     constexpr int kPoints = 58;
@@ -28,7 +28,7 @@ void FrameTable::shareWidth() {
     setColumnWidth(FrameModel::Rotation, kThreeFigures);
     setColumnWidth(FrameModel::Waypoints, kPoints);
     setColumnWidth(FrameModel::Distance, kDistance);
-    // The name needs its room; what goes first stands in the pane below.
+    // The name needs a minimum width; hidden columns are shown in the details below.
     const int least = kName + 2 * kThreeFigures + kPoints;
     setColumnHidden(FrameModel::Distance, room < least + kDistance);
     setColumnHidden(FrameModel::Rotation, room < least);

@@ -103,7 +103,7 @@ int FrameTeacher::nextMissing() const {
 
 void FrameTeacher::takeNext() {
     const Problem problem = project::check(points_).problem;
-    // A point that spoils the frame is taken again before the next one.
+    // Record a point that prevents the frame again before the next one.
     take(problem == Problem::XTooClose ? 1 : nextMissing() < 0 ? 2 : nextMissing());
 }
 
@@ -191,7 +191,7 @@ void FrameTeacher::refresh() {
     const char* const role = wrong ? "warning" : "";
     if (feedback_->property("role") != QLatin1String(role)) {
         feedback_->setProperty("role", QLatin1String(role));
-        feedback_->setStyleSheet(feedback_->styleSheet());  // looks at the role anew
+        feedback_->setStyleSheet(feedback_->styleSheet());  // re-evaluates the role
     }
     make_->setEnabled(found.ok());
     make_->setToolTip(found.ok() ? QString() : words);
@@ -199,8 +199,8 @@ void FrameTeacher::refresh() {
 
 void FrameTeacher::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    // The feedback keeps its room, so that no key moves under the pointer while the words change.
-    constexpr int kLongest = 850;  // of its sentences in one line [px]
+    // The size of the feedback is constant, so that buttons do not move when the text changes.
+    constexpr int kLongest = 850;  // width of its longest sentence in one line [px]
     const int lines = std::clamp(kLongest / std::max(1, feedback_->width()) + 1, 2, 5);
     feedback_->setMinimumHeight(lines * QFontMetrics(textFont(15)).lineSpacing());
 }

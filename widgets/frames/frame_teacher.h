@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Three points, one after the other, each where the TCP is when its key is pressed. It says at any time what
-// is still missing, how far the tip is, and what is wrong with points that make no frame.
+// Teaches a frame by three points, recorded one after the other at the TCP position. Shows the next point, the
+// distance of the TCP, and problems of points that do not define a frame.
 
 #include <QWidget>
 #include <array>
@@ -23,21 +23,21 @@ class FrameTeacher : public QWidget {
 public:
     explicit FrameTeacher(QWidget* parent = nullptr);
 
-    /// Begins anew. make  label of the key that finishes it
+    /// Starts teaching. make  label of the finish button
     void begin(const QString& title, const QString& make);
-    /// The TCP in the base frame [m]; nothing, and why, when no point can be taken.
+    /// The TCP in the base frame [m]; empty, with the reason, if no point can be recorded.
     void setTip(const std::optional<Eigen::Vector3d>& tip, const QString& obstacle);
-    /// The next point that is missing; the last one again when none is.
+    /// The next missing point; the last one if none is missing.
     void takeNext();
-    /// Tells made() if the points make a frame.
+    /// Emits made() if the points define a frame.
     void finish();
 
-    /// The frame of the points taken; with the tip in place of the one that is missing, if only one is.
+    /// The frame of the recorded points; if only one is missing, with the TCP in its place.
     std::optional<Pose> preview() const;
     QString feedback() const;
 
 Q_SIGNALS:
-    /// A point is about to be taken: setTip() with the newest data, before this returns.
+    /// A point is about to be recorded: call setTip() with the newest data before returning.
     void tipWanted();
     void made(const tiller::Pose& T_base_frame);
     void cancelled();

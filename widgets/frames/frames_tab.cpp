@@ -35,7 +35,7 @@ FramesTab::FramesTab(RobotSession& session, ProjectDocument& document, QWidget* 
     buildLayout();
     buildActions();
 
-    // Figures that change sixty times a second cannot be read.
+    // Values that change sixty times per second are not legible.
     liveTimer_.setSingleShot(true);
     liveTimer_.setInterval(100);
     connect(&liveTimer_, &QTimer::timeout, this, &FramesTab::showLive);
@@ -43,14 +43,14 @@ FramesTab::FramesTab(RobotSession& session, ProjectDocument& document, QWidget* 
     connect(table_, &FrameTable::currentRowChanged, this, &FramesTab::onSelection);
     connect(model_, &FrameModel::editRefused, this, &FramesTab::showProblem);
     connect(&document_, &ProjectDocument::framesChanged, this, &FramesTab::onFrames);
-    // How many waypoints move with the selected one.
+    // Number of waypoints that move with the selected frame.
     connect(&document_, &ProjectDocument::documentChanged, this, &FramesTab::onSelection);
     onFrames();
     showLive();
 }
 
 FramesTab::~FramesTab() {
-    // The table loses its model while it goes, and the document may be gone already.
+    // The table loses its model during destruction, and the document may no longer exist.
     disconnect(table_, nullptr, this, nullptr);
 }
 
@@ -155,7 +155,7 @@ void FramesTab::onFrames() {
         endTeaching();
     }
     showPage();
-    // The one that came, also by undo; else the one that was; else its neighbour.
+    // The added frame (also by undo), otherwise the previous one, otherwise its neighbour.
     const int row = one                       ? model_->rowOf(came)
                     : ids.contains(selected_) ? model_->rowOf(selected_)
                                               : std::min(std::max(before, 0), model_->rowCount() - 1);
@@ -166,7 +166,7 @@ void FramesTab::onFrames() {
 void FramesTab::showPage() {
     const bool any = model_->rowCount() > 0;
     pages_->setCurrentIndex(any ? kTablePage : kEmptyPage);
-    // What is hidden needs no room: the tab is low in a small window.
+    // Hidden pages do not need space: the tab has little height in a small window.
     pages_->setVisible(!teaching_);
     teacher_->setVisible(teaching_);
     details_->setVisible(!teaching_ && any);
@@ -199,7 +199,7 @@ void FramesTab::selectRow(int row) {
     if (row < 0 || row >= model_->rowCount()) {
         table_->selectionModel()->clear();
     } else {
-        // Not through the view: it would let the modifiers of the shortcut under way extend the selection.
+        // Not through the view, which would extend the selection according to the modifiers of the shortcut.
         const QModelIndex index = model_->index(row, FrameModel::Name);
         table_->selectionModel()->setCurrentIndex(
             index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
@@ -263,7 +263,7 @@ QAction* FramesTab::addCommand(const QString& name, const QString& text, const Q
 }
 
 void FramesTab::buildActions() {
-    // Letters: s a frame is selected, l live data, t three points are being taken.
+    // Letters: s frame selected, l live data, t teaching three points.
     const auto with = [](QAction* action, const char* needs) {
         action->setProperty("needs", QLatin1String(needs));
         return action;
@@ -271,7 +271,7 @@ void FramesTab::buildActions() {
     auto* menu = new QMenu(this);
     menu->setObjectName(QStringLiteral("frame.menu"));
     const auto everywhere = [&](QAction* action) {
-        // The hand is on the jog pad while teaching.
+        // The focus may be on the jog pad while teaching.
         addAction(action);
         return action;
     };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Frames": teach a frame from the TCP or from three points, name it, set it in figures, touch it up.
-// It edits the open project. Nothing in it moves the robot.
+// The tab "Frames": teaches frames from the TCP or from three points, and renames, edits and touches them up in the
+// open project. Nothing in this tab moves the robot.
 
 #include <QTimer>
 #include <QUuid>
@@ -38,29 +38,29 @@ public:
     ~FramesTab() override;
 
     FrameModel& model() { return *model_; }
-    /// Every action with its shortcut, for menus, the command palette and the help.
+    /// All actions with their shortcuts for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
     std::vector<FrameMark> marks() const;
-    /// Row of the selected frame; -1 for none.
+    /// Row of the selected frame; -1: none.
     int currentRow() const;
 
 public Q_SLOTS:
-    /// A new frame where the TCP is, with its axes.
+    /// Creates a frame at the TCP with its orientation.
     void teachFromTcp();
     void teachThreePoints();
-    /// Shows how the selected frame would move to where the TCP is, and what moves with it, and asks.
+    /// Asks for confirmation and shows how the selected frame and its waypoints would move to the TCP.
     void touchUp();
     void touchUpThreePoints();
     void selectRow(int row);
 
 Q_SIGNALS:
-    /// marks() are others.
+    /// marks() has changed.
     void marksChanged();
-    /// The jog column shall move in this frame.
+    /// The jog column should use this frame.
     void jogRequested(const QUuid& frame);
-    /// A command was given that goes on in this tab.
+    /// A command needs this tab to be visible.
     void frontWanted();
-    /// Something the operator should be able to read again later.
+    /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
 
 private:
@@ -90,9 +90,9 @@ private:
     QList<QAction*> actions_;
     QTimer liveTimer_;
     QUuid selected_;
-    QVector<QUuid> known_;  ///< the frames there were, to find the one that came
+    QVector<QUuid> known_;  ///< the previous frames, to find the added one
     bool teaching_ = false;
-    QUuid teachingInto_;  ///< the frame to touch up; null: a new one
+    QUuid teachingInto_;  ///< the frame to touch up; null: new frame
 
     QPushButton* fromTcp_ = nullptr;
     QPushButton* threePoints_ = nullptr;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One analog input or output as a row: terminal, name, what it carries in mA or V, and what that means in the
-// unit of whatever is connected to it. An output is set with its domain, never without.
+// A row for an analog input or output: terminal, name, value in mA or V, and the value in the user's unit. An
+// output is always set together with its domain.
 
 #include <QString>
 #include <QWidget>
@@ -17,16 +17,16 @@ namespace tiller {
 
 class FigureBox;
 
-/// What the ends of the electrical range mean. Without a unit: not scaled.
+/// The values at the ends of the electrical range. Without a unit: not scaled.
 struct AnalogScale {
     double low = 0;
     double high = 10;
     QString unit;
 
     bool isSet() const { return !unit.isEmpty(); }
-    /// level  0 ... 1 of the range
+    /// level  position in the range, 0 ... 1
     double at(double level) const { return low + level * (high - low); }
-    /// "0|10|bar"
+    /// e.g. "0|10|bar"
     QString toText() const;
     static AnalogScale fromText(const QString& text);
 };
@@ -37,7 +37,7 @@ class AnalogRow : public QWidget {
 public:
     using Domain = io::AnalogDomain;
 
-    /// terminal  "AI 0"
+    /// terminal  e.g. "AI 0"
     AnalogRow(const QString& terminal, bool output, QWidget* parent = nullptr);
 
     QString terminal() const { return terminal_; }
@@ -45,23 +45,23 @@ public:
     void setName(const QString& name);
     const AnalogScale& scale() const { return scale_; }
     void setScale(const AnalogScale& scale);
-    /// value  as the robot reports it [mA or V]
+    /// value  as reported by the robot [mA or V]
     void setValue(double value, Domain domain, bool valid, bool stale);
-    /// Why the output cannot be set; empty when it can.
+    /// The reason why the output cannot be set; empty if it can.
     void setObstacle(const QString& why);
-    /// "12.00 mA · 5.0 bar"
+    /// e.g. "12.00 mA · 5.0 bar"
     QString valueText() const;
-    /// Opens the question for the name.
+    /// Opens the dialog for the name.
     void askForName();
 
-    /// The ends of a domain's range [mA or V].
+    /// Limits of the range of a domain [mA or V].
     static double lowest(Domain domain) { return domain == Domain::Current ? 4 : 0; }
     static double highest(Domain domain) { return domain == Domain::Current ? 20 : 10; }
 
 Q_SIGNALS:
-    /// Name or scale were changed by hand.
+    /// The user changed name or scale.
     void changed();
-    /// level  0 ... 1 of the domain's range
+    /// level  position in the range of the domain, 0 ... 1
     void setRequested(tiller::io::AnalogDomain domain, double level);
 
 protected:

@@ -27,10 +27,10 @@ using io::RobotiqActivation;
 using io::RobotiqObject;
 
 constexpr int kGripperRefreshMs = 50;
-/// A second click that was meant for the list of grippers shall meet no key that came in its place.
+/// Prevents the second click of a double click on the gripper list from pressing a button that has just appeared.
 constexpr int kSettleMs = 500;
 constexpr int kMostPort = 65535;
-/// Gentle at first; never remembered.
+/// Low initial speed; not saved.
 constexpr double kFirstSpeed = 50;
 constexpr double kFirstForce = 20;
 constexpr int kRemedyLines = 4;
@@ -48,12 +48,12 @@ QLabel* valueLabel(const QString& name, const QString& accessible) {
     label->setObjectName(name);
     label->setAccessibleName(accessible);
     label->setFont(textFont(15));
-    // The words in it change, the rows around it keep their places.
+    // The text may change without moving the rows around it.
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     return label;
 }
 
-/// Takes what stands in the box, or tells why not.
+/// Accepts the text in the box, or explains the error.
 bool isRefused(FigureBox* box) {
     if (box->isRefused()) {
         box->explainRefusal();
@@ -86,7 +86,7 @@ int byteOf(double percent) {
     return static_cast<int>(std::lround(percent / 100.0 * io::kRobotiqMost));
 }
 
-/// The choice without its outputs, as the list of grippers has it.
+/// The choice without its outputs, as in the list of grippers.
 QString kindOf(const GripperChoice& choice) {
     using Kind = GripperChoice::Kind;
     return choice.kind == Kind::None         ? QStringLiteral("none")
@@ -141,7 +141,7 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
     });
     connect(&robotiq_, &RobotiqLink::changed, this, &GripperPanel::refresh);
     connect(&session_, &RobotSession::stateChanged, this, &GripperPanel::follow);
-    // By itself too: what the gripper said grows old when nothing comes.
+    // Also updated by a timer: the state becomes old when no data arrive.
     refreshTimer_.setInterval(kGripperRefreshMs);
     connect(&refreshTimer_, &QTimer::timeout, this, &GripperPanel::refresh);
     refreshTimer_.start();
@@ -230,13 +230,13 @@ void GripperPanel::build() {
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(page);
-    // The panel below shows through.
+    // The panel below is visible.
     scroll->viewport()->setAutoFillBackground(false);
     page->setAutoFillBackground(false);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
-    // Always of the same height: nothing moves when a remedy comes and goes.
+    // With constant height, so that nothing moves when a suggestion appears.
     remedy_->setMinimumHeight(kRemedyLines * QFontMetrics(textFont(15)).lineSpacing() + 10);
     listOutputs();
     fitFigures();
@@ -324,7 +324,7 @@ void GripperPanel::readAgain() {
     if (robot_.isEmpty() || !memory_.load) {
         return;
     }
-    // The same one goes on: to follow it anew would drop its connection.
+    // The same gripper: following it again would drop its connection.
     if (const GripperChoice choice = GripperChoice::fromText(memory_.load(robot_)); choice != choice_) {
         choose(choice);
         chosen_.start();
@@ -375,7 +375,7 @@ void GripperPanel::chosenByHand() {
     }
     choose(choice);
     chosen_.start();
-    // Two outputs that are one are no gripper yet: nothing to remember.
+    // Two outputs with the same number are not saved as a gripper.
     const bool complete =
         choice.kind != GripperChoice::Kind::TwoOutputs || choice.closeOutput != choice.openOutput;
     if (!robot_.isEmpty() && memory_.keep && complete) {
@@ -443,7 +443,7 @@ QString GripperPanel::robotiqObstacle() const {
     if (now->activation != io::RobotiqActivation::Active) {
         return tr("Activate the gripper first.");
     }
-    // A figure that was refused would be sent as the one before.
+    // With an invalid input, the previous value would be sent.
     return speed_->isRefused() || force_->isRefused() ? tr("Speed or force is out of range.") : QString();
 }
 
@@ -490,7 +490,7 @@ QString GripperPanel::obstacleOfLink() const {
     if (state_.monitorOnly) {
         return texts::monitorOnlyObstacle();
     }
-    // The same word for all keys: they light up together.
+    // The same for all buttons: they become enabled together.
     return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("Please wait…") : QString();
 }
 

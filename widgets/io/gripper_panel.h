@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The gripper at the wrist: a Robotiq (activate, open, close, how far open, how fast, how strong, and what it
-// holds), or tool outputs that open and close one. A click gives one command, as with an output; what is shown
-// is what the gripper, or the robot for its outputs, says itself. Which gripper it is belongs to the robot and
-// is remembered with it.
+// The gripper panel: a Robotiq gripper (activate, open, close, position, speed, force, object detection), or a
+// gripper controlled by outputs. Each click sends one command, as for an output; the display shows the state
+// reported by the gripper, or by the robot for its outputs. The selected gripper is saved per robot.
 
 #include <QElapsedTimer>
 #include <QMap>
@@ -30,7 +29,7 @@ namespace tiller {
 
 class FigureBox;
 
-/// Where the choice is kept, by robot: its address, or "simulator". As GripperChoice::toText() has it.
+/// Stores the gripper by robot: its address, or "simulator". Format of GripperChoice::toText().
 struct GripperMemory {
     std::function<QString(const QString& robot)> load;
     std::function<void(const QString& robot, const QString& choice)> keep;
@@ -43,17 +42,17 @@ public:
     explicit GripperPanel(RobotSession& session, QWidget* parent = nullptr);
 
     void setMemory(GripperMemory memory);
-    /// The memory may hold another gripper for this robot now.
+    /// Reload: the stored gripper of this robot may have changed.
     void readAgain();
-    /// The operator's own names of outputs, by terminal.
+    /// The user's names of outputs, by terminal.
     void setNames(const QMap<QString, QString>& names);
 
     const GripperChoice& choice() const { return choice_; }
     const RobotiqLink& robotiq() const { return robotiq_; }
-    /// For others; it may be used as long as the panel lives.
+    /// Interface for other panels, valid for the lifetime of the panel.
     GripperPort port();
 
-    /// For tests: where the outputs' commands go, what time is, and where the gripper answers.
+    /// For tests: the receiver of output commands, the clock, and the address of the gripper.
     using OutputSetter = std::function<void(std::uint32_t mask, std::uint32_t values, const QString& what)>;
     void setOutputSetter(OutputSetter setter) { setOutputs_ = std::move(setter); }
     void setClock(const Clock& clock) { clock_ = &clock; }
@@ -90,10 +89,10 @@ private:
     GripperMemory memory_;
     QMap<QString, QString> names_;
     SessionState state_;
-    QString robot_;  ///< whose gripper it is; empty: no robot
+    QString robot_;  ///< address of the robot; empty: no robot
     GripperChoice choice_;
-    std::optional<std::pair<QString, int>> address_;  ///< instead of the robot's
-    QElapsedTimer chosen_;                            ///< since the keys came to where they are
+    std::optional<std::pair<QString, int>> address_;  ///< replaces the robot's address
+    QElapsedTimer chosen_;                            ///< time since the buttons appeared
     QTimer refreshTimer_;
 
     OutputGripper outputs_;
@@ -117,7 +116,7 @@ private:
     QVector<QWidget*> ofOutputs_;
     QVector<QWidget*> ofTwoOutputs_;
 
-    RobotiqLink robotiq_;  // last: while it ends, nothing of the panel is used any more
+    RobotiqLink robotiq_;  // last member, so that its destructor does not use other members
 };
 
 }  // namespace tiller

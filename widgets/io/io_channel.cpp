@@ -98,7 +98,7 @@ void IoChannel::describe() {
 void IoChannel::changeEvent(QEvent* event) {
     QAbstractButton::changeEvent(event);
     if (event->type() == QEvent::StyleChange) {
-        updateGeometry();  // another density
+        updateGeometry();  // the density may have changed
     }
 }
 
@@ -148,7 +148,7 @@ void IoChannel::paintEvent(QPaintEvent*) {
     painter.drawText(nameBox, Qt::AlignVCenter | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(shown, Qt::ElideRight, nameBox.width()));
 
-    // A filled lamp, a ring, or half of it while the robot has not confirmed: told apart without colour.
+    // A filled circle, a ring, or a half-filled one while not confirmed: distinguishable without colour.
     const QRectF lamp(width() - kStateWidth, (height() - kLamp) / 2.0, kLamp, kLamp);
     const QColor ink = live ? theme.text : theme.disabledText;
     const bool pending = state_ == State::PendingOff || state_ == State::PendingOn;
@@ -180,7 +180,7 @@ void IoChannel::keyPressEvent(QKeyEvent* event) {
             Q_EMIT pulseRequested();
         }
     } else {
-        event->ignore();  // Space stops the arm everywhere: it must not press a key
+        event->ignore();  // Space stops the arm everywhere and must not press a button
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One digital input or output as a row: terminal, name, and its state as a shape and a word. An output is a
-// key; an input only shows.
+// A row for a digital input or output: terminal, name, and state as symbol and text. An output is a button; an
+// input is read-only.
 
 #include <QAbstractButton>
 
@@ -17,7 +17,7 @@ public:
     enum class State { Unknown, Off, On, PendingOff, PendingOn };
     Q_ENUM(State)
 
-    /// terminal  "DI 0"
+    /// terminal  e.g. "DI 0"
     IoChannel(const QString& terminal, bool output, QWidget* parent = nullptr);
 
     QString terminal() const { return terminal_; }
@@ -25,11 +25,11 @@ public:
     void setName(const QString& name);
     State state() const { return state_; }
     void setState(State state);
-    /// Old data: the last state is shown, greyed.
+    /// Old data: the last state is shown in grey.
     void setStale(bool stale);
     bool isStale() const { return stale_; }
-    /// why   the output cannot be switched by us, as a sentence; empty when it can
-    /// word  shown behind the name
+    /// why   the reason why the output cannot be switched, as a sentence; empty if it can
+    /// word  shown after the name
     void setObstacle(const QString& why, const QString& word = {});
     QString obstacle() const { return obstacle_; }
     /// "on", "off", "pending…", "no data"
@@ -40,7 +40,7 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-    static constexpr int kHeight = 30;  ///< for a mouse; for a finger as high as a key
+    static constexpr int kHeight = 30;  ///< for a mouse; for touch the height of a button
 
 Q_SIGNALS:
     void nameChanged();

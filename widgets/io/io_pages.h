@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the tab "I/O" is made of: the signals, and the gripper that hangs on them. Two pages of one place, so
-// that neither moves the other's rows.
+// The two pages of the tab "I/O": signals, and gripper. Separate pages, so that the rows of one do not move when
+// the other changes.
 
 #include <QWidget>
 
@@ -20,7 +20,7 @@ class IoPages : public QWidget {
 public:
     enum class Page { Signals, Gripper };
 
-    /// Takes both into its layout.
+    /// Takes ownership of both.
     IoPages(IoTab* signalsPage, GripperPanel* gripperPage, QWidget* parent = nullptr);
 
     Page page() const;

@@ -21,9 +21,9 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about an output that did not switch.
+/// Cause of the notice about an unconfirmed output.
 constexpr char kUnconfirmed[] = "output";
-/// After this long without the robot's word, "pending" would be a lie.
+/// After this time without confirmation by the robot, "pending" is replaced.
 constexpr std::int64_t kConfirmNs = 2 * kNsPerSecond;
 constexpr int kRefreshMs = 50;
 
@@ -74,7 +74,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(page);
-    // The panel below shows through.
+    // The panel below is visible.
     scroll->viewport()->setAutoFillBackground(false);
     page->setAutoFillBackground(false);
     nothing_ = new NothingFound(*scroll);
@@ -94,7 +94,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     connect(replayBand_, &ReplayBand::liveWanted, this, &IoTab::liveWanted);
     layout->addLayout(top);
     layout->addWidget(scroll, 1);
-    // Below: when it goes, no key comes to lie where the pointer is.
+    // At the bottom: no button moves under the pointer when it is hidden.
     layout->addWidget(replayBand_);
     notice_->setObjectName(QStringLiteral("io.notice"));
     new LowerEdge(*notice_, *this, {scroll});
@@ -158,7 +158,7 @@ void IoTab::toggle(int output) {
     if (state_.link != LinkState::Live || replay_) {
         return;
     }
-    // Against what is asked already, so that a second click takes the first back.
+    // Compared with the requested state, so that a second click reverts the first.
     const auto asked = pending_.constFind(output);
     const bool now = asked != pending_.constEnd() ? asked->wanted : bit(state_.digitalOutputs, output);
     ask(output, !now);
@@ -201,7 +201,7 @@ int IoTab::chosenOutput() {
     }
     for (int channel = 0; channel < kChannels; ++channel) {
         const IoChannel* row = outputs_[channel];
-        // Of the window, not of the application: a palette may still stand in front of it.
+        // Of the window, not of the application: the command palette may still be open.
         if (row != window()->focusWidget()) {
             continue;
         }
@@ -275,7 +275,7 @@ void IoTab::search(const QString& text) {
 void IoTab::refresh() {
     using State = IoChannel::State;
     registers_->setLock(state_.monitorOnly ? texts::monitorOnlyObstacle() : QString());
-    // What was looks as old as it is.
+    // Past data are shown as old data.
     const bool stale = state_.link != LinkState::Live || replay_;
     const bool known = replay_ ? !replay_->sample.isEmpty() : state_.hasData();
     const receive::RobotState then(replay_ ? replay_->sample : sample_);
@@ -407,7 +407,7 @@ void IoTab::refreshAnalog(bool known, bool stale) {
     for (int channel = 0; channel < 2; ++channel) {
         analogInputs_[channel]->setValue(robot.analogInput(channel), domain(channel),
                                          !std::isnan(robot.analogInput(channel)), stale);
-        // The tool's are voltages unless the installation says otherwise, which is not reported.
+        // Tool inputs are voltages unless configured otherwise, which is not reported.
         const std::string field = "tool_analog_input" + std::to_string(channel);
         analogInputs_[2 + channel]->setValue(robot.number(field), io::AnalogDomain::Voltage, robot.has(field),
                                              stale);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "I/O": every digital and analog input and output of the controller and the tool by number and name,
-// and the general purpose registers. A click switches an output; it says "pending" until the robot itself
-// reports the new state. Setting an output goes past the programs on the robot: none of them stops for it.
+// The tab "I/O": all digital and analog inputs and outputs of controller and tool by number and name, and the
+// general purpose registers. A click switches an output, which shows "pending" until the robot reports the new
+// state. Setting an output is independent of running programs.
 
 #include <QMap>
 #include <QTimer>
@@ -37,37 +37,37 @@ public:
 
     explicit IoTab(RobotSession& session, QWidget* parent = nullptr);
 
-    /// For tests: where a click goes, instead of the session, and what time is.
+    /// For tests: replaces the session as the receiver of output commands, and the clock.
     void setOutputSetter(std::function<void(int output, bool on)> setter) { setOutput_ = std::move(setter); }
     void setClock(const Clock& clock) { clock_ = &clock; }
 
     IoChannel* input(int channel) const { return inputs_[channel]; }
     IoChannel* output(int channel) const { return outputs_[channel]; }
-    /// 0, 1 standard, 2, 3 tool
+    /// 0, 1 standard; 2, 3 tool
     AnalogRow* analogInput(int channel) const { return analogInputs_[channel]; }
     AnalogRow* analogOutput(int channel) const { return analogOutputs_[channel]; }
     RegisterPanel* registers() const { return registers_; }
-    /// Shows what inputs and outputs were in a moment, and says so; nothing can be switched then. Nothing: live.
+    /// Shows past inputs and outputs, with their time; outputs cannot be switched. Empty: live data.
     void setReplay(const Replay& moment);
-    /// Shows only what has this in its terminal or name.
+    /// Shows only rows with this text in terminal or name.
     void search(const QString& text);
     void focusSearch();
     static constexpr int kPulseMs = 500;
 
-    /// What the row that has the focus does with its own keys; says what to do where there is none.
+    /// Actions for the row with the focus; show a hint if there is none.
     void renameChosen();
     void switchChosen();
     void pulseChosen();
 
-    /// The operator's own names, by "DI 0", "CI 3", "TO 1" and so on.
+    /// The user's names by terminal: "DI 0", "CI 3", "TO 1" and so on.
     QMap<QString, QString> names() const;
     void setNames(const QMap<QString, QString>& names);
-    /// "DI 0": what is printed on the terminal.
+    /// The label of the terminal, e.g. "DI 0".
     static QString terminal(bool output, int channel);
 
 Q_SIGNALS:
     void namesChanged();
-    /// From a replay back to what is live.
+    /// Return from past to live data.
     void liveWanted();
 
 private:
@@ -76,7 +76,7 @@ private:
     void toggle(int output);
     void pulse(int output);
     void ask(int output, bool on);
-    /// The output that has the focus and can be switched; -1: none, which is said.
+    /// The output with the focus, if it can be switched; otherwise shows a hint and returns -1.
     int chosenOutput();
     void sayNothingChosen();
     void buildAnalog(QVBoxLayout* layout);
@@ -86,7 +86,7 @@ private:
     std::function<void(int, bool)> setOutput_;
     const Clock* clock_ = &SteadyClock::shared();
     SessionState state_;
-    receive::Sample sample_;  ///< the one state_ was made from
+    receive::Sample sample_;  ///< the sample of state_
     Replay replay_;
     ReplayBand* replayBand_ = nullptr;
     QTimer refreshTimer_;
@@ -107,7 +107,7 @@ private:
         std::int64_t sinceNs = 0;
     };
     QMap<int, Pending> pending_;
-    std::pair<int, bool> unconfirmed_{-1, false};  ///< output of the notice, and the state that was asked for
+    std::pair<int, bool> unconfirmed_{-1, false};  ///< output of the notice, and the requested state
 };
 
 }  // namespace tiller

@@ -18,7 +18,7 @@ namespace tiller {
 
 namespace {
 
-/// The registers the receiver follows, in the lower and in the upper range.
+/// The received registers, in the lower and upper range.
 constexpr int kFirst = 12;
 constexpr int kLast = 19;
 constexpr int kUpper = 24;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// General purpose registers: the output registers the robot reports, and one line to write an input register
-// that a program on the robot reads.
+// General purpose registers: the output registers reported by the robot, and one line to write an input register
+// for a program on the robot.
 
 #include <QMap>
 #include <QWidget>
@@ -24,13 +24,13 @@ class RegisterPanel : public QWidget {
 public:
     explicit RegisterPanel(QWidget* parent = nullptr);
 
-    /// Shows what is in this sample; fields it does not have show a dash.
+    /// Shows the values of this sample; missing fields show a dash.
     void show(const receive::RobotState& robot, bool stale);
     void showNothing();
-    /// reason  why nothing can be written, as a sentence; empty: it can
+    /// reason  why registers cannot be written, as a sentence; empty if they can
     void setLock(const QString& reason);
-    /// Hides the rows that do not match.
-    /// Returns  whether any does
+    /// Hides rows that do not match.
+    /// Returns  whether any row matches
     bool filter(const QString& text);
     QString valueText(const QString& registerName) const;
 

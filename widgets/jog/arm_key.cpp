@@ -15,14 +15,14 @@ namespace tiller {
 namespace {
 
 constexpr int kHeight = 26;  // in a title bar
-constexpr int kShape = 12;   // [px] of the hand, beside the word
+constexpr int kShape = 12;   // [px] of the hand symbol next to the text
 
 }  // namespace
 
 ArmKey::ArmKey(QWidget* parent) : QAbstractButton(parent) {
     setObjectName(QStringLiteral("jog.armKeyboard"));
     setCheckable(true);
-    setFocusPolicy(Qt::TabFocus);  // a click leaves the focus where the hand is
+    setFocusPolicy(Qt::TabFocus);  // a click does not change the focus
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setArmed(false);
@@ -70,7 +70,7 @@ void ArmKey::paintEvent(QPaintEvent*) {
 
 void ArmKey::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange) {
-        updateGeometry();  // another density
+        updateGeometry();  // the density may have changed
     }
     QAbstractButton::changeEvent(event);
 }

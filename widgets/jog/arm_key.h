@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The key in the title bar of the jog column that arms the keyboard and shows that it is armed, in the colour of the
-// frame around the window. It moves nothing.
+// The button in the title bar of the jog column that arms the keyboard and shows whether it is armed, in the colour
+// of the window frame. It does not move the arm.
 
 #include <QAbstractButton>
 
@@ -21,10 +21,10 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
-    void nextCheckState() override {}  // the keyboard says whether it is armed, not the click
+    void nextCheckState() override {}  // KeyboardJog sets the state, not the click
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;  ///< Space, which stops the arm, arms nothing.
+    void keyPressEvent(QKeyEvent* event) override;  ///< Space stops the arm and must not arm the keyboard.
     void focusInEvent(QFocusEvent* event) override;
 
 private:

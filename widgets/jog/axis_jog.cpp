@@ -22,10 +22,10 @@ control::JogTarget deflectionTarget(const JogSelection& selection, const Deflect
         }
         return target;
     }
-    // Frame and speeds as a key of the pad would have them; then the direction is the device's own.
+    // Frame and speeds as for a pad button, but with the direction of the device.
     control::JogTarget target = cartesianJog(selection, {0, 1}, factor, limits);
     const auto held = [](const Eigen::Vector3d& wish, double most) -> Eigen::Vector3d {
-        return wish * (most / std::max(1.0, wish.norm()));  // the diagonal is no faster than an axis
+        return wish * (most / std::max(1.0, wish.norm()));  // diagonal motion is not faster than an axis
     };
     target.twist.linear = held(deflection.axes.head<3>(), std::min(speed.tcp * factor, limits.tcpSpeed));
     target.twist.angular =
@@ -72,7 +72,7 @@ control::JogTarget AxisJog::target() const {
 void AxisJog::setInput(const Deflection& deflection, double factor) {
     const bool released = deflection.isNeutral() || !deflection.deadMan;
     if (isActive() && deflection.grip.by != input_.grip.by) {
-        // Another hand than the one that moves the arm. As long as it lies still it disturbs nobody.
+        // Another input source than the active one. It is ignored while it is neutral.
         neutralOf(deflection.grip.by) = deflection.isNeutral();
         if (!released) {
             rules_.happen(HoldNews::Kind::PressedAgain);
@@ -87,7 +87,7 @@ void AxisJog::setInput(const Deflection& deflection, double factor) {
     }
     if (released) {
         rules_.happen(HoldNews::Kind::LetGo);
-        // The dead-man alone does not count as let go: the stick has to be in the middle.
+        // Releasing the enabling button is not sufficient: the stick has to return to the centre.
         neutralOf(deflection.grip.by) = deflection.isNeutral();
         return;
     }
@@ -104,12 +104,12 @@ void AxisJog::setInput(const Deflection& deflection, double factor) {
 }
 
 void AxisJog::begin() {
-    neutralOf(input_.grip.by) = false;  // whatever comes of it, the next motion needs neutral hands
+    neutralOf(input_.grip.by) = false;  // In any case the next motion requires a neutral position.
     QString why = rules_.obstacle(nullptr, input_.grip);
     if (why.isEmpty()) {
         why = obstacle_();
     } else {
-        rules_.endOther();  // rule: keyboard or stick while a key is held
+        rules_.endOther();  // rule: keyboard or stick while a button is held
     }
     if (!why.isEmpty()) {
         Q_EMIT refused(why);
@@ -130,7 +130,7 @@ void AxisJog::tell(HoldNews::Kind kind) {
     if (input_.grip.by == Grip::By::Keys) {
         rules_.happen(kind);
     } else if (kind == HoldNews::Kind::OtherKey) {
-        rules_.happen(HoldNews::Kind::PressedAgain);  // rule: a key that would move the arm beside a stick
+        rules_.happen(HoldNews::Kind::PressedAgain);  // rule: a motion key in addition to a stick
     }
 }
 
@@ -149,7 +149,7 @@ void AxisJog::stop(StopCause cause) {
     Q_EMIT ended(cause);
 }
 
-/// The session or the robot has ended it.
+/// The session or the robot has ended the motion.
 void AxisJog::finish() {
     rules_.end();
     timer_.stop();

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What stands between the arm and anything that is not a key on the screen: the armed keyboard, a gamepad, a
-// SpaceMouse. It takes deflections and a dead-man; the rules are those of HoldRules. After a motion has ended
-// whoever held it has to come back to neutral before it moves anything, and one hand does not do so for the
-// other.
+// Jogging by inputs other than buttons on the screen: the armed keyboard, a gamepad, a SpaceMouse. The inputs are
+// deflections with an enabling signal; the rules are those of HoldRules. After the end of a motion, each input
+// source has to return to neutral before it can move the arm again.
 
 #include <QObject>
 #include <QTimer>
@@ -18,23 +17,23 @@
 
 namespace tiller {
 
-/// What a device asks for now. All numbers -1 ... 1, of the chosen speed.
+/// The current input of a device. All numbers -1 ... 1, relative to the selected speed.
 struct Deflection {
-    Vector6 axes = Vector6::Zero();    ///< X Y Z Rx Ry Rz in the chosen frame
-    Vector6 joints = Vector6::Zero();  ///< single joints; they count only while all axes are 0
+    Vector6 axes = Vector6::Zero();    ///< X Y Z Rx Ry Rz in the selected frame
+    Vector6 joints = Vector6::Zero();  ///< single joints; only used if all axes are 0
     bool deadMan = false;
-    /// Grip::By::Keys with the keys that hold, or Device: that comes again and again, and once it does not,
-    /// whoever reads the device hangs.
+    /// Grip::By::Keys with the held keys, or Device: must be refreshed continuously; a missing refresh means that
+    /// reading the device hangs.
     Grip grip = {Grip::By::Keys};
 
     bool isNeutral() const { return axes.isZero() && joints.isZero(); }
 };
 
-/// The velocity a deflection means.
+/// The velocity for a deflection.
 control::JogTarget deflectionTarget(const JogSelection& selection, const Deflection& deflection,
                                     double factor, const control::MotionLimits& limits);
 
-/// How long a finger or a stick may say nothing at this velocity [ns].
+/// Maximum time without input from a finger or stick at this velocity [ns].
 std::int64_t jogSilenceNs(const control::JogTarget& target);
 
 /// Threads  GUI
@@ -42,39 +41,39 @@ class AxisJog : public QObject {
     Q_OBJECT
 
 public:
-    /// port, selection  must outlive it
-    /// obstacle         why the arm cannot be moved now; empty when it can
+    /// port, selection  must outlive the object
+    /// obstacle         the reason why the arm cannot move; empty if it can
     AxisJog(const MotionPort& port, const JogSelection& selection, std::function<QString()> obstacle,
             QObject* parent = nullptr);
     ~AxisJog() override;
 
     void setClock(const Clock& clock);
-    /// terms  must outlive it
+    /// terms  must outlive the object
     void setTerms(HoldTerms& terms);
-    /// The device's newest state. Does nothing new while it stays the same.
+    /// The newest state of the device. No effect if unchanged.
     void setInput(const Deflection& deflection, double factor = 1.0);
-    /// Ends the motion, if there is one; the device must come back to neutral.
+    /// Ends the motion, if any; the device must return to neutral.
     void stop(control::StopCause cause);
-    /// Whatever these hands say now: before they move anything they have to be neutral once.
+    /// Requires a neutral position of this source before the next motion.
     void requireNeutral(Grip::By by) { neutralOf(by) = false; }
     bool isActive() const { return rules_.isActive(); }
-    /// What the motion under way was last asked for, and with which share of the chosen speed.
+    /// The last input of the current motion, and its factor of the selected speed.
     const Deflection& input() const { return input_; }
     double factor() const { return factor_; }
-    /// True while hands that were stopped have not let go yet.
+    /// True while a stopped source has not returned to neutral.
     bool waitsForNeutral(Grip::By by) { return !neutralOf(by); }
-    /// The keyboard says something of the motion it holds.
+    /// An event of the keyboard for its motion.
     void tell(HoldNews::Kind kind);
-    /// How long a stick may say nothing at the speed it moves the arm with [ns].
+    /// Maximum time without input from a stick at the current speed [ns].
     std::int64_t silenceNs() const;
-    /// What is left of the longest hold [ns].
+    /// Remaining time of the maximum hold duration [ns].
     std::int64_t leftNs() const { return rules_.leftNs(); }
-    /// One refresh; a timer does this every 20 ms, tests in virtual time do it themselves.
+    /// One refresh, called by a timer every 20 ms, or by tests in virtual time.
     void pump();
 
 Q_SIGNALS:
     void began();
-    /// The motion under way goes another way now.
+    /// The direction of the current motion has changed.
     void turned();
     void ended(tiller::control::StopCause cause);
     void refused(const QString& reason);

@@ -8,7 +8,7 @@
 
 namespace tiller {
 
-/// Every kind of device this build knows: gamepads where SDL is, a SpaceMouse where libspnav is.
+/// All device types supported by this build: gamepads with SDL, SpaceMouse with libspnav.
 std::vector<std::unique_ptr<DeviceSource>> deviceSources();
 
 }  // namespace tiller

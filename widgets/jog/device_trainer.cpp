@@ -26,7 +26,7 @@ namespace {
 constexpr int kRefreshMs = 50;
 constexpr std::array kAxes = {"X", "Y", "Z", "Rx", "Ry", "Rz"};
 
-/// Lines break between the parts only, never inside a number and its unit.
+/// Lines break only between the parts, not between a number and its unit.
 QString unbroken(QString text) {
     const QString joiner(QChar(0x2060));
     text.replace(QLatin1Char(' ') + format::speedUnit(), QChar(0xA0) + format::speedUnit());
@@ -61,7 +61,7 @@ QString whichWay(const JogSelection& selection, const Deflection& deflection,
                                  .arg(parts.join(QStringLiteral(", ")), frameName(selection));
 }
 
-/// Six bars from the middle: a thin line for what the device says, a thick one for what becomes of it.
+/// Six bars from the centre: a thin line for the raw value, a thick one for the resulting input.
 class DeviceBars : public QWidget {
 public:
     explicit DeviceBars(QWidget* parent) : QWidget(parent) {

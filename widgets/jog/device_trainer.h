@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The page for trying out a gamepad or a SpaceMouse: what it says now, what becomes of it, and which way the
-// arm would go. Here a device is switched on and off for jogging.
+// The page for testing a gamepad or a SpaceMouse: current values, resulting input, and direction of the arm.
+// Devices are enabled and disabled for jogging here.
 
 #include <QDialog>
 #include <QTimer>
@@ -18,7 +18,7 @@ namespace tiller {
 
 class DeviceBars;
 
-/// "X+ 34 mm/s, Rz− 5 °/s in Base"; empty when nothing would move.
+/// e.g. "X+ 34 mm/s, Rz− 5 °/s in Base"; empty if the arm would not move.
 QString whichWay(const JogSelection& selection, const Deflection& deflection,
                  const control::MotionLimits& limits);
 
@@ -26,11 +26,11 @@ class DeviceTrainer : public QDialog {
     Q_OBJECT
 
 public:
-    /// selection, limits  of the jog column and the session, asked at each refresh
+    /// selection, limits  of the jog column and the session, read at each refresh
     DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> selection,
                   std::function<control::MotionLimits()> limits, QWidget* parent = nullptr);
 
-    /// Shows what the chosen device says now. A timer does this 20 times a second.
+    /// Updates the display of the selected device. Called by a timer 20 times per second.
     void refresh();
     QString directionText() const;
 
@@ -46,7 +46,7 @@ private:
     DeviceBars* bars_;
     QLabel* deadMan_;
     QLabel* direction_;
-    QString way_;  ///< what stands on it
+    QString way_;  ///< displayed text
     QCheckBox* use_;
     QCheckBox* dominant_;
     QTimer timer_;

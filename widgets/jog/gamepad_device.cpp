@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/jog/gamepad_device.h"
 
-// SDL's main() is none of ours.
+// The program has its own main().
 #define SDL_MAIN_HANDLED
 #include <SDL.h>
 
@@ -18,8 +18,8 @@ struct GamepadSource::Private {
     std::set<SDL_JoystickID> open;
 
     Private() {
-        // Signals and the main function stay the program's; gamepads are read while another window has the
-        // focus, because whether they may move the arm is decided here, by the program's own windows.
+        // The program handles signals and main() itself; gamepads are read without focus, because the windows of
+        // the program decide whether they may move the arm.
         SDL_SetMainReady();
         SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
         SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
@@ -36,7 +36,7 @@ namespace {
 
 constexpr double kFull = 32767;
 
-// Keeps SDL alive through `owner`, however long the source lives.
+// Keeps SDL initialized through `owner`, for the lifetime of the source.
 template <class Owner>
 class Gamepad : public InputDevice {
 public:
@@ -58,8 +58,8 @@ public:
         DeviceShape shape;
         static_cast<DeviceTuning&>(shape) = kGamepadTuning;
         shape.kind = kGamepadKind;
-        // SDL tells changes only. A pad with a sensor of its own turning always has some; the sticks of any
-        // other may stay the same for a while in a quiet hand.
+        // SDL reports changes only. A pad with a gyroscope always has changes; the sticks of other pads may be
+        // constant for a while.
         shape.silenceAtMost = std::chrono::milliseconds(gyro_ ? 100 : 2000);
         shape.deadManName = QCoreApplication::translate("Gamepad", "left shoulder");
         shape.directions = QCoreApplication::translate("Gamepad",
@@ -80,7 +80,7 @@ public:
         };
         DeviceReading now;
         const int first = button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER) ? 3 : 0;
-        // A stick pushed away from the operator reads negative.
+        // A stick pushed away from the operator has a negative value.
         now.axes[first] = axis(SDL_CONTROLLER_AXIS_LEFTX);
         now.axes[first + 1] = -axis(SDL_CONTROLLER_AXIS_LEFTY);
         now.axes[first + 2] = -axis(SDL_CONTROLLER_AXIS_RIGHTY);
@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    /// Everything the pad says, to see whether it has said something new.
+    /// All values of the pad, to detect any change.
     struct Raw {
         std::array<std::int16_t, SDL_CONTROLLER_AXIS_MAX> axes{};
         std::array<std::uint8_t, SDL_CONTROLLER_BUTTON_MAX> buttons{};
@@ -134,7 +134,7 @@ std::vector<std::unique_ptr<InputDevice>> GamepadSource::appeared() {
     if (!d_->ready) {
         return found;
     }
-    // Nobody else reads SDL's events; those that pile up are only news of what is looked at below.
+    // No other code reads SDL's events; queued events only repeat the state read below.
     SDL_PumpEvents();
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
     for (int i = 0; i < SDL_NumJoysticks(); ++i) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Gamepads, through SDL: left stick X and Y, right stick Z (up and down) and the turn about Z; with the right
-// shoulder held the sticks turn instead. Dead-man: left shoulder. The right face key stops.
+// Gamepads through SDL: left stick X and Y, right stick Z (up and down) and rotation about Z; with the right
+// shoulder button the sticks rotate instead. Enabling button: left shoulder. The right face button stops.
 
 #include "widgets/jog/input_device.h"
 
 namespace tiller {
 
-/// Owns SDL's part for gamepads for as long as it lives; at most one at a time.
+/// Owns SDL's gamepad subsystem during its lifetime; at most one instance at a time.
 class GamepadSource : public DeviceSource {
 public:
     GamepadSource();

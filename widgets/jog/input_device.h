@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a gamepad or a SpaceMouse looks like to the rest: a name, how it is shaped, and what its axes and its
-// dead-man say now. Tests bring their own.
+// Interface to gamepads and SpaceMouse: name, properties, and the current axes and enabling button. Tests provide
+// simulated devices.
 
 #include <QString>
 #include <chrono>
@@ -14,41 +14,40 @@
 
 namespace tiller {
 
-/// How raw axes become a wish: what the operator may choose of it.
+/// Conversion of raw axes to an input, adjustable by the user.
 struct DeviceTuning {
-    double deadZone = 0.08;     ///< of the full deflection
-    double exponent = 1.0;      ///< of the curve beyond the dead zone
-    bool dominantAxis = false;  ///< only the axis that is out furthest counts
+    double deadZone = 0.08;     ///< fraction of the full deflection
+    double exponent = 1.0;      ///< of the curve outside of the dead zone
+    bool dominantAxis = false;  ///< only the axis with the largest deflection is used
 
     static constexpr double kLeastDeadZone = 0.03;
     static constexpr double kMostDeadZone = 0.50;
     static constexpr double kMostExponent = 4.0;
-    /// Brought into the range of what makes sense; not a number becomes what it is at first.
+    /// Limited to valid ranges; NaN is replaced by the default.
     DeviceTuning sane() const;
     friend bool operator==(const DeviceTuning&, const DeviceTuning&) = default;
 };
 
 struct DeviceShape : DeviceTuning {
-    QString kind;         ///< what is chosen for one of a kind holds for all: "gamepad"
-    QString deadManName;  ///< what has to be held: "left shoulder"
-    QString directions;   ///< which stick moves what, in a sentence
-    /// A hand is never quite still: deflected and without a report for longer than this, the device or its
-    /// driver hangs, and what it said last is nobody's wish any more. Longer than 100 ms it holds only as far
-    /// as HoldRules::silenceAt() lets the arm go.
+    QString kind;         ///< the settings apply to all devices of a type: "gamepad"
+    QString deadManName;  ///< name of the enabling button, e.g. "left shoulder"
+    QString directions;   ///< axes and their motions, in a sentence
+    /// A hand is never perfectly still: after this time of deflection without a report, the device or its driver
+    /// hangs, and its last value is invalid. Values above 100 ms are limited by HoldRules::silenceAt().
     std::chrono::milliseconds silenceAtMost{100};
 };
 
 inline const QString kGamepadKind = QStringLiteral("gamepad");
 inline const QString kSpaceMouseKind = QStringLiteral("spaceMouse");
-/// As they are until somebody tunes them.
+/// Defaults of the settings.
 inline constexpr DeviceTuning kGamepadTuning{0.08, 2.2, false};
 inline constexpr DeviceTuning kSpaceMouseTuning{0.10, 1.0, true};
 
 struct DeviceReading {
-    Vector6 axes = Vector6::Zero();  ///< X Y Z Rx Ry Rz of the jog frame, -1 ... 1, as the device gives them
+    Vector6 axes = Vector6::Zero();  ///< X Y Z Rx Ry Rz of the jog frame, -1 ... 1, raw values
     bool deadMan = false;
-    bool stop = false;  ///< a key that stops whatever moves
-    bool fresh = true;  ///< the device has reported something since it was read last
+    bool stop = false;  ///< button that stops any motion
+    bool fresh = true;  ///< the device has reported since the last reading
 };
 
 /// Threads  GUI
@@ -57,20 +56,20 @@ public:
     virtual ~InputDevice() = default;
     virtual QString name() const = 0;
     virtual DeviceShape shape() const = 0;
-    /// Its state now; nothing when it is gone for good.
+    /// Its current state; empty after it was disconnected.
     virtual std::optional<DeviceReading> read() = 0;
 };
 
-/// Finds devices.
+/// Detects devices.
 /// Threads  GUI
 class DeviceSource {
 public:
     virtual ~DeviceSource() = default;
-    /// Devices that have appeared since the last call.
+    /// Devices connected since the last call.
     virtual std::vector<std::unique_ptr<InputDevice>> appeared() = 0;
 };
 
-/// A reading with dead zone, curve and dominant axis applied.
+/// Applies dead zone, curve and dominant axis.
 Vector6 shaped(const Vector6& axes, const DeviceTuning& tuning);
 
 }  // namespace tiller

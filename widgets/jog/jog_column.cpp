@@ -44,12 +44,12 @@ namespace {
 constexpr int kSideMargin = 12;
 constexpr int kSmallMargin = 6;
 constexpr int kRefusalShownMs = 6000;
-constexpr int kDetailTab = 30;  // height of the choice between pose and joints
-/// Below this height of the column, on a screen of 1280 x 720 under a title bar, the keys of the pad and of the rows
-/// at its top give way a little.
+constexpr int kDetailTab = 30;  // height of the selector of pose or joints
+/// Below this height (a screen of 1280 x 720 with a title bar), the buttons of the pad and of the rows above it are
+/// slightly smaller.
 constexpr int kTightBelow = 570;
 
-/// Keys of the pad: as designed, the least beside unfolded joints, and folded.
+/// Button sizes of the pad: normal, minimum with all joints, and folded.
 constexpr int kKey = 72;
 constexpr int kSnugKey = 60;
 constexpr int kFoldedKey = 56;
@@ -64,7 +64,7 @@ int padHeight(int key) {
     return 3 * key + 2 * kApart;
 }
 
-// Around the parts of the column, in its order.
+// Spacing between the parts of the column, in order.
 constexpr int kAbovePad = 2;
 constexpr int kAroundLimiter = 4;
 constexpr int kBelowPose = 2;
@@ -74,7 +74,7 @@ double heldFactor() {
     return modifierFactor(QGuiApplication::keyboardModifiers());
 }
 
-/// With as many digits as slow joints need: "0.36 °/s", "3.6 °/s", "10 °/s".
+/// With the digits needed for slow joints: "0.36 °/s", "3.6 °/s", "10 °/s".
 QString keySpeedText(double speed) {
     const double degrees = toDegrees(speed);
     return QStringLiteral("%1 °/s").arg(format::number(degrees, degrees < 1 ? 2 : degrees < 9.95 ? 1 : 0));
@@ -90,7 +90,7 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
     setObjectName(QStringLiteral("jogColumn"));
     setHint(tr("Hold to move"));
     armKey_ = new ArmKey(this);
-    armKey_->hide();  // until there is a keyboard that it arms
+    armKey_->hide();  // hidden until a keyboard is added
     addHeaderWidget(armKey_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 
@@ -123,7 +123,7 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
     layout->addStretch(3);
     buildBottom(layout);
     setContent(body);
-    // The column folds itself below what its content would like; see resizeEvent().
+    // The column folds to less than the minimum size of its content; see resizeEvent().
     Panel::layout()->setSizeConstraint(QLayout::SetNoConstraint);
 
     refusalTimer_ = new QTimer(this);
@@ -254,7 +254,7 @@ void JogColumn::applyState(const SessionState& state) {
     pose_->setSpeed(state.moving ? state.tcpSpeed : Twist());
     lightKeys();
     if (shownJog_) {
-        showJog();  // in the frame of the tool the direction follows the tool
+        showJog();  // in the tool frame the direction rotates with the tool
     }
     showFactor();
     if (!sameTerms || !near(state.q, speedsAt_, 0.01)) {
@@ -265,7 +265,7 @@ void JogColumn::applyState(const SessionState& state) {
 }
 
 void JogColumn::tellWayBack() {
-    // Of the frames, sixty a second, every sixth: thousands of places are passed on.
+    // Every sixth of sixty frames per second, because thousands of positions are passed.
     constexpr int kFrames = 6;
     if (++wayBackFrames_ >= kFrames && track_->revision() != wayBackTold_) {
         wayBackFrames_ = 0;
@@ -294,7 +294,7 @@ void JogColumn::lightKeys() {
     }
 }
 
-/// Whether keyboard or device do what this key of the pad would do.
+/// True if keyboard or device have the same effect as this button of the pad.
 bool JogColumn::isDriven(const JogKey& key) const {
     return axisJog_->isActive() && axisJog_->input().axes[key.key().axis] * key.key().direction > 0;
 }
@@ -306,7 +306,7 @@ bool JogColumn::isDriven(int joint, int direction) const {
 
 std::optional<ShownJog> JogColumn::shownJog() const {
     ShownJog shown;
-    Vector6 wish = Vector6::Zero();  // as the keys of the pad say it
+    Vector6 wish = Vector6::Zero();  // in the units of the pad buttons
     QStringList names;
     for (const JogKey* key : pad_->keys()) {
         if (key->isHolding()) {
@@ -316,7 +316,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
     if (axisJog_->isActive()) {
         wish = axisJog_->input().axes;
     }
-    // A stick that leans a little to the side is still called by where it points.
+    // Small sideways deflections do not change the displayed direction.
     constexpr double kNamed = 0.2;
     const double most = wish.cwiseAbs().maxCoeff();
     for (int axis = 0; axis < 6; ++axis) {
@@ -325,7 +325,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
         }
     }
     if (!names.isEmpty()) {
-        // A way along and a turn about an axis at once: the arrow says where the TCP goes.
+        // Combined translation and rotation: the arrow shows the translation.
         const Eigen::Vector3d along = wish.head<3>().isZero() ? wish.tail<3>() : wish.head<3>();
         along.cwiseAbs().maxCoeff(&shown.axis);
         shown.turns = wish.head<3>().isZero();
@@ -358,14 +358,14 @@ void JogColumn::showJog() {
     }
 }
 
-/// The share of the chosen speed that what moves has, or that the next press would have.
+/// The speed factor of the current motion, or of the next press.
 void JogColumn::showFactor() {
     double factor = axisJog_->isActive() ? axisJog_->factor()
                     : isHolding()        ? keyFactor_
                     : isActiveWindow()   ? heldFactor()
                                          : 1;
     if (selection().motion == MotionChoice::UntilContact) {
-        factor = std::min(factor, 1.0);  // looking for contact is never sped up
+        factor = std::min(factor, 1.0);  // the speed for contact detection is never increased
     }
     pose_->setFactor(factor);
 }
@@ -375,10 +375,10 @@ HeldSpeed JogColumn::heldSpeed() const {
     return {chosen.tcp, chosen.rotation, chosen.joint};
 }
 
-/// The speeds at which the keys for joints and places move the arm.
+/// Displays the speeds of the buttons for joints and positions.
 void JogColumn::showSpeeds() {
     if (speedsKnown_ || isHolding()) {
-        return;  // what is under way goes on as fast as it was begun
+        return;  // the current motion keeps its speed
     }
     speedsKnown_ = true;
     speedsAt_ = state_.q;
@@ -455,10 +455,11 @@ int JogColumn::keyFor(Fold fold) const {
 }
 
 int JogColumn::heightFor(Fold fold) const {
-    constexpr int kFrame = 3;  // the panel's lines, and the one below its title
+    constexpr int kFrame = 3;  // borders of the panel, and the line below its title
     const auto [row, apart] = rowsFor(fold);
     const int joints = JointRows::heightWhen(fold == Fold::Pairs, fold == Fold::Snug);
-    const int header = std::max(Panel::kHeaderHeight, finger_);  // with the key that arms the keyboard
+    const int header =
+        std::max(Panel::kHeaderHeight, finger_);  // including the button that arms the keyboard
     return header + kFrame + 2 * marginFor(fold) + selectors_->heightWhen(row, apart) + kAbovePad +
            padHeight(keyFor(fold)) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
            pose_->minimumSizeHint().height() + kBelowPose + joints + kAboveKeys +
@@ -469,7 +470,7 @@ JogColumn::Fold JogColumn::foldFor(int height) const {
     if (height >= heightFor(Fold::Open)) {
         return Fold::Open;
     }
-    // Under a finger keys do not get smaller: the joints stand in pairs, or fold.
+    // With touch, buttons are not reduced: joints are shown in pairs, or folded.
     const Fold next = currentDensity() == Density::Touch ? Fold::Pairs : Fold::Snug;
     return height >= heightFor(next) ? next : Fold::Folded;
 }
@@ -502,7 +503,7 @@ void JogColumn::arrange() {
     pad_->setMaximumHeight(folded ? QWIDGETSIZE_MAX : padHeight(kKey));
 }
 
-// ---- keys, and what a press on each begins --------------------------------------------------------
+// ---- buttons, and the motion of each ------------------------------------------------------------
 
 void JogColumn::buildBottom(QVBoxLayout* layout) {
     const auto make = [this](const QString& text, const char* name, const QString& tip) {
@@ -544,7 +545,7 @@ void JogColumn::guardMotion(HoldButton* key, HoldMotion motion, bool modified) {
     });
     connect(&key->guard(), &HoldGuard::ended, this, &JogColumn::showJog);
     connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
-        // Our own refusal is a whole sentence already.
+        // Refusals by Tiller are already complete sentences.
         const bool own =
             !state_.canMove() || error.code == ErrorCode::UnsafeState || error.code == ErrorCode::Cancelled;
         refusal_ = !state_.canMove() ? cannotMoveReason(state_)
@@ -657,7 +658,7 @@ void JogColumn::addHoldKeys(KeyboardJog& keyboard) {
     keyboard.addHoldKey(Qt::Key_Backspace, back_->guard());
     armKey_->show();
     connect(armKey_, &QAbstractButton::clicked, &keyboard, [&keyboard] {
-        // A field that takes text would take the keys as well.
+        // A text field would receive the keys as well.
         if (QWidget* focus = QApplication::focusWidget(); takesText(focus)) {
             focus->clearFocus();
         }
@@ -678,7 +679,7 @@ Result<RobotSession::MotionId> JogColumn::beginMove(const MoveRequest& request) 
     return port_.beginMove(request);
 }
 
-/// Said in the last seconds of the longest hold of a motion that has no other end.
+/// Shown in the last seconds of the maximum hold duration of a motion without another end.
 QString JogColumn::countdown() const {
     constexpr std::int64_t kSaidNs = 3 * kNsPerSecond;
     std::int64_t left = axisJog_->leftNs();
@@ -707,14 +708,14 @@ QString JogColumn::deviceObstacle() const {
     if (const QString reason = cannotMoveReason(state_); !reason.isEmpty()) {
         return reason;
     }
-    // One hand at a time.
+    // Only one motion at a time.
     return isHolding() ? tr("Another key is already held.") : QString();
 }
 
-// ---- what it says ----------------------------------------------------------------------------------
+// ---- display ---------------------------------------------------------------------------------------
 
 void JogColumn::showLimiter() {
-    // The way out is looked for along twelve directions: not at every picture of a moving arm.
+    // The search over twelve directions is too slow for every frame of a moving arm.
     const double unchanged = state_.motionActive ? 0.02 : 0.002;
     const bool sameLimit = state_.limiter.kind == limiterSeen_.kind &&
                            std::abs(state_.limiter.scale - limiterSeen_.scale) < 0.03;
@@ -774,14 +775,14 @@ void JogColumn::fillFreedriveMenu(QMenu& menu) {
 }
 
 void JogColumn::changeEvent(QEvent* event) {
-    // Not before the column is built: travel_ comes last.
+    // Not before the column is complete: travel_ is created last.
     if (event->type() == QEvent::StyleChange && travel_ != nullptr) {
-        selectors_->refreshTexts();  // other units
+        selectors_->refreshTexts();  // units may have changed
         travel_->reset();
         speedsKnown_ = false;
         showSpeeds();
         showReason();
-        fold();  // keys of another size need another room
+        fold();  // buttons of another size need more or less space
     }
     Panel::changeEvent(event);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The left column of the window: choose frame, motion and speed, then hold a key. It asks a session to move
-// through a MotionPort and shows what the robot confirmed.
+// The left column of the window: frame, motion and speed selection, and the jog buttons. Motions are started
+// through a MotionPort; the display shows the confirmation by the robot.
 
 #include <QVector>
 #include <memory>
@@ -40,15 +40,15 @@ class PoseView;
 class SegmentedControl;
 class TravelWatch;
 
-/// A jog under way, whatever holds it: a key of the column, the keyboard, a gamepad or a SpaceMouse.
+/// The current jog, from a button of the column, the keyboard, a gamepad or a SpaceMouse.
 struct ShownJog {
-    QString label;      ///< as the keys are called: "X+", "X+ Y+", "Wrist 2−"
+    QString label;      ///< name as on the buttons: "X+", "X+ Y+", "Wrist 2−"
     QString frameName;  ///< empty for joints
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame; zero for joints
-    int axis = 0;                                         ///< 0-2: the one that gives the colour
-    bool turns = false;                                   ///< about the direction, not along it
-    int joint = -1;                                       ///< the one that turns, 0 ... 5; -1: none
-    int sign = 1;                                         ///< of the joint's turn
+    int axis = 0;                                         ///< 0-2: axis that defines the colour
+    bool turns = false;  ///< rotation about the direction instead of translation
+    int joint = -1;      ///< rotating joint, 0 ... 5; -1: none
+    int sign = 1;        ///< of the joint rotation
     friend bool operator==(const ShownJog&, const ShownJog&) = default;
 };
 
@@ -56,47 +56,48 @@ class JogColumn : public Panel {
     Q_OBJECT
 
 public:
-    /// What the height of the column has room for.
+    /// Layouts for different heights of the column.
     enum class Fold {
-        Open,    ///< everything at its size
-        Snug,    ///< joints in low rows, keys a little smaller
+        Open,    ///< everything at normal size
+        Snug,    ///< joints in smaller rows, smaller buttons
         Pairs,   ///< joints in two columns
-        Folded,  ///< pose or joints, by choice
+        Folded,  ///< either pose or joints
     };
 
     explicit JogColumn(MotionPort port, QWidget* parent = nullptr);
-    /// Moves the arm of this session and follows its state.
+    /// Moves the arm of this session and displays its state.
     explicit JogColumn(RobotSession& session, QWidget* parent = nullptr);
     ~JogColumn() override;
 
     /// Frame, motion and speed of the next press.
     JogSelectors& selectors() { return *selectors_; }
     const JogSelection& selection() const;
-    /// The chosen speed: the fastest that any motion held by a key may be.
+    /// The selected speed: upper limit for all hold-to-run motions.
     HeldSpeed heldSpeed() const;
-    /// ofProject  it is a position of the project: the project guard of the session may refuse it
+    /// ofProject  a position of the project, which the project guard of the session may refuse
     void setHome(const JointPositions& home, bool ofProject);
-    /// What freedrive leaves free.
+    /// Axes that are free in freedrive.
     void setFreedriveAxes(FreedriveAxes axes);
-    /// Counts the way from here; once more: since the press again.
+    /// Sets the zero point of the distance display; a second call removes it.
     void zeroHere();
-    /// The places that Back leads over, the oldest first, for the view.
+    /// The positions of the way back, oldest first, for the view.
     std::vector<JointPositions> wayBack() const;
-    /// How far the arm can still go, as the keys of the pad show it.
+    /// Remaining distances of the arm, as displayed on the pad buttons.
     TravelWatch& travel() { return *travel_; }
 
-    /// What holds for every key, and for devices and the keyboard.
+    /// Rules for all buttons, devices and the keyboard.
     /// terms  must outlive the column
     void setHoldTerms(HoldTerms& terms);
-    /// Ends the motion of whichever key is held. To be called before a tab, perspective or tool changes.
+    /// Ends the motion of any held button. Call before a change of tab, perspective or tool.
     void stopMotion(control::StopCause cause);
-    /// True while a key of the column or a device is held and its motion runs.
+    /// True while a motion of a held button or device is active.
     bool isHolding() const;
-    /// For devices: the same frame, speed and rules as the keys of the column.
+    /// For devices: with the same frame, speed and rules as the buttons.
     AxisJog& axisJog() { return *axisJog_; }
-    /// The column's key arms this keyboard. While it is armed: F freedrive, Home home, End align, Backspace back, each held.
+    /// Connects the arm button with this keyboard. While it is armed, these keys work while held: F freedrive, Home
+    /// home, End align, Backspace back.
     void addHoldKeys(KeyboardJog& keyboard);
-    /// Every key that moves the arm, for a test clock or a test's pump.
+    /// All buttons that move the arm, for tests.
     QVector<HoldButton*> holdKeys() const;
 
     QSize sizeHint() const override { return {390, 948}; }
@@ -106,16 +107,16 @@ public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
 Q_SIGNALS:
-    /// A press moved nothing; a sentence that says why and what to do.
+    /// A press had no effect; a sentence with reason and suggested action.
     void refused(const QString& reason);
-    /// A jog begins, goes another way, or ends (nothing).
+    /// A jog starts, changes direction, or ends (empty).
     void jogShown(const std::optional<tiller::ShownJog>& jog);
-    /// heldSpeed() may be another one.
+    /// heldSpeed() may have changed.
     void speedChanged();
-    /// The pointer is on a key whose motion goes to a place, or the key is held.
+    /// The pointer is on a button whose motion has a target, or the button is held.
     void ghostWanted(const tiller::Ghost& ghost);
     void ghostGone();
-    /// wayBack() is another one; at most some ten times a second.
+    /// wayBack() has changed; emitted about ten times per second at most.
     void wayBackChanged();
 
 protected:
@@ -128,27 +129,27 @@ private:
     void buildBottom(QVBoxLayout* layout);
     void connectKeys();
     void connectBottom();
-    /// What a key does when steps are chosen.
+    /// Effect of a button in step mode.
     enum class Steps { None, Lengths, Turns };
     void guardKey(HoldButton* key, const Begin& begin, Steps steps);
-    /// modified  whether Ctrl and Shift change its speed
+    /// modified  whether Ctrl and Shift change the speed
     void guardMotion(HoldButton* key, HoldMotion motion, bool modified);
     Result<RobotSession::MotionId> beginJog(const control::JogTarget& target);
     Result<RobotSession::MotionId> beginMove(const MoveRequest& request);
     Result<RobotSession::MotionId> beginFreedrive();
     QString deviceObstacle() const;
     void fillFreedriveMenu(QMenu& menu);
-    /// Of the rows of selectors at the top [px].
+    /// Sizes of the selector rows at the top [px].
     struct Rows {
         int height;
         int apart;
     };
     Rows rowsFor(Fold fold) const;
-    /// The least height of a key of the pad [px].
+    /// Minimum button size of the pad [px].
     int keyFor(Fold fold) const;
     int heightFor(Fold fold) const;
     Fold foldFor(int height) const;
-    /// Shows what there is room for, and with the height of a finger where it has to be.
+    /// Selects the layout for the available height and touch size.
     void fold();
     void arrange();
     void showReason();
@@ -170,9 +171,9 @@ private:
     JointPositions home_ = defaultHome();
     bool homeOfProject_ = false;
     FreedriveAxes freedriveAxes_ = FreedriveAxes::All;
-    bool payloadChecked_ = true;  ///< freedrive looks at the forces first
+    bool payloadChecked_ = true;  ///< check the forces before freedrive starts
     QString refusal_;
-    HoldBounds bounds_;  ///< of the motion begun last
+    HoldBounds bounds_;  ///< of the last motion
 
     JogSelectors* selectors_ = nullptr;
     SegmentedControl* detailTab_ = nullptr;
@@ -186,22 +187,22 @@ private:
     HoldButton* back_ = nullptr;
     std::unique_ptr<BackTrack> track_;
     std::uint64_t wayBackTold_ = 0;  ///< BackTrack::revision
-    int wayBackFrames_ = 0;          ///< since it was told
+    int wayBackFrames_ = 0;          ///< frames since the last signal
     AxisJog* axisJog_ = nullptr;
     ArmKey* armKey_ = nullptr;
 
     KeyGhosts* ghosts_ = nullptr;
     TravelWatch* travel_ = nullptr;
     std::optional<ShownJog> shownJog_;
-    double keyFactor_ = 1;  ///< with which the motion of a key was begun
+    double keyFactor_ = 1;  ///< speed factor at the start of the current motion
     LimiterAdvice nearest_;
     JointPositions limiterAt_;
     control::Limiter limiterSeen_;
-    JointPositions speedsAt_;   ///< where the arm stood when the keys' speeds were worked out
-    bool speedsKnown_ = false;  ///< they are those of the selection, the slider and the place now
+    JointPositions speedsAt_;   ///< position of the arm for which the speeds were computed
+    bool speedsKnown_ = false;  ///< the speeds match the selection, the slider and the position
     QTimer* refusalTimer_ = nullptr;
     Fold fold_ = Fold::Open;
-    int finger_ = 0;  ///< touchHeight() when it was arranged
+    int finger_ = 0;  ///< touchHeight() of the current layout
 };
 
 }  // namespace tiller

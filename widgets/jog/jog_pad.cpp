@@ -21,7 +21,7 @@ void JogKey::paintEvent(QPaintEvent*) {
     paintSurface(painter);
     painter.setFont(textFont(19, QFont::Bold));
     painter.setPen(textColor());
-    // On a very low key there is no room for the travel, and the bar stands lowest.
+    // A very small button has no space for the distance; the bar is at the bottom.
     constexpr int kTravel = 23;
     const bool high = height() >= 58;
     const int bar = high ? std::min(49, height() - kTravel) : height() - 10;
@@ -47,7 +47,7 @@ void JogKey::setTravel(const QString& text, bool near) {
     update();
 }
 
-/// The reason, on a card in the middle of the greyed pad.
+/// The reason on a card in the centre of the disabled pad.
 class JogPad::ReasonCard : public QWidget {
 public:
     explicit ReasonCard(QWidget* parent) : QWidget(parent) {
@@ -93,7 +93,7 @@ JogPad::JogPad(QWidget* parent) : QWidget(parent), card_(new ReasonCard(this)) {
         const char* name;
         CartesianKey key;
     };
-    // Rows as on the screen; names are the letters of the axes and need no translation.
+    // Rows as on the screen; axis letters are not translated.
     static constexpr Place kPlaces[3][4] = {
         {{"Y+", {1, 1}}, {"Z+", {2, 1}}, {"Ry+", {4, 1}}, {"Rz+", {5, 1}}},
         {{"X-", {0, -1}}, {"X+", {0, 1}}, {"Rx-", {3, -1}}, {"Rx+", {3, 1}}},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The twelve keys that move and turn the TCP. When the arm cannot be moved the keys are grey and the reason
-// is written across them.
+// The twelve buttons that move and rotate the TCP. If the arm cannot move, the buttons are grey and the reason is
+// shown on top of them.
 
 #include <QVector>
 #include <QWidget>
@@ -12,7 +12,7 @@
 
 namespace tiller {
 
-/// One key: its name, and below it a bar in the colour of its axis.
+/// One button: its name, and below it a bar in the colour of its axis.
 class JogKey : public HoldButton {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ public:
     JogKey(const QString& text, const CartesianKey& key, QWidget* parent = nullptr);
 
     const CartesianKey& key() const { return key_; }
-    /// What is left to go this way: "312 mm"; near: little is left. Empty: nothing is shown.
+    /// Remaining distance in this direction, e.g. "312 mm"; near: close to the limit. Empty: not displayed.
     void setTravel(const QString& text, bool near);
     QString travel() const { return travel_; }
     QSize sizeHint() const override { return {85, 72}; }
@@ -42,7 +42,7 @@ public:
     explicit JogPad(QWidget* parent = nullptr);
 
     const QVector<JogKey*>& keys() const { return keys_; }
-    /// reason  why the arm cannot be moved, as a sentence; empty when it can
+    /// reason  why the arm cannot move, as a sentence; empty if it can
     void setReason(const QString& reason);
     QString reason() const { return reason_; }
 

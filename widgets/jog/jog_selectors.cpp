@@ -25,8 +25,8 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr int kTaughtSegment = 3;
-constexpr int kLongestName = 84;  // [px] of a frame, on its key
-/// Of the rows of lengths and angles: Hold, three sizes, another one.
+constexpr int kLongestName = 84;  // [px] of a frame name on its button
+/// Segments of the length and angle rows: Hold, three sizes, other.
 constexpr int kHoldSegment = 0;
 constexpr int kOtherSegment = 4;
 constexpr std::array kSizes = {MotionChoice::FineStep, MotionChoice::Step, MotionChoice::CoarseStep};
@@ -53,7 +53,7 @@ int angleSegment(double angle) {
     return kOtherSegment;
 }
 
-/// With as few digits as it takes: "0.1", "45".
+/// With as few digits as possible: "0.1", "45".
 QString angleNumber(double angle) {
     const double degrees = toDegrees(angle);
     const bool whole = std::abs(degrees - std::round(degrees)) < 1e-6;
@@ -75,7 +75,7 @@ JogSelectors::JogSelectors(std::function<control::MotionLimits()> limits, QWidge
     grid->setColumnMinimumWidth(0, 62);
     frame_ = new SegmentedControl({tr("Base"), tr("Tool"), tr("View"), tr("Frame")}, this);
     frame_->setNames(QStringLiteral("jogFrame"), tr("Frame"));
-    // The other words follow the operator's units; see refreshTexts().
+    // The other texts depend on the user's units; see refreshTexts().
     motion_ = new SegmentedControl({tr("Hold"), {}, {}, {}, {}}, this);
     motion_->setNames(QStringLiteral("jogMotion"), tr("Motion"));
     motion_->segment(kHoldSegment)->setToolTip(tr("Moves while the key is held"));
@@ -118,7 +118,7 @@ void JogSelectors::connectControls() {
     offerChoices(motion_, kOtherSegment, [this](QMenu& menu) { fillLengthMenu(menu); });
     offerChoices(turn_, kOtherSegment, [this](QMenu& menu) { fillAngleMenu(menu); });
     offerChoices(speed_, kSpeedClassCount - 1, [this](QMenu& menu) { fillSpeedMenu(menu); });
-    // With several taught frames the fourth key opens the list.
+    // With several taught frames, the fourth button opens the list.
     connect(frame_->segment(kTaughtSegment), &QAbstractButton::clicked, this, [this] {
         if (frames_.size() < 2) {
             return;
@@ -150,7 +150,7 @@ void JogSelectors::showFrames() {
     const bool any = !frames_.isEmpty();
     const QString name =
         any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
-    // A name may be longer than a key.
+    // A name may be longer than the button.
     const QString shown =
         QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kLongestName);
     frame_->setText(kTaughtSegment, frames_.size() > 1 ? shown + QStringLiteral(" ▾") : shown);
@@ -179,7 +179,7 @@ void JogSelectors::setTaughtFrames(const QVector<TaughtFrame>& frames) {
     frames_ = frames;
     const TaughtFrame* same = nullptr;
     for (const TaughtFrame& taught : frames_) {
-        // By its id: a frame with another name is the same frame.
+        // By id: a renamed frame is the same frame.
         if (selection_.taught && taught.id == selection_.taught->id) {
             same = &taught;
         }
@@ -311,7 +311,7 @@ void JogSelectors::refreshTexts() {
             tr("One rotation step per press, tool or joint: %1").arg(angleText(step.angle)));
     }
     const bool contact = selection_.motion == MotionChoice::UntilContact;
-    // The last key of each row has the unit of the row.
+    // The last button of each row shows the unit.
     motion_->setText(kOtherSegment, contact
                                         ? tr("≤ %1").arg(format::number(selection_.contactForce, 0) + " N")
                                         : format::shortLength(other_.length));
@@ -349,7 +349,7 @@ void JogSelectors::offerChoices(SegmentedControl* control, int segment, std::fun
         fill(menu);
         menu.exec(key->mapToGlobal(QPoint(0, key->height())));
     };
-    // The first click chooses the key, the next one opens what else it can be.
+    // The first click selects the button, the next one opens its menu.
     connect(key, &QAbstractButton::pressed, this, [control, key, segment] {
         key->setProperty("chosenBefore", control->currentIndex() == segment);
     });
@@ -391,7 +391,7 @@ void JogSelectors::fillSpeedMenu(QMenu& menu) {
 
 void JogSelectors::askFor(Entry entry) {
     const double unit = format::metresPerUnit();
-    const bool coarse = unit > 1e-3;  // two more digits in inches
+    const bool coarse = unit > 1e-3;  // two more digits for inches
     switch (entry) {
         case Entry::Step:
             askForNumber(tr("Step in %1").arg(format::lengthUnit()), 0.002 / unit, 1e-5 / unit, 0.5 / unit,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The rows at the top of the jog column: frame, motion, turn and speed of the next press, chosen by a key, from a
-// menu behind it, or entered by hand. Motion and turn are the lengths and the angles of steps: each row chooses for
-// itself, and Hold in one is Hold in both.
+// The rows at the top of the jog column: frame, motion, rotation and speed of the next press, selected by a button,
+// in its menu, or entered manually. Motion and rotation are the lengths and angles of steps: each row has a
+// separate selection, except that Hold applies to both.
 
 #include <QVector>
 #include <QWidget>
@@ -21,43 +21,43 @@ class JogSelectors : public QWidget {
     Q_OBJECT
 
 public:
-    /// limits  asked for the greatest speed that can be entered
+    /// limits  returns the maximum speed that can be entered
     explicit JogSelectors(std::function<control::MotionLimits()> limits, QWidget* parent = nullptr);
 
     const JogSelection& selection() const { return selection_; }
 
-    /// The view's axes in the base frame. The frame "View" can be chosen once this was called.
+    /// The axes of the view in the base frame. Enables the frame "View".
     void setViewRotation(const Eigen::Matrix3d& R_base_view);
-    /// The frames the fourth key of "Frame" offers.
+    /// The frames offered by the fourth button of "Frame".
     void setTaughtFrames(const QVector<TaughtFrame>& frames);
-    /// Chooses one of them, as the fourth key of "Frame" does.
+    /// Selects a frame, as the fourth button of "Frame".
     void chooseTaughtFrame(const QUuid& frame);
     /// index  into speedClasses()
     void setSpeedClass(int index);
-    /// A TCP speed entered by hand [m/s]; turns and joints in proportion.
+    /// A TCP speed entered manually [m/s]; rotation and joint speeds in proportion.
     void setFreeSpeed(double tcpSpeed);
-    /// A step entered by hand. Longer than 10 mm or 10 deg it runs only while the key is held.
+    /// A step entered manually. Above 10 mm or 10 deg it runs only while the button is held.
     void setFreeStep(const StepSize& step);
-    /// Only its length [m], or only its angle [rad]; the other one stays.
+    /// Changes only the length [m] or only the angle [rad].
     void setStepLength(double length);
     void setStepAngle(double angle);
-    /// Moves until the tool touches something with this force [N].
+    /// Moves until contact with this force [N].
     void setUntilContact(double force);
     enum class Entry { Step, Turn, Speed, ContactForce };
-    /// Opens the field in which the operator enters one of these by hand.
+    /// Opens the field for entering one of these values.
     void askFor(Entry entry);
 
-    /// How high the keys are, and how far the rows are apart [px].
+    /// Height of the buttons, and spacing of the rows [px].
     void setRowHeight(int height, int spacing);
-    /// The least height with such rows, whichever there are now.
+    /// Minimum height with such rows.
     int heightWhen(int height, int spacing) const;
-    /// Writes every figure again: the operator chose other units.
+    /// Updates all numbers after a change of units.
     void refreshTexts();
 
 Q_SIGNALS:
-    /// The selection is about to change, or something opens: no motion may go on.
+    /// Emitted before the selection changes or a menu opens: the current motion must end.
     void changing(tiller::control::StopCause cause);
-    /// The selection is another one now.
+    /// The selection has changed.
     void changed();
 
 private:
@@ -66,7 +66,7 @@ private:
     void showFrames();
     void offerChoices(SegmentedControl* control, int segment, std::function<void(QMenu&)> fill);
     void choose(MotionChoice motion);
-    /// A key of the row of lengths or of angles.
+    /// A button of the length or angle row.
     void chooseStep(double StepSize::*size, int segment);
     void fillLengthMenu(QMenu& menu);
     void fillAngleMenu(QMenu& menu);
@@ -78,9 +78,9 @@ private:
     JogSelection selection_;
     QVector<TaughtFrame> frames_;
     bool hasView_ = false;
-    bool following_ = false;                  ///< the keys follow the selection, not a hand
-    StepSize step_{0.001, toRadians(1.0)};    ///< chosen last, though Hold may be on
-    StepSize other_{0.050, toRadians(45.0)};  ///< what the last key of each row stands for
+    bool following_ = false;                  ///< the buttons are updated by the program, not by the user
+    StepSize step_{0.001, toRadians(1.0)};    ///< last selected step, even if Hold is active
+    StepSize other_{0.050, toRadians(45.0)};  ///< values of the last button of each row
     SegmentedControl* frame_ = nullptr;
     SegmentedControl* motion_ = nullptr;
     SegmentedControl* turn_ = nullptr;

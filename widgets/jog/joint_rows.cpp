@@ -22,14 +22,15 @@ namespace {
 constexpr double kWarnAngle = toRadians(15);
 constexpr int kRowMargin = 12;  // as the panel's content
 constexpr int kNumberPeriodMs = 100;
-constexpr int kSpeedWidth = 56;    // [px] of "0.36 °/s" before the bar of a low row
-constexpr int kBarWithSpeed = 34;  // [px] the least that is left of the bar
+constexpr int kSpeedWidth = 56;    // [px] width of "0.36 °/s" before the bar of a low row
+constexpr int kBarWithSpeed = 34;  // [px] minimum remaining width of the bar
 
 }  // namespace
 
 JointBar::JointBar(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAttribute(Qt::WA_OpaquePaintEvent);  // it moves with the arm: what lies below is not painted each time
+    setAttribute(
+        Qt::WA_OpaquePaintEvent);  // Repainted at every motion: do not paint the background each time.
 }
 
 bool JointBar::isNearLimit() const {
@@ -37,7 +38,7 @@ bool JointBar::isNearLimit() const {
 }
 
 void JointBar::setAngle(double angle, bool valid) {
-    // The rim of the marker is drawn in shares of a pixel; a quarter of one is seen.
+    // The border of the marker is drawn with subpixel accuracy; a quarter of a pixel is visible.
     const auto looks = [this] { return std::tuple(valid_, isNearLimit(), std::lround(4 * place())); };
     const auto before = looks();
     angle_ = angle;
@@ -105,7 +106,7 @@ int JointRow::heightWhen(bool compact, bool low) {
 }
 
 QString JointRow::shortName() const {
-    // As operators abbreviate them: B, S, E, W1, W2, W3.
+    // Common abbreviations: B, S, E, W1, W2, W3.
     const qsizetype space = name_.indexOf(QLatin1Char(' '));
     return space < 0 ? name_.left(1) : name_.left(1) + name_.mid(space + 1);
 }
@@ -148,7 +149,7 @@ QRect JointRow::speedRect() const {
     return {left, 0, bar_->x() - left, height() - 1};
 }
 
-/// Rows without room for the speed have it in their tooltip.
+/// Rows without space for the speed show it as tooltip.
 void JointRow::describe() {
     const QString speed = speed_.isEmpty() ? name_ : tr("%1: %2").arg(name_, speed_);
     setToolTip(compact_ || (low_ && speedWidth_ == 0) ? speed : QString());
@@ -174,7 +175,7 @@ void JointRow::resizeEvent(QResizeEvent*) {
     const int high = std::max(26, finger);
     speedWidth_ = 0;
     if (compact_) {
-        // No wider than the angle beside it leaves.
+        // Limited by the width of the angle.
         const int wide = finger > 0 ? 36 : 26;
         plus_->setGeometry(width() - wide, middle - high / 2, wide, high);
         minus_->setGeometry(width() - 2 * wide - 3, middle - high / 2, wide, high);
@@ -184,7 +185,7 @@ void JointRow::resizeEvent(QResizeEvent*) {
     const int wide = finger > 0 ? 44 : 35;
     plus_->setGeometry(width() - kRowMargin - wide, middle - high / 2, wide, high);
     int bar = std::max(40, std::min(94, width() - 2 * kRowMargin - 86 - 92 - wide * 2 - 24));
-    // In a low row the speed stands before the bar, where there is room for it.
+    // In a low row the speed is shown before the bar if there is space.
     speedWidth_ = low_ && bar >= kBarWithSpeed + kSpeedWidth ? kSpeedWidth : 0;
     bar -= speedWidth_;
     bar_->setGeometry(plus_->x() - 9 - bar, middle - 8, bar, 16);
@@ -195,7 +196,7 @@ void JointRow::resizeEvent(QResizeEvent*) {
 void JointRow::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange) {
-        updateGeometry();  // another density
+        updateGeometry();  // the density may have changed
         resizeEvent(nullptr);
         update();
     }
@@ -205,11 +206,11 @@ void JointRow::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
     const QRect text = textRect();
-    // Beside wide keys there is no room for both in one line, and in high rows there is for two.
+    // With wide buttons there is no space for both in one line, but high rows have space for two lines.
     const bool two = compact_ && touchHeight() > 0;
     painter.setPen(theme.text);
     painter.setFont(textFont(compact_ ? 13 : 15));
-    // In a full row the speed of the keys stands below the name.
+    // In a full row the speed is shown below the name.
     const bool named = !compact_ && !low_ && !speed_.isEmpty();
     painter.drawText(text, Qt::AlignLeft | (two || named ? Qt::AlignTop : Qt::AlignVCenter),
                      compact_ ? shortName() : name_);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One row a joint: its angle, where it stands in its range, and a key for each direction. In compact form the
-// six rows become three rows of two, for small windows.
+// One row per joint: angle, position in its range, and a button for each direction. In compact form, the six rows
+// are arranged in pairs for small windows.
 
 #include <QTimer>
 #include <QVector>
@@ -15,7 +15,7 @@ class QGridLayout;
 
 namespace tiller {
 
-/// Where a joint stands in its range; amber near either end.
+/// Position of a joint in its range; amber near the limits.
 class JointBar : public QWidget {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
 
     /// angle  [rad]; valid false: no marker
     void setAngle(double angle, bool valid);
-    /// True within 15 deg of an end of the range.
+    /// True within 15 deg of a limit of the range.
     bool isNearLimit() const;
 
     QSize sizeHint() const override { return {94, 16}; }
@@ -34,7 +34,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// Of the marker's middle [device px].
+    /// Centre of the marker [device px].
     double place() const;
 
     double angle_ = 0;
@@ -53,13 +53,13 @@ public:
     JointBar* bar() const { return bar_; }
     QString valueText() const { return value_; }
     void setAngle(double angle, bool moving, bool valid, bool stale);
-    /// At which the keys turn the joint: "3.6 °/s". Empty: not known.
+    /// Speed of the buttons, e.g. "3.6 °/s". Empty: unknown.
     void setSpeed(const QString& speed);
     QString speedText() const { return speed_; }
-    /// Paints the number, if it is another than the one painted last. Its marker needs no call: it follows the arm.
+    /// Updates the displayed number if it has changed. The marker is updated separately at every motion.
     void showNumber();
     void setCompact(bool compact);
-    /// A line of full width that is less high.
+    /// Use a full-width row with reduced height.
     void setLow(bool low);
     static int heightWhen(bool compact, bool low);
 
@@ -80,14 +80,14 @@ private:
     int joint_;
     QString name_;
     QString value_;
-    QString shown_;  ///< the value painted last
+    QString shown_;  ///< the displayed value
     QString speed_;
     HoldButton* minus_;
     HoldButton* plus_;
     JointBar* bar_;
     bool compact_ = false;
     bool low_ = false;
-    int speedWidth_ = 0;  ///< [px] before the bar; 0: the speed is elsewhere
+    int speedWidth_ = 0;  ///< [px] before the bar; 0: the speed is shown elsewhere
     bool grey_ = true;
 };
 
@@ -98,11 +98,11 @@ public:
     explicit JointRows(QWidget* parent = nullptr);
 
     const QVector<JointRow*>& rows() const { return rows_; }
-    /// The markers are painted at once, the numbers ten times a second: a person reads no faster.
+    /// Updates the markers immediately and the numbers ten times per second, which is the limit of legibility.
     void setJoints(const JointPositions& q, bool moving, bool valid, bool stale);
     void setCompact(bool compact);
     void setLow(bool low);
-    /// Of all rows, below each other or in pairs.
+    /// Height of all rows, one per line or in pairs.
     static int heightWhen(bool pairs, bool low);
 
 private:

@@ -18,7 +18,7 @@ void KeyGhosts::offer(HoldButton& key, const QString& name, Target target) {
 void KeyGhosts::setState(const SessionState& state) {
     state_ = state;
     if (shown_ && !state.canMove()) {
-        hide();  // a place to which no key leads any more, though the pointer rests on one
+        hide();  // a target that no longer exists, although the pointer is on its button
     }
 }
 

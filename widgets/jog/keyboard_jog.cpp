@@ -16,7 +16,7 @@ namespace tiller {
 
 namespace {
 
-/// Set in the meaning of an arrow that turns.
+/// Flag in the meaning of an arrow key that rotates.
 constexpr int kTurns = 0x4000'0000;
 
 constexpr Qt::KeyboardModifiers kMeaningful = Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier;
@@ -26,7 +26,7 @@ bool isModifier(int key) {
         case Qt::Key_Shift:
         case Qt::Key_Control:
         case Qt::Key_Alt:
-        case Qt::Key_Meta:  // what Alt is called under Shift
+        case Qt::Key_Meta:  // name of Alt in combination with Shift
         case Qt::Key_AltGr:
             return true;
         default:
@@ -34,7 +34,7 @@ bool isModifier(int key) {
     }
 }
 
-/// The arrows of X, Y and Z: plus, then minus.
+/// The arrow keys of X, Y and Z: plus, then minus.
 constexpr std::array<std::pair<int, int>, 3> kOpposites = {
     {{Qt::Key_Right, Qt::Key_Left}, {Qt::Key_Up, Qt::Key_Down}, {Qt::Key_PageUp, Qt::Key_PageDown}}};
 
@@ -57,8 +57,8 @@ bool isJointKey(int meaning) {
            meaning == Qt::Key_Minus;
 }
 
-/// What a key stands for, by what it writes at its press. "+" and "-" are the key that has the sign, with
-/// and without Shift, and no other key on which a layout puts "=" or "_".
+/// The meaning of a key, by the symbol at its press. "+" and "-" are the key with this sign, with and without
+/// Shift, but not a key on which a layout has "=" or "_".
 int meaningOf(const QKeyEvent& event) {
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     if (event.key() == Qt::Key_Equal && !shift) {
@@ -88,7 +88,7 @@ void KeyboardJog::addHoldKey(Qt::Key key, HoldGuard& guard) {
     holdKeys_[key] = &guard;
 }
 
-/// True while keys belong to somebody else: a text field, a menu, a dialog, another window.
+/// True while keys belong to a text field, a menu, a dialog or another window.
 bool KeyboardJog::belongsElsewhere() const {
     return !window_.isActiveWindow() || takesText(QApplication::focusWidget()) ||
            QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr;
@@ -103,8 +103,8 @@ bool KeyboardJog::isMoving() const {
                                           [](const HoldGuard* guard) { return guard->active(); });
 }
 
-/// What the keyboard says ends the motion that keys hold. They stay known as held, so that their releases
-/// fit; they move nothing more before all are up.
+/// Ends the motion held by keys because of a keyboard event. The keys are still known as held, so that their
+/// releases match; they have no effect until all are released.
 void KeyboardJog::tell(HoldNews::Kind kind) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->tell(kind);
@@ -113,7 +113,7 @@ void KeyboardJog::tell(HoldNews::Kind kind) {
     jog_.requireNeutral(Grip::By::Keys);  // rule: all keys up first
 }
 
-/// Releases that happen elsewhere are never seen: nothing counts as held any more.
+/// Releases in other windows are not received: no key counts as held any more.
 void KeyboardJog::forget(control::StopCause cause) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->stop(cause);
@@ -170,7 +170,7 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::KeyRelease:
             return watched->isWidgetType() && keyEvent(*static_cast<QKeyEvent*>(event));
         case QEvent::ShortcutOverride: {
-            // An armed key is no shortcut.
+            // Armed keys are not used as shortcuts.
             const auto& key = *static_cast<QKeyEvent*>(event);
             if ((isJogKey(meaningOf(key)) || keys_.isDown(PhysicalKeys::codeOf(key))) &&
                 !belongsElsewhere()) {
@@ -184,11 +184,11 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
                 followWindow();
             }
             return false;
-        case QEvent::FocusOut:  // to a panel that floats: the window stays active with it
+        case QEvent::FocusOut:  // to a floating panel: the window remains active
         case QEvent::WindowDeactivate:
             if (watched == (event->type() == QEvent::FocusOut ? static_cast<QObject*>(window_.windowHandle())
                                                               : &window_)) {
-                // What is armed stays armed only while the operator looks at it.
+                // The keyboard stays armed only while the window is active.
                 forget(control::StopCause::WindowDeactivated);
                 setArmed(false);
             }
@@ -203,16 +203,16 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
         if (!event.isAutoRepeat()) {
             modifierChanged();
         }
-        // Alt means a turn here, not the menu.
+        // Alt selects rotation here instead of opening the menu.
         return event.key() == Qt::Key_Alt && !belongsElsewhere();
     }
     const KeyCode code = PhysicalKeys::codeOf(event);
     const bool known = keys_.isDown(code);
     const bool press = event.type() == QEvent::KeyPress;
     int meaning = known ? keys_.meaningOf(code) : meaningOf(event);
-    // A key that was pressed here is let go here, wherever the focus is by then.
+    // The release of a key pressed here is processed independent of the focus.
     if (!known && !press) {
-        // Let go without having been pressed. Where keys have no number it may be one of those that move.
+        // Release without a press. For keys without a number, it may be the release of a motion key.
         if (!event.isAutoRepeat() && isMoving() && (isJogKey(meaning) || !PhysicalKeys::hasNumber(code))) {
             tell(HoldNews::Kind::Unmatched);  // rule: release of a key that was not down
         }
@@ -251,9 +251,9 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
     const bool held = std::any_of(holdKeys_.begin(), holdKeys_.end(),
                                   [](const HoldGuard* guard) { return guard->active(); });
     if (held) {
-        tell(HoldNews::Kind::OtherKey);  // rule: a jog key beside a hold key
+        tell(HoldNews::Kind::OtherKey);  // rule: a jog key in addition to a hold key
     } else if (jog_.isActive() && modifiers != modifiers_) {
-        tell(HoldNews::Kind::Modifier);  // rule: another modifier than at first
+        tell(HoldNews::Kind::Modifier);  // rule: another modifier than at the start
     } else {
         modifiers_ = modifiers;
         follow();
@@ -261,9 +261,9 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
 }
 
 void KeyboardJog::holdKeyPressed(HoldGuard& guard, KeyCode code) {
-    // One motion at a time: the second key stops the first and begins nothing.
+    // One motion at a time: the second key stops the first one and starts nothing.
     if (isMoving()) {
-        tell(HoldNews::Kind::OtherKey);  // rule: a hold key beside another motion
+        tell(HoldNews::Kind::OtherKey);  // rule: a hold key in addition to another motion
     } else {
         guard.press({Grip::By::Keys, {code}});
     }
@@ -278,11 +278,11 @@ void KeyboardJog::keyReleased(int meaning) {
 
 void KeyboardJog::modifierChanged() {
     if (isMoving()) {
-        tell(HoldNews::Kind::Modifier);  // rule: a modifier comes or goes
+        tell(HoldNews::Kind::Modifier);  // rule: a modifier is pressed or released
     }
 }
 
-/// Tells what the keys that are down ask for.
+/// Sends the input of the held keys.
 void KeyboardJog::follow() {
     const auto both = [this](int one, int other) { return keys_.means(one) && keys_.means(other); };
     bool opposite = both(Qt::Key_Plus, Qt::Key_Minus);
@@ -291,13 +291,13 @@ void KeyboardJog::follow() {
     }
     Deflection wish = deflection();
     wish.grip = {Grip::By::Keys, keys_.codes()};
-    // A contradiction is no wish, and a joint is not turned while the TCP is led. Taking one of the two keys
-    // away again is no new press.
+    // Opposite keys are not a valid input, nor are joints and Cartesian axes together. Releasing one of the two
+    // keys is not a new press.
     if (opposite || (!wish.axes.isZero() && !wish.joints.isZero())) {
-        tell(HoldNews::Kind::OtherKey);  // rule: keys that contradict each other
+        tell(HoldNews::Kind::OtherKey);  // rule: opposite keys
         return;
     }
-    // Shift is how some layouts write the digits and signs, and no speed then.
+    // Some layouts need Shift for digits and signs; it then does not change the speed.
     const bool joints = wish.axes.isZero();
     jog_.setInput(wish, modifierFactor(joints ? modifiers_ & ~Qt::ShiftModifier : modifiers_));
 }
@@ -307,7 +307,7 @@ Deflection KeyboardJog::deflection() const {
         return (keys_.means(plus) ? 1.0 : 0.0) - (keys_.means(minus) ? 1.0 : 0.0);
     };
     Deflection wish;
-    wish.deadMan = true;  // the key itself, while it is held
+    wish.deadMan = true;  // the key itself is the enabling signal while held
     for (int axis = 0; axis < 3; ++axis) {
         const auto& [plus, minus] = kOpposites.at(static_cast<std::size_t>(axis));
         wish.axes[axis] = pair(plus, minus);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Jogging by keyboard, only while it is armed: a frame stands around the window then, and half a minute
-// without a key takes it down again. Keys are followed as PhysicalKeys does: what a key moves is settled by
-// its press, and a release or a press that does not fit what is known ends the motion. So does a modifier
-// that goes down or up meanwhile, because it stands for another speed or direction, and a key that says the
-// opposite of another one.
+// Jogging by keyboard while it is armed. Armed mode is shown by a frame around the window and ends after half a
+// minute without a key. Keys are tracked by PhysicalKeys: the meaning of a key is determined by its press, and an
+// unexpected press or release ends the motion. A change of a modifier also ends it, because it selects another
+// speed or direction, as well as keys with opposite directions.
 
 #include <QMap>
 #include <QObject>
@@ -25,16 +24,16 @@ class KeyboardJog : public QObject {
     Q_OBJECT
 
 public:
-    /// window  whose keys count, and that the frame stands around
+    /// window  receives the keys and shows the frame
     KeyboardJog(AxisJog& jog, QWidget& window, QObject* parent = nullptr);
     ~KeyboardJog() override;
 
     void setClock(const Clock& clock) { clock_ = &clock; }
-    /// While armed, this key presses and releases that key of the column.
+    /// While armed, this key presses and releases this button of the column.
     void addHoldKey(Qt::Key key, HoldGuard& guard);
     void setArmed(bool armed);
     bool isArmed() const { return armed_; }
-    /// Looks whether the half minute is over. A timer does this every second.
+    /// Checks the timeout of half a minute. Called by a timer every second.
     void checkIdle();
 
     static constexpr int kIdleSeconds = 30;
@@ -65,8 +64,8 @@ private:
     const Clock* clock_ = &SteadyClock::shared();
     QTimer idle_;
     QMap<int, HoldGuard*> holdKeys_;
-    PhysicalKeys keys_;                  ///< those that jog or hold; their meaning is a Qt::Key, or a turn
-    Qt::KeyboardModifiers modifiers_{};  ///< with which the motion was begun
+    PhysicalKeys keys_;                  ///< motion and hold keys; the meaning is a Qt::Key, or a rotation
+    Qt::KeyboardModifiers modifiers_{};  ///< at the start of the motion
     std::int64_t lastKeyNs_ = 0;
     bool armed_ = false;
     QPointer<QFrame> frame_;

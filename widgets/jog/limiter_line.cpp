@@ -24,7 +24,7 @@ constexpr double kWarnDegrees = 15.0;
 constexpr double kShoulderWarnMetres = 0.06;
 constexpr double kSineWarnDegrees = 8;
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file for lupdate.
 struct LimiterAdviceText {
     Q_DECLARE_TR_FUNCTIONS(LimiterAdvice)
 };
@@ -32,7 +32,7 @@ struct LimiterAdviceText {
 LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     struct Kind {
         Singularity singularity;
-        int joint;  ///< as the controller's limiter names it
+        int joint;  ///< as in the limiter of the controller
         bool near;
         QString what;
         QString slowed;
@@ -55,7 +55,7 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 of the speed"),
          LimiterAdviceText::tr("rotate wrist 2"), LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
-    // What slows the jog down comes first; after it ended there the controller still says so.
+    // The limit that slows down the jog first; after the end of the jog, the controller still reports it.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
     for (const bool slowing : {true, false}) {
         for (const Kind& kind : kinds) {
@@ -75,12 +75,12 @@ bool isCollision(control::LimiterKind kind) {
     return kind == LimiterKind::SelfCollision || kind == LimiterKind::Obstacle || kind == LimiterKind::Border;
 }
 
-/// What is as near as it may be, or nearly; while it slows a jog down, with the share of the speed.
+/// Collisions near the safety distance; with the speed factor while a jog is slowed down.
 LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     constexpr double kWarnBeyond = 0.010;  // the safety distance [m]
     const std::optional<NearestBodies> nearest = nearestBodies(state, kWarnBeyond);
     const control::Limiter& limiter = state.limiter;
-    // After the jog has ended the arm may have been moved by others.
+    // After the end of the jog, the arm may have been moved by other means.
     const bool slowed =
         state.check != nullptr && state.motionActive && isCollision(limiter.kind) && limiter.scale < 0.98;
     if (!nearest && !slowed) {
@@ -155,16 +155,16 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
 
 namespace {
 
-constexpr int kTextLeft = 28;  // [px] behind the triangle
+constexpr int kTextLeft = 28;  // [px] text position after the triangle
 constexpr int kTextRight = 6;
-constexpr int kLargest = 13;  // [px] letters
+constexpr int kLargest = 13;  // [px] font size
 constexpr int kSmallest = 10;
 
 int room(int width) {
     return width - kTextLeft - kTextRight;
 }
 
-/// The largest letters with which all of it stands on one line.
+/// The largest font size at which the text fits on one line.
 QFont fittingFont(const QString& text, QFont::Weight weight, int width) {
     int size = kLargest;
     while (size > kSmallest && QFontMetrics(textFont(size, weight)).horizontalAdvance(text) > width) {
@@ -173,7 +173,7 @@ QFont fittingFont(const QString& text, QFont::Weight weight, int width) {
     return textFont(size, weight);
 }
 
-/// In two, at the space that is nearest to the middle.
+/// Splits a text at the space nearest to its middle.
 QStringList halves(const QString& text) {
     qsizetype best = -1;
     for (qsizetype at = text.indexOf(QLatin1Char(' ')); at >= 0;
@@ -217,7 +217,7 @@ QList<LimiterLine::Line> LimiterLine::lines() const {
         return {line(limiter_.what, QFont::Bold, Qt::ElideRight),
                 line(limiter_.advice, QFont::Normal, Qt::ElideMiddle)};
     }
-    // A sentence: what there is to do stands at its end.
+    // A sentence: the suggested action is at its end.
     const bool oneLine =
         QFontMetrics(textFont(kLargest, QFont::Bold)).horizontalAdvance(limiter_.what) <= width;
     for (const QString& part : oneLine ? QStringList{limiter_.what} : halves(limiter_.what)) {

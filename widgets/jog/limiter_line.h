@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Names what limits the arm and, on a line of its own, the way out of it; when nothing does, the measured stop of
-// the last jog. It keeps its height, so that nothing below it jumps.
+// Shows the limit of the arm and, on a second line, how to move away from it; otherwise the measured stop of the
+// last jog. Its height is constant, so that nothing below it moves.
 
 #include <QFont>
 #include <QList>
@@ -14,15 +14,15 @@
 
 namespace tiller {
 
-/// What limits the arm, and what to do; both empty when nothing does.
+/// The limit of the arm and the suggested action; both empty without a limit.
 struct LimiterAdvice {
     QString what;
     QString advice;
 };
 
-/// The nearest limit worth a word: a joint within 15 deg of its range, or a singularity close by.
-/// Threads  any
-/// R_base_frame  the axes the keys of the pad move in, for the way out
+/// The nearest relevant limit: a joint within 15 deg of its range, or a nearby singularity.
+/// R_base_frame  axes of the pad buttons, for the suggested action
+/// Threads       any
 LimiterAdvice nearestLimiter(const SessionState& state,
                              const Eigen::Matrix3d& R_base_frame = Eigen::Matrix3d::Identity());
 
@@ -34,14 +34,14 @@ public:
 
     void setLimiter(const LimiterAdvice& limiter);
     const LimiterAdvice& limiter() const { return limiter_; }
-    /// Shown while nothing limits.
+    /// Shown without a limit.
     void setQuietText(const QString& text);
     QString quietText() const { return quiet_; }
 
-    /// What stands on the line now, from top to bottom, as it is drawn.
+    /// The displayed lines from top to bottom.
     QStringList shownLines() const;
 
-    /// Two lines always: what limits, and below it the way out, which is never cut off.
+    /// Always two lines: the limit, and below it the suggested action, which is never elided.
     QSize sizeHint() const override { return {366, 38}; }
     QSize minimumSizeHint() const override { return {200, 32}; }
 

@@ -18,12 +18,12 @@ namespace {
 
 constexpr int kDigitPeriodMs = 100;
 constexpr int kCaptionHeight = 17;
-/// What an arm at rest measures of its own speed.
+/// Measurement noise of the speed of an arm at rest.
 constexpr double kStands = 5e-5;              // [m/s]
 constexpr double kTurnsNot = toRadians(0.5);  // [rad/s]
 constexpr double kAtFlange = 5e-5;            // [m]
 
-/// Two digits at rest, one on the move; a blank keeps the place of the second.
+/// Two decimals at rest, one during motion, padded with a blank.
 QString paced(double metres, bool moving) {
     const QString text = format::lengthNumber(metres, moving ? 1 : 2, true);
     return moving ? text + QChar(0x2007) : text;
@@ -38,7 +38,7 @@ QString dash() {
 PoseView::PoseView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("poseView"));
     setFocusPolicy(Qt::TabFocus);
-    setAttribute(Qt::WA_OpaquePaintEvent);  // what lies below is not painted with each new figure
+    setAttribute(Qt::WA_OpaquePaintEvent);  // the background is not painted with each new value
     describe();
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     pace_.setSingleShot(true);
@@ -85,7 +85,7 @@ QStringList PoseView::figures() const {
     return texts;
 }
 
-// An arm at rest trembles by less than is shown.
+// Variations of an arm at rest are smaller than the displayed digits.
 void PoseView::showFigures() {
     if (const QStringList now = figures(); now != shown_) {
         shown_ = now;
@@ -207,7 +207,7 @@ void PoseView::paintEvent(QPaintEvent*) {
     const bool narrow = width() < 352;
     const QFont label = textFont(narrow ? 13 : 15);
     const int number = narrow ? 104 : 110;  // right edge of the position
-    const int delta = narrow ? 203 : 226;   // right edge of the way
+    const int delta = narrow ? 203 : 226;   // right edge of the distance
     static constexpr const char* kAxes[] = {"X", "Y", "Z"};
     static constexpr const char* kTurns[] = {"RX", "RY", "RZ"};
     const int right = width();
@@ -215,7 +215,7 @@ void PoseView::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(theme.moving, 2));
         painter.drawRect(rect().adjusted(1, 1, -2, -2));
     }
-    // The speed has its room in any case: the name of a frame may be long, and is whole in the tool tip.
+    // The speed always has enough space: the frame name may be elided, and is complete in the tooltip.
     const QRect caption(4, 0, right - 6, kCaptionHeight);
     painter.setFont(textFont(13, QFont::Bold));
     const QString factor = factorText();
@@ -271,7 +271,7 @@ void PoseView::keyPressEvent(QKeyEvent* event) {
 
 void PoseView::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange) {
-        describe();  // other units
+        describe();  // units may have changed
     }
     QWidget::changeEvent(event);
 }

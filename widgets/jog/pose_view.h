@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The live TCP pose in the chosen frame, and which that is: position in mm with the way since the press (or since
-// "zero here"), orientation as roll, pitch and yaw in degrees, or as the operator chose. Above it how fast the TCP
-// goes, and what a modifier key that is down makes of the chosen speed. Digits change ten times a second at most;
-// values older than 0.3 s are greyed.
+// The current TCP pose in the selected frame: position in mm with the distance since the press (or since "zero
+// here"), and orientation as roll, pitch and yaw in degrees or in the selected notation. Above it the TCP speed and
+// the factor of a pressed modifier key. Numbers change at most ten times per second; values older than 0.3 s are
+// grey.
 
 #include <QTimer>
 #include <QWidget>
@@ -19,30 +19,31 @@ class PoseView : public QWidget {
 public:
     explicit PoseView(QWidget* parent = nullptr);
 
-    /// moving  shows one digit less, because the last one only flickers
-    /// valid   false: dashes; stale: grey
     /// pose    in the base frame
+    /// moving  shows one decimal less
+    /// valid   false: dashes
+    /// stale   grey
     void setPose(const Pose& pose, bool moving, bool valid, bool stale);
-    /// The frame in which it is shown, as it is called and where it lies.
+    /// Name and pose of the frame.
     void setFrame(const QString& name, const Pose& T_base_frame);
     void setTcp(const Pose& offset);
     void setSpeed(const Twist& tcpSpeed);
-    /// Of the chosen speed: 1, 3 or 0.1.
+    /// Factor of the selected speed: 1, 3 or 0.1.
     void setFactor(double factor);
-    /// Counts the way from here until it is asked again, which goes back to the way since the press. A click
-    /// on the view, or Enter on it, does the same.
+    /// Sets the zero point of the distances; a second call returns to distances since the press. Also triggered by
+    /// a click or Enter on the view.
     void zeroHere();
-    /// A motion begins here: counts from here, unless the operator chose another place.
+    /// Start of a motion: new zero point, unless the user has set one.
     void pressedHere();
 
     QString positionText(int axis) const;
     QString deltaText(int axis) const;
     QString rotationText(int axis) const;
-    /// "in Base · TCP 120.0 mm from the flange"
+    /// e.g. "in Base · TCP 120.0 mm from the flange"
     QString frameText() const;
-    /// "50 mm/s", with the turn behind it while it turns: "0.0 mm/s · 15 °/s".
+    /// e.g. "50 mm/s", while rotating "0.0 mm/s · 15 °/s".
     QString speedText() const;
-    /// "× 0.1"; empty at the chosen speed.
+    /// e.g. "× 0.1"; empty at the selected speed.
     QString factorText() const;
 
     QSize sizeHint() const override { return {366, 110}; }
@@ -59,7 +60,7 @@ protected:
 private:
     void describe();
     void changed(bool atOnce);
-    /// All that changes with the arm, as it is written.
+    /// All texts that change with the arm.
     QStringList figures() const;
     void showFigures();
     Eigen::Vector3d inFrame(const Eigen::Vector3d& way) const;
@@ -75,7 +76,7 @@ private:
     QStringList shown_;
     bool pending_ = false;
     bool hasZero_ = false;
-    bool ownZero_ = false;  ///< the operator's, not the press's
+    bool ownZero_ = false;  ///< set by the user, not by the press
     bool moving_ = false;
     bool valid_ = false;
     bool stale_ = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A SpaceMouse, through the free driver's socket (libspnav). Dead-man: its left key. Its right key stops.
+// A SpaceMouse, through the socket of the free driver (libspnav). Enabling button: left. The right button stops.
 
 #include "widgets/jog/input_device.h"
 
@@ -12,7 +12,7 @@ public:
     std::vector<std::unique_ptr<InputDevice>> appeared() override;
 
 private:
-    std::weak_ptr<void> open_;  ///< libspnav has one connection, so there is one device
+    std::weak_ptr<void> open_;  ///< libspnav supports one connection, so there is one device
 };
 
 }  // namespace tiller

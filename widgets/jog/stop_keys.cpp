@@ -24,7 +24,7 @@ bool isYounger(const std::optional<std::int64_t>& sinceNs, std::int64_t nowNs, i
     return sinceNs && nowNs - *sinceNs < ms * kNsPerMs;
 }
 
-/// The key with every combination of modifiers.
+/// The key with all combinations of modifiers.
 QList<QKeySequence> sequencesOf(Qt::Key key) {
     constexpr Qt::KeyboardModifier kModifiers[] = {Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier,
                                                    Qt::MetaModifier};
@@ -43,7 +43,7 @@ QList<QKeySequence> sequencesOf(Qt::Key key) {
 
 StopKeys::StopKeys(std::function<void(StopCause)> stop, std::function<Use()> use, QObject* parent)
     : QObject(parent), stop_(std::move(stop)), use_(std::move(use)) {
-    // The keys of a dialog that is not Qt's own would not pass here.
+    // Keys of native dialogs would not be received here.
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     qApp->installEventFilter(this);
 }
@@ -78,14 +78,14 @@ void StopKeys::follow(const SessionState& state, std::int64_t nowNs) {
         stoppedDarkNs_.reset();
     }
     dark_ = dark;
-    // A program that is being replaced by ours, or that has just replaced ours, may move the arm any moment.
+    // A program that is being replaced by ours, or that has just replaced ours, may move the arm at any moment.
     const bool mayMove = state.moving || state.motionActive || state.foreignProgramRuns() ||
                          state.control == ControlState::Taking;
     if (!dark && mayMove && (inControl || controlIsJustLost(nowNs))) {
         lastMotionNs_ = nowNs;
     }
     if (const bool types = useAt(nowNs) != Use::StopOnly; types != typed) {
-        // An input method takes keys before the window does; see eventFilter().
+        // Input methods receive keys before the window; see eventFilter().
         if (!types) {
             QGuiApplication::inputMethod()->commit();
         }
@@ -95,14 +95,14 @@ void StopKeys::follow(const SessionState& state, std::int64_t nowNs) {
 
 StopKeys::Use StopKeys::useAt(std::int64_t nowNs) const {
     if (dark_ && movedBeforeDark_) {
-        // The arm may still move: until the stop has had its time the keys mean nothing else.
+        // The arm may still move: until the stop had enough time, the keys have no other function.
         return !stoppedDarkNs_ || isYounger(stoppedDarkNs_, nowNs, kReflexMs) ? Use::StopOnly
                                                                               : Use::StopAndControl;
     }
     if (!inControl_ && !controlIsJustLost(nowNs)) {
         return Use::Control;
     }
-    // The state is a picture some milliseconds old: a reflex just after standstill means stop as well.
+    // The state is some milliseconds old: a press just after standstill is intended as a stop as well.
     return isYounger(lastMotionNs_, nowNs, kReflexMs) ? Use::StopOnly : Use::StopAndControl;
 }
 
@@ -159,13 +159,13 @@ bool StopKeys::eventFilter(QObject* watched, QEvent* event) {
             if (!isStopKey(*static_cast<QKeyEvent*>(event))) {
                 return false;
             }
-            event->accept();  // the press comes as such: these keys are no shortcuts
+            event->accept();  // delivered as a key press, not as a shortcut
             return true;
         case QEvent::KeyPress:
             return watched->isWidgetType() && isStopKey(*static_cast<QKeyEvent*>(event)) &&
                    press(*static_cast<QKeyEvent*>(event));
         case QEvent::InputMethodQuery: {
-            // While the keys mean stop, no input method may keep them for what it composes.
+            // While the keys stop the arm, input methods must not use them.
             auto* query = static_cast<QInputMethodQueryEvent*>(event);
             if (!query->queries().testFlag(Qt::ImEnabled) || use_() != Use::StopOnly) {
                 return false;

@@ -13,8 +13,8 @@ namespace tiller {
 namespace {
 
 constexpr int kLookMs = 40;
-constexpr int kTicksMoving = 3;       ///< for one look while the arm moves
-constexpr double kSamePlace = 0.002;  ///< [rad] of the joint that moved most
+constexpr int kTicksMoving = 3;       ///< interval while the arm moves
+constexpr double kSamePlace = 0.002;  ///< [rad] of the joint with the largest change
 
 bool isOpen(const control::JogReach& travel) {
     return travel.end.kind == control::LimiterKind::None;

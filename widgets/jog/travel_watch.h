@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How far the arm can still go in the direction of each key of the pad: looked for one direction at a time, so
-// that no frame has to wait for twelve, and written on the keys.
+// Computes the remaining distance for each button of the pad and displays it on the button: one direction at a
+// time, so that no frame has to wait for twelve.
 
 #include <Eigen/Core>
 #include <QObject>
@@ -23,36 +23,36 @@ class TravelWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// pad, selection  must outlive it
+    /// pad, selection  must outlive the object
     TravelWatch(JogPad& pad, const JogSelection& selection, QObject* parent = nullptr);
 
     void setState(const SessionState& state) { state_ = state; }
-    /// Looks in the next direction; while a key is held, every other time in its direction. Called by itself every
-    /// 40 ms, and less often while the arm moves: the numbers are old then as soon as they are written.
+    /// Computes the next direction; while a button is held, every other time its direction. Called by a timer every
+    /// 40 ms, and less often while the arm moves, because the values then change continuously.
     void look();
-    /// Forgets what it knows and clears the keys; they are written again, in the operator's units.
+    /// Discards all values and clears the buttons, e.g. after a change of units.
     void reset();
-    /// While a key is held: what is left that way, and what will end it; else empty.
+    /// While a button is held: the remaining distance and the limit at its end; otherwise empty.
     QString heldText() const;
 
 private:
     void tick();
-    /// Index of a key that is held; nothing when none is.
+    /// Index of a held button; empty if none is held.
     std::optional<qsizetype> heldKey() const;
 
     JogPad& pad_;
     const JogSelection& selection_;
     SessionState state_;
     QTimer timer_;
-    std::array<control::JogReach, 12> travel_;  ///< per key of the pad, in the pad's order
+    std::array<control::JogReach, 12> travel_;  ///< per button, in the order of the pad
     JointPositions lookedFrom_;
     Eigen::Matrix3d lookedIn_ = Eigen::Matrix3d::Zero();
     std::shared_ptr<const collision::CollisionCheck> lookedWith_;
-    int next_ = 0;  ///< the direction looked at next
-    int left_ = 0;  ///< how many are still to be looked at
+    int next_ = 0;  ///< the next direction
+    int left_ = 0;  ///< number of directions still to compute
     JointPositions tickedAt_;
-    int ticks_ = 0;              ///< since it looked last
-    bool lookedAtHeld_ = false;  ///< the last time
+    int ticks_ = 0;              ///< since the last computation
+    bool lookedAtHeld_ = false;  ///< at the last computation
 };
 
 }  // namespace tiller

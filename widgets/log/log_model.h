@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What happened, oldest first. A message that repeats the one before it is counted, not listed again: its row
-// tells the first and the last time. Only neighbours are, so that the list is always in the order in which
-// things happened. Beyond kCapacity the oldest rows go.
+// Table model of the log, oldest entry first. A message equal to the previous one increases its count instead of
+// being added; its row shows the first and last time. Only consecutive messages are merged, so that the order is
+// chronological. Beyond kCapacity the oldest rows are removed.
 
 #include <QAbstractTableModel>
 #include <QDateTime>
@@ -25,21 +25,20 @@ public:
 
     explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
-    /// recording  a file that shows what the row tells of; empty: none
-    /// moment     where in it [s]; nothing: at the incident
+    /// recording  related file; empty: none
+    /// moment     position in it [s]; empty: at the incident
     void append(const QDateTime& time, Severity severity, const QString& text, Origin origin = Origin::Tiller,
                 const QString& detail = {}, const QString& recording = {}, std::optional<double> moment = {});
     void clear();
-    /// The last row that began at or before this time; -1: none did.
+    /// The last row that starts at or before this time; -1: none.
     int rowAt(const QDateTime& time) const;
-    /// All there is to say about a row, for people: when, how often, from whom, what it means, what to do.
+    /// All details of a row: time, count, origin, meaning, suggested action.
     QString details(int row) const;
-    /// Row as text, fields separated by tabs: date and time (the first), severity, text with its count and
-    /// the last time.
+    /// Row as text, fields separated by tabs: date and time (the first), severity, text with count and last time.
     QString rowText(int row) const;
 
     static QString severityWord(Severity severity);
-    static QString openWord();  ///< Of the column Open, where there is a recording.
+    static QString openWord();  ///< Text of the column Open for rows with a recording.
     /// "the robot", "the operator", "Tiller"
     static QString originWord(Origin origin);
 
@@ -65,7 +64,7 @@ private:
     std::deque<Entry> entries_;
 };
 
-/// By severity from a level on, and by words that must all occur.
+/// Filters by minimum severity, and by words that must all occur.
 class LogFilter : public QSortFilterProxyModel {
     Q_OBJECT
 

@@ -102,7 +102,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->setColumnWidth(LogModel::SeverityColumn, 108);
     const int openWidth = QFontMetrics(textFont(13)).horizontalAdvance(LogModel::openWord()) + kCellPadding;
     table_->setColumnWidth(LogModel::Open, openWidth);
-    table_->setColumnHidden(LogModel::Open, true);  // until there is something to open
+    table_->setColumnHidden(LogModel::Open, true);  // until there is a recording to open
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -121,7 +121,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     ofLine->addWidget(details_, 1);
     ofLine->addWidget(open_, 0, Qt::AlignVCenter);
     layout->addLayout(ofLine);
-    // Below: when it goes, no key comes to lie where the pointer is.
+    // At the bottom: no button moves under the pointer when it is hidden.
     layout->addWidget(band_);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LogTab::showDetails);
     connect(filter_, &QAbstractItemModel::dataChanged, this, &LogTab::showDetails);
@@ -232,7 +232,7 @@ void LogTab::setReplay(const Replay& moment) {
 
 void LogTab::add(Severity severity, const QString& text, Origin origin, const QString& detail,
                  const QString& recording, std::optional<double> moment) {
-    // Follows the newest line unless the reader has scrolled back.
+    // Scrolls to the newest line unless the user has scrolled back.
     const QScrollBar* bar = table_->verticalScrollBar();
     const bool follow = bar->value() == bar->maximum();
     model_->append(now_(), severity, text, origin, detail, recording, moment);
@@ -247,7 +247,7 @@ void LogTab::add(Severity severity, const QString& text, Origin origin, const QS
 void LogTab::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     if (follows_) {
-        // Once the page has its size.
+        // After the page has its size.
         QMetaObject::invokeMethod(table_, &QTableView::scrollToBottom, Qt::QueuedConnection);
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Log": what happened, newest below, with time and severity; repeats are merged. It can be filtered,
-// copied and written to a file.
+// The tab "Log": events with time and severity, newest at the bottom; repetitions are merged. The log can be
+// filtered, copied and saved to a file.
 
 #include <QDateTime>
 #include <QWidget>
@@ -35,43 +35,42 @@ public:
     ~LogTab() override;
 
     LogModel& model() { return *model_; }
-    /// Shows the log of a moment, its row selected, and says so: a recording's own, or for the history the rows of this
-    /// log. Nothing: live.
+    /// Shows the log of a recording or of a time in the history, with the row selected. Empty: live.
     void setReplay(const Replay& moment);
     /// For tests.
     void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }
-    /// The rows that are shown, one a line, fields separated by tabs.
+    /// The displayed rows, one per line, fields separated by tabs.
     QString shownText() const;
-    /// All rows, shown or not, one a line.
+    /// All rows, one per line.
     QString allText() const;
-    /// Writes all shown rows.
+    /// Writes all displayed rows.
     /// Errors  FileNotWritable, DiskFull
     Result<void> exportTo(const QString& path) const;
 
 public Q_SLOTS:
     void append(tiller::Severity severity, const QString& text,
                 tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
-    /// The same with the recording of an incident, which can be opened from its row.
+    /// As append(), with the recording of an incident, which can be opened from the row.
     void appendRecording(tiller::Severity severity, const QString& text, const QString& detail,
                          const QString& path);
-    /// The same with a moment of a recording [s], at which it is opened.
+    /// As append(), with a position in a recording [s], at which it is opened.
     void appendMoment(tiller::Severity severity, const QString& text, const QString& detail,
                       const QString& path, double seconds);
-    /// Asks for the recording of the current row to be opened; nothing happens when it has none.
+    /// Requests to open the recording of the current row, if any.
     void openRecording();
-    /// Copies the selected rows, or all that are shown when none is selected.
+    /// Copies the selected rows, or all displayed rows without a selection.
     void copy();
-    /// Asks for a file and writes the rows that are shown.
+    /// Asks for a file and writes the displayed rows.
     void exportToFile();
     void focusSearch();
-    /// Only rows of this severity and above.
+    /// Shows rows of this severity and above.
     void showFrom(tiller::Severity severity);
 
 Q_SIGNALS:
-    /// A row's recording is to be opened.
-    /// moment  where in it [s]; nothing: at its incident
+    /// The recording of a row should be opened.
+    /// moment  position in it [s]; empty: at its incident
     void recordingWanted(const QString& path, std::optional<double> moment);
-    /// From a replay back to what is live.
+    /// The user wants to return to live data.
     void liveWanted();
 
 protected:
@@ -91,8 +90,8 @@ private:
 
     std::function<QDateTime()> now_;
     LogModel* model_;
-    LogModel* replayModel_;  ///< the log of the recording that is replayed
-    std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< what is in it
+    LogModel* replayModel_;  ///< the log of the replayed recording
+    std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< its events
     bool replay_ = false;                                                    ///< it is shown
     LogFilter* filter_;
     ReplayBand* band_;
@@ -102,7 +101,7 @@ private:
     QTableView* table_;
     NothingFound* nothing_;
     QLabel* details_;
-    bool follows_ = true;  ///< the newest line was in sight when the page was left
+    bool follows_ = true;  ///< the newest line was visible when the page was left
 };
 
 }  // namespace tiller

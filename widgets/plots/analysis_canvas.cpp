@@ -12,12 +12,12 @@ namespace tiller {
 
 namespace {
 
-constexpr double kRoomLeft = 64;  // for the labels of the vertical axis [px]
+constexpr double kRoomLeft = 64;  // space for the labels of the vertical axis [px]
 constexpr double kRoomBelow = 36;
 constexpr double kRoomAround = 10;
-constexpr qsizetype kSmooth = 4000;  // more points than these are drawn without smoothing
+constexpr qsizetype kSmooth = 4000;  // with more points there is no antialiasing
 
-/// 1, 2 or 5 times a power of ten, so that at most so many fit.
+/// 1, 2 or 5 times a power of ten, so that at most this number of steps fits.
 double roundStep(double span, double most) {
     const double rough = span / std::max(most, 1.0);
     const double power = std::pow(10, std::floor(std::log10(rough)));

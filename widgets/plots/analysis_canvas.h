@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A line over two axes that are not time: a spectrum, or one signal over another. All points are kept: what is drawn
-// follows from their number, not from how many pixels there are.
+// A line plot without a time axis: a spectrum, or one signal over another. All points are drawn.
 
 #include <QPointF>
 #include <QVector>
@@ -15,14 +14,15 @@ class AnalysisCanvas : public QWidget {
 
 public:
     struct Axis {
-        QString title;  ///< "Frequency [Hz]"
+        QString title;  ///< e.g. "Frequency [Hz]"
         double low = 0;
         double high = 1;
     };
 
     explicit AnalysisCanvas(QWidget* parent = nullptr);
 
-    /// Scales both axes to the points. message  shown in their place when there are none
+    /// Scales both axes to the points.
+    /// message  shown instead if there are no points
     void show(const QVector<QPointF>& points, const QString& xTitle, const QString& yTitle,
               const QString& message);
     const QVector<QPointF>& points() const { return points_; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The numbers beside and under a plot. A chart's own axes lay the whole chart out anew for every label that comes or
-// goes, which a zoom does in each frame; here they are texts at places, and nothing else.
+// The axis labels of a plot. The axes of a chart would update the layout of the whole chart for every change of a
+// label, i.e. in each frame of a zoom; these labels are only texts at positions.
 
 #include <QColor>
 #include <QFont>
@@ -15,7 +15,7 @@ namespace tiller {
 class AxisLabels : public QGraphicsItem {
 public:
     struct Label {
-        QRectF box;  ///< in the chart's coordinates
+        QRectF box;  ///< in chart coordinates
         QString text;
         friend bool operator==(const Label&, const Label&) = default;
     };

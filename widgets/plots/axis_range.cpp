@@ -8,8 +8,8 @@ namespace tiller {
 
 namespace {
 
-constexpr double kEdge = 0.55;   // of a step, from the outermost grid line to the end of the scale
-constexpr double kReach = 0.35;  // of a step, how far a curve may go beyond that line
+constexpr double kEdge = 0.55;   // distance from the outermost grid line to the end of the scale, in steps
+constexpr double kReach = 0.35;  // permitted excess of a curve beyond that line, in steps
 
 double niceStep(double least) {
     const double decade = std::pow(10.0, std::floor(std::log10(least)));
@@ -34,10 +34,10 @@ AxisRange::AxisRange(double smallestStep) : smallestStep_(smallestStep) {
 AxisRange::Scale AxisRange::best(double low, double high) const {
     const double fewest = std::min(3, mostLines_) - 1;
     for (double step = niceStep(smallestStep_);; step = niceStep(step * 1.5)) {
-        // The outermost grid lines, in steps; a curve may reach a little beyond them.
+        // The outermost grid lines, in steps; a curve may exceed them slightly.
         double bottom = std::floor(low / step + kReach);
         double top = std::ceil(high / step - kReach);
-        // Zero is worth a line when it is near.
+        // Include zero if it is near.
         if (bottom > 0 && bottom <= 2) {
             bottom = 0;
         }
@@ -71,7 +71,7 @@ bool AxisRange::set(const Scale& scale) {
 }
 
 void AxisRange::zoom(double factor, double about) {
-    constexpr double kNarrowest = 0.01;  // in finest steps
+    constexpr double kNarrowest = 0.01;  // in minimum steps
     constexpr double kWidest = 1e4;
     const double span =
         std::clamp((max_ - min_) * factor, kNarrowest * smallestStep_, kWidest * smallestStep_);
@@ -96,7 +96,7 @@ bool AxisRange::fit(double low, double high, double seconds) {
         return false;
     }
     if (low < min_ || high > max_) {
-        // Grow, but do not let go of what is shown on the other side in the same moment.
+        // Grow without reducing the other side at the same time.
         return set(best(std::min(low, min_ + kEdge * step_), std::max(high, max_ - kEdge * step_)));
     }
     const Scale narrower = best(low, high);

@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A vertical scale that is calm: round steps, grows at once when a curve would leave it, shrinks only after
-// the curves have kept far inside for a while.
+// A vertical scale with few changes: round steps, immediate growth when a curve would exceed it, and reduction only
+// after the curves have needed less space for a while.
 
 namespace tiller {
 
 class AxisRange {
 public:
-    /// smallestStep  the finest distance of two grid lines; noise is never blown up beyond it
+    /// smallestStep  minimum distance of grid lines, so that noise is not enlarged further
     explicit AxisRange(double smallestStep);
 
     double min() const { return min_; }
     double max() const { return max_; }
-    double step() const { return step_; }  ///< between two grid lines; 1, 2 or 5 times a power of ten
+    double step() const { return step_; }  ///< distance of grid lines; 1, 2 or 5 times a power of ten
 
-    /// The curves reach from low to high now. Low > high: no curve, nothing changes.
-    /// seconds  passed since the last call; wide enough a scale for kPatience seconds is narrowed
-    /// Returns  true when the scale changed
+    /// Adapts the scale to curves from low to high. Low > high: no curve, no change.
+    /// seconds  since the last call; a scale that is too large for kPatience seconds is reduced
+    /// Returns  true if the scale changed
     bool fit(double low, double high, double seconds);
-    /// Takes the best scale for low ... high at once.
+    /// Sets the best scale for low ... high immediately.
     bool reset(double low, double high);
 
-    /// Comes nearer (factor < 1) to this value; the scale stays as it is from then on, whatever the curves do.
+    /// Zooms in (factor < 1) around this value; afterwards the scale is independent of the curves.
     void zoom(double factor, double about);
-    /// Shows low ... high, low < high, and stays.
+    /// Shows low ... high, low < high, independent of the curves.
     void hold(double low, double high);
     /// True between zoom() or hold() and release().
     bool isHeld() const { return held_; }
-    /// The curves decide again, with the next fit() or reset().
+    /// Adapts to the curves again, with the next fit() or reset().
     void release() { held_ = false; }
 
-    /// How many grid lines there is room for; 2 at least. Takes effect with the next change of the scale.
+    /// Maximum number of grid lines, at least 2. Takes effect at the next change of the scale.
     void setMostLines(int lines);
 
     static constexpr double kPatience = 3.0;  ///< [s]

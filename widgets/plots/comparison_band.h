@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The line under the plots of a recording that says whether its arm did what the model of it does: how far the comparison
-// is, or when they parted.
+// A band below the plots of a recording with the result of the comparison of arm and model: progress, or the time
+// of the first deviation.
 
 #include <QFrame>
 
@@ -16,12 +16,12 @@ class ComparisonBand : public QFrame {
     Q_OBJECT
 
 public:
-    /// What its first key is for.
+    /// Function of the first button.
     enum class Key { None, Cancel, GoThere };
 
     explicit ComparisonBand(QWidget* parent = nullptr);
 
-    /// parted  it is marked in the plots, by the same flag as here
+    /// parted  the deviation is marked in the plots with the same flag
     void tell(const QString& words, const QString& details, Key key, bool parted);
     QString words() const;
     QString details() const { return details_; }
@@ -29,7 +29,7 @@ public:
 Q_SIGNALS:
     void cancelWanted();
     void momentWanted();
-    /// With other limits, or another model.
+    /// The user wants other limits or another model.
     void comparisonWanted();
 
 protected:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Asks how a recording is to be compared with the model of its arm: which model, and how far they may be apart.
+// Dialog for the comparison of a recording with the model of its arm: model and limits.
 
 #include <QDialog>
 #include <optional>
@@ -19,7 +19,7 @@ class ComparisonDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// model  the one to begin with; nothing: one has to be chosen
+    /// model  initial selection; empty: the user has to select one
     ComparisonDialog(const divergence::Limits& limits, std::optional<RobotModelId> model,
                      QWidget* parent = nullptr);
 

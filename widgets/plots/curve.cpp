@@ -9,7 +9,7 @@ namespace tiller {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-/// So many columns before their turn their samples are sent for.
+/// Prefetch distance in columns.
 constexpr std::size_t kAhead = 12;
 constexpr std::int64_t kCoarse = 3;
 constexpr Curve::Column kEmptyColumn = {kNowhere, kNowhere, kNowhere, kNowhere};
@@ -27,7 +27,7 @@ void Curve::sample(const SeriesBuffer& history, int column, const ColumnGrid& gr
     if (grid.edges.empty()) {
         return;
     }
-    // One sample beyond each edge, so that the line goes on to it.
+    // One sample beyond each edge, so that the line continues to the edge.
     const std::int64_t begin = std::max(grid.edges.front() - 1, history.first());
     const std::int64_t end = std::min(grid.edges.back() + 1, history.end());
     if (end - begin <= grid.columns()) {
@@ -40,7 +40,7 @@ void Curve::sample(const SeriesBuffer& history, int column, const ColumnGrid& gr
 void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const ColumnGrid& grid) {
     fetchEnvelope(history, column, grid);
     const std::size_t none = envelope_.size();
-    std::size_t last = none;  // the column before that has values
+    std::size_t last = none;  // previous column with values
     bool gap = false;
     for (std::size_t i = 0; i < envelope_.size(); ++i) {
         gap = gap || grid.gapBefore[i] != 0;
@@ -64,7 +64,7 @@ void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const Column
 }
 
 void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnGrid& grid) {
-    // Columns lie on a raster of time: while the curve moves, most of them hold the samples they held before.
+    // Columns are on a time raster: while the curve moves, most of them contain the same samples as before.
     const double shift = (grid.start - cachedStart_) / grid.width;
     const bool sameRaster = grid.width == cachedWidth_ && std::abs(shift - std::round(shift)) < 1e-3 &&
                             std::abs(shift) < static_cast<double>(cachedEdges_.size()) &&
@@ -73,9 +73,9 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
     const auto known = sameRaster ? static_cast<std::int64_t>(envelope_.size()) : 0;
     fresh_.resize(static_cast<std::size_t>(grid.columns()));
     edges_ = grid.edges;
-    // A column of so many samples begins where a summary does: its samples themselves, or the finer summaries, need not be
-    // looked at, which lie all over the memory. Each sample is still in one column, and at most a kCoarse-th of it from its
-    // place.
+    // Align the start of wide columns to summaries, so that the finer summaries or samples, which are scattered in
+    // memory, are not needed. Each sample is still in exactly one column, displaced by at most 1/kCoarse of its
+    // width.
     std::int64_t summary = 1;
     for (const std::int64_t rows : {SeriesColumn::kSummary, SeriesColumn::kCoarseSummary}) {
         const bool isFar = grid.edges.back() - grid.edges.front() > kCoarse * rows * grid.columns();
@@ -102,8 +102,8 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
 }
 
 void Curve::samplePoints(const SeriesBuffer& history, int column, std::int64_t begin, std::int64_t end) {
-    // Places are counted on the raster of time, whose numbers are whole: a sample's place in its column stays the
-    // same to the last bit while the view moves.
+    // Positions relative to the integer time raster: the position of a sample in its column remains exactly equal
+    // while the view moves.
     const auto origin = static_cast<double>(raster_);
     bool any = false;
     bool gap = false;
@@ -173,10 +173,10 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         std::fill(drawn.begin(), drawn.end(), std::uint8_t{1});
         return;
     }
-    // Counted from the origin of time, so that the dashes stay on the curve while it moves.
+    // Relative to the origin of time, so that the dashes move with the curve.
     double place = std::fmod(static_cast<double>(raster_), dashLength_);
     place = place < 0 ? place + dashLength_ : place;
-    constexpr double kRounding = 1e-6;  // of what is counted up
+    constexpr double kRounding = 1e-6;  // of the accumulated value
     for (std::uint8_t& each : drawn) {
         double rest = place + kRounding;
         std::size_t piece = 0;
@@ -187,7 +187,7 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         place += 1;
         place = place + kRounding >= dashLength_ ? std::max(0.0, place - dashLength_) : place;
     }
-    // Between two dashes the eye puts what lies between their ends, and nothing else: what goes further is drawn.
+    // The eye interpolates between two dashes; values outside of their ends are drawn.
     const std::size_t count = std::min(drawn.size(), columns_.size());
     for (std::size_t i = 0; i < count;) {
         if (drawn[i] != 0) {
@@ -198,10 +198,11 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         while (i < count && drawn[i] == 0) {
             ++i;
         }
-        // A dash that ends in a spike itself does not hide another one: the quieter end says how thick the curve is.
+        // A dash that ends in a spike does not hide another one: the smaller end counts.
         MinMax ends;
         double half = std::numeric_limits<double>::infinity();
-        for (const std::size_t end : {begin - 1, i}) {  // before the first column: beyond the last
+        for (const std::size_t end :
+             {begin - 1, i}) {  // before the first column: wraps around to an invalid index
             if (end < count && !columns_[end].isEmpty()) {
                 ends.add((columns_[end].low + columns_[end].high) / 2);
                 half = std::min(half, (columns_[end].high - columns_[end].low) / 2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One curve, as what it covers in every pixel column: the stretch from its minimum to its maximum, joined to the
-// neighbours, however long the history. CurveSheet turns the columns into pixels.
+// One curve, represented by its extent in every pixel column: from minimum to maximum, connected to the neighbours,
+// independent of the length of the history. CurveSheet renders the columns.
 
 #include <QPainterPath>
 #include <QPen>
@@ -17,10 +17,10 @@ namespace tiller {
 
 class Curve {
 public:
-    /// What the curve covers in one pixel column, in its own unit. NaN in `left`: nothing.
+    /// Extent of the curve in one pixel column, in its own unit. NaN in `left`: no data.
     struct Column {
-        double left, right;  ///< where it enters and leaves the column
-        double low, high;    ///< how far it goes in between
+        double left, right;  ///< values at the left and right edge of the column
+        double low, high;    ///< minimum and maximum in between
 
         bool isEmpty() const { return std::isnan(left); }
         friend bool operator==(const Column& a, const Column& b) {
@@ -32,33 +32,32 @@ public:
     explicit Curve(int signal) : signal_(signal) {}
 
     int signal() const { return signal_; }
-    /// Colour, width and dash pattern; dashes run along the time axis and move with the curve.
+    /// Colour, width and dash pattern; dashes are along the time axis and move with the curve.
     void setPen(const QPen& pen);
     const QPen& pen() const { return pen_; }
     void setVisible(bool visible) { visible_ = visible; }
     bool isVisible() const { return visible_; }
-    /// What is taken off before it is drawn.
+    /// Subtracted before drawing.
     void setOffset(double offset) { offset_ = offset; }
     double offset() const { return offset_; }
 
-    /// Fetches what the columns of this grid show. Always from the same column of the same history.
+    /// Reads the data of the columns of this grid. Always from the same column of the same history.
     void sample(const SeriesBuffer& history, int column, const ColumnGrid& grid);
-    /// Smallest and largest value fetched.
+    /// Minimum and maximum of the data read.
     const MinMax& range() const { return range_; }
     const std::vector<Column>& columns() const { return columns_; }
-    /// Number of the first column on the raster of time: columns of the same width and number are the same
-    /// stretch.
+    /// Number of the first column on the time raster: columns with the same width and number cover the same time.
     std::int64_t raster() const { return raster_; }
     double columnWidth() const { return width_; }
-    /// This column shows something else than it did before the last sample(), or was not there.
+    /// True if this column has changed since the last sample(), or is new.
     bool hasChanged(std::size_t column) const;
-    /// Of each column, whether it is drawn: where the pen's dashes draw, and where the curve goes beyond the dashes
-    /// beside it, so that no spike falls between two of them.
-    /// drawn   one for each column; 0: it is not
-    /// beyond  by so much, in the curve's own unit
+    /// Determines for each column whether it is drawn: in the dashes of the pen, and where the curve exceeds the
+    /// adjacent dashes, so that no spike is hidden between them.
+    /// drawn   one entry per column; 0: not drawn
+    /// beyond  minimum excess, in the unit of the curve
     void findDrawn(std::span<std::uint8_t> drawn, double beyond) const;
 
-    /// As lines, for files that keep lines.
+    /// As a path, for vector formats.
     QPainterPath path(const QRectF& area, double t0, double t1, double y0, double y1) const;
 
 private:
@@ -69,8 +68,8 @@ private:
 
     int signal_;
     QPen pen_;
-    std::vector<double> dashes_;  // of the pen, in columns: drawn and left out in turn
-    double dashLength_ = 0;       // all of them
+    std::vector<double> dashes_;  // of the pen, in columns: alternately drawn and not drawn
+    double dashLength_ = 0;       // total
     bool visible_ = true;
     double offset_ = 0;
     std::vector<MinMax> envelope_;  // of the columns with cachedEdges_
@@ -83,7 +82,7 @@ private:
     std::vector<Column> columns_;
     std::int64_t raster_ = 0;
     double width_ = 0;
-    std::vector<Column> before_;  // columns_ of the sample() before
+    std::vector<Column> before_;  // columns_ of the previous sample()
     std::int64_t rasterBefore_ = 0;
     double widthBefore_ = 0;
     MinMax range_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How the curves of one plot look: told by their colours, and from the fifth on by their dashes too.
+// Appearance of the curves of a plot: distinguished by colour, and from the fifth on also by dashes.
 
 #include <QPen>
 #include <vector>
@@ -11,8 +11,7 @@ namespace tiller {
 class SignalStore;
 struct Theme;
 
-/// Cosmetic pens, one for each signal: the colours of the axes where all are x, y or z of one thing, those of curves
-/// otherwise.
+/// Cosmetic pens, one per signal: the axis colours if all are x, y or z of one quantity, otherwise curve colours.
 std::vector<QPen> curvePens(const SignalStore& store, const std::vector<int>& shown, const Theme& theme);
 /// What each is called in the legend: "Base" among joint currents alone, "I Base" beside others.
 QString curveLabel(const SignalStore& store, const std::vector<int>& shown, int signal);

@@ -16,15 +16,14 @@ namespace tiller {
 namespace {
 
 constexpr int kOpaque = 255;
-/// A column that covers so many times what it slants is drawn as a bar.
+/// A column whose extent is this multiple of its slope is drawn as a bar.
 constexpr double kBand = 2;
-/// Where a curve rises or falls by more than this in many of its columns, it goes up and down within a few of them: it is
-/// drawn as bars without slanting ends.
+/// A curve with larger changes in many of its columns is drawn as bars without slanted ends.
 constexpr double kSteep = 6;  // [px]
 constexpr std::size_t kDenseShare = 4;
-/// What goes so far beyond the dashes beside it is drawn between them.
+/// An excess beyond the adjacent dashes of more than this is drawn between them.
 constexpr double kSpike = 3;  // [px]
-/// Columns that are painted together.
+/// Number of columns painted together.
 constexpr std::size_t kBlock = 16;
 
 /// Colour times coverage, premultiplied, for 0 ... 255.
@@ -39,7 +38,7 @@ std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
 
 /// Premultiplied `above` over `below`.
 QRgb over(QRgb above, QRgb below) {
-    // Two channels at a time, each with sixteen bits to itself.
+    // Two channels at a time, each in sixteen bits.
     constexpr QRgb kTwo = 0x00FF00FF;
     constexpr QRgb kHalf = 0x00800080;
     const auto rest = static_cast<QRgb>(kOpaque - qAlpha(above));
@@ -60,7 +59,7 @@ void fill(QRgb* pixel, int count, QRgb color) {
     std::fill_n(pixel, count, color);
 }
 
-/// Four columns of four pixels become four rows. Columns and rows are so many pixels from one to the next.
+/// Transposes four columns of four pixels to four rows. Columns and rows have constant strides.
 void transposeFour(const QRgb* columns, std::ptrdiff_t columnPitch, QRgb* rows, std::ptrdiff_t rowPitch) {
 #ifdef __SSE2__
     const auto load = [&](int i) {
@@ -117,7 +116,7 @@ void CurveSheet::setView(const QRectF& area, double t0, double t1, double y0, do
         update();
         return;
     }
-    // In columns of the grid from here on: they are device pixels, and rows are made as high as they are wide.
+    // Units are columns of the grid from here on: they are device pixels, and rows have the same size.
     const double width = (*found)->columnWidth();
     const double pitch = width * area_.width() / (t1_ - t0_);
     Painted now{width,
@@ -130,7 +129,8 @@ void CurveSheet::setView(const QRectF& area, double t0, double t1, double y0, do
     }
     const std::int64_t raster = (*found)->raster();
     const bool keeps = painted_ == now && std::abs(raster - raster_) < static_cast<std::int64_t>(columns);
-    // Lines of an odd number of cache lines: a column's pixels then do not push each other out of the cache.
+    // Strides of an odd number of cache lines, so that the pixels of a column do not evict each other from the
+    // cache.
     constexpr int kCacheLine = 16;  // pixels
     const int lines = (now.size.width() + kCacheLine - 1) / kCacheLine;
     if (const QSize wide((lines | 1) * kCacheLine, now.size.height()); ring_.size() != wide) {
@@ -179,8 +179,8 @@ void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pi
     for (std::size_t c = 0; c < drawn.size(); ++c) {
         drawn[c]->findDrawn(std::span(dashes).subspan(c * wanted.size(), wanted.size()), kSpike / perUnit);
     }
-    // All curves of some columns before the next ones, and each column from its top to its bottom: what they cover
-    // stays in the cache and lies side by side. Only then it is turned into the rows of the picture.
+    // All curves of some columns before the next columns, each from top to bottom, for locality in the cache. The
+    // result is then transposed to the rows of the image.
     for (std::size_t begin = 0; begin < wanted.size(); begin += kBlock) {
         const std::size_t end = std::min(begin + kBlock, wanted.size());
         if (std::none_of(&wanted[begin], &wanted[begin] + (end - begin),
@@ -202,7 +202,7 @@ void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pi
 }
 
 std::ptrdiff_t CurveSheet::blockPitch() const {
-    // Whole groups of four rows; and columns do not push each other out of the cache.
+    // Whole groups of four rows; and columns do not evict each other from the cache.
     return ((ring_.height() + 3) / 4 | 1) * std::ptrdiff_t{4};
 }
 
@@ -233,24 +233,24 @@ void CurveSheet::keepBlock(std::span<const std::uint8_t> wanted, std::size_t fir
 
 void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit, double bottom, bool isDense,
                              const QRgb* shades, QRgb* pixels) const {
-    // A slanted stroke through the column, as thick as the pen and as what the curve does besides
-    // slanting; how much of a pixel it covers follows from where its two edges cross the column.
+    // A slanted line through the column, with the thickness of the pen plus the extent of the curve. The coverage
+    // of a pixel follows from the intersections of its two edges with the column.
     const Curve::Column& column = curve.columns()[at];
     const double half = curve.pen().widthF() / 2;
     const double zero = bottom + (y0_ + curve.offset()) * perUnit;
     const auto rowOf = [&](double value) { return zero - value * perUnit; };
     const double slant = std::abs(column.right - column.left) * perUnit;
     const double extent = (column.high - column.low) * perUnit;
-    // Where a column is mostly noise its ends are level: nobody sees that they slant, and all the rows over which they
-    // would have to be worked out one by one. The extent is the same to the last spike.
+    // In columns that are mostly noise, slanted ends are not visible; horizontal ends save computing each row. The
+    // extent is unchanged.
     const bool isBand = isDense || extent > kBand * slant;
     const double thickness =
         isBand ? half + extent / 2 : half * std::sqrt(1 + slant * slant) + std::max(0.0, extent - slant) / 2;
-    // The stroke's middle is that of its extent, unless it only slants.
+    // The line is centred on the extent, unless it only slants.
     const double middle = (rowOf(column.low) + rowOf(column.high)) / 2;
     const double ramp = isBand ? 1.0 : std::max(slant, 1.0);
     const auto rows = static_cast<double>(ring_.height());
-    // Of what is not below zero, the part before the point is the floor: no call for it.
+    // For non-negative values truncation equals floor, without a function call.
     const auto floorRow = [rows](double y) { return static_cast<int>(std::min(std::max(y, 0.0), rows)); };
     const auto ceilRow = [rows](double y) {
         const double inside = std::min(std::max(y, 0.0), rows);
@@ -259,12 +259,12 @@ void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit,
     };
     const int from = floorRow(middle - ramp / 2 - thickness);
     const int to = ceilRow(middle + ramp / 2 + thickness + 1);
-    // Rows wholly covered need no arithmetic: most of them where the signal is noisy.
+    // Fully covered rows need no arithmetic; these are most rows of a noisy signal.
     const int fullFrom = std::clamp(ceilRow(middle + ramp / 2 - thickness), from, to);
     const int fullTo = std::clamp(floorRow(middle - ramp / 2 + thickness), fullFrom, to);
-    // How much of a row is covered is linear in its number: it is counted up, in parts of 65536.
+    // The coverage of a row is linear in its number: computed incrementally, in units of 1/65536.
     constexpr int kWhole = 1 << 16;
-    constexpr double kFar = 20000;  // beyond any row, and counted up from there still a number
+    constexpr double kFar = 20000;  // beyond any row, without overflow of the incremental value
     const double perRow = 1 / ramp;
     const auto step = static_cast<int>(kWhole * perRow);
     const auto passed = [&](double edge, int y) {
@@ -296,7 +296,7 @@ void CurveSheet::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     painter->setClipRect(area_, Qt::IntersectClip);
     const QPaintEngine::Type device = painter->paintEngine()->type();
     if (device == QPaintEngine::SVG || device == QPaintEngine::Pdf) {
-        // There is time for Qt's stroker.
+        // Not time-critical: use Qt's stroker.
         painter->setBrush(Qt::NoBrush);
         for (const auto& curve : curves_) {
             if (curve->isVisible()) {
@@ -306,11 +306,11 @@ void CurveSheet::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
         }
         return;
     }
-    // Whole pixels only: resampling would blur the curve and make it shimmer while it moves.
+    // Whole pixels only: resampling would blur the curve and make it flicker during motion.
     double pitch = painted_.columnWidth * area_.width() / (t1_ - t0_);
     constexpr double kRounding = 1e-6;
     if (std::abs(pitch - 1) < kRounding) {
-        pitch = 1;  // a picture of its own size is copied, any other one is stretched
+        pitch = 1;  // an unscaled image is copied, others are stretched
     }
     const double x =
         std::round(static_cast<double>(raster_) - t0_ / painted_.columnWidth) * pitch + area_.left();

@@ -22,12 +22,12 @@ namespace tiller {
 
 namespace {
 
-constexpr int kAnalyseAfter = 120;  // [ms] behind the last change
+constexpr int kAnalyseAfter = 120;  // [ms] after the last change
 constexpr std::int64_t kMostSamples = 2'000'000;
 constexpr std::int64_t kMostPoints = 50'000;  // of one signal over another
 constexpr int kLeastLetters = 8;              // of a signal's name
 constexpr int kSecondDigits = 3;
-/// More samples than these are worked on elsewhere.
+/// With more samples, the worker is used.
 constexpr std::int64_t kOnTheSpot = 65'536;
 
 }  // namespace
@@ -44,7 +44,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     setObjectName(QStringLiteral("plots.analysis"));
     setAccessibleName(tr("Spectrum and XY"));
     kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Type of analysis"));
-    // What it shows or hides beside it makes way for it: it must not go from under the pointer.
+    // Elements shown or hidden next to it must not move it from under the pointer.
     kind_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     y_->setObjectName(QStringLiteral("plots.analysis.signal"));
     y_->setAccessibleName(tr("Signal"));
@@ -148,7 +148,7 @@ void PlotAnalysis::fillChoices() {
             box->addItem(nameOf(signal), signal);
         }
         const int first = box->findData(before);
-        // The signal that the cursors read, over the one before it.
+        // The signal read by the cursors over the previous one.
         const int read = box->findData(view_->readoutSignal());
         box->setCurrentIndex(first >= 0 && before.isValid() ? first : box == y_ ? std::max(read, 0) : 0);
     }
@@ -173,7 +173,7 @@ void PlotAnalysis::fill() {
     if (task) {
         run(*task);
     } else {
-        cancel();  // what is said stands for this range, not for the one before
+        cancel();  // the displayed result is for this range
     }
 }
 
@@ -235,7 +235,7 @@ void PlotAnalysis::run(const Task& task) {
         return;
     }
     if (task_ && !outcome_ && task_->kind == task.kind && task_->wanted == task.wanted) {
-        again_ = true;  // a range that moves on is quicker than this: one after the other
+        again_ = true;  // the range moves faster than the computation: run once more afterwards
         return;
     }
     const bool goesOn = task_ && outcome_ && !outcome_->points.isEmpty() && task_->kind == task.kind &&
@@ -260,7 +260,7 @@ void PlotAnalysis::run(const Task& task) {
 void PlotAnalysis::cancel() {
     cancel_.cancel();
     cancel_ = {};
-    worker_.cancelAll();  // what waits, too
+    worker_.cancelAll();  // including waiting jobs
     task_.reset();
     outcome_.reset();
     again_ = false;
@@ -350,7 +350,7 @@ PlotAnalysis::Outcome PlotAnalysis::compute(const Task& task, const Columns& col
     outcome.segment = spectrum->segment;
     outcome.segments = spectrum->segments;
     outcome.resolution = spectrum->resolution;
-    // Without the line of 0 Hz, which is the mean and dwarfs the others.
+    // Without the line of 0 Hz, which is the mean and much larger than the others.
     for (std::size_t i = 1; i < spectrum->amplitude.size(); ++i) {
         outcome.points.append({static_cast<double>(i) * spectrum->resolution, spectrum->amplitude[i]});
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Under the plots: how strong each frequency is in a signal, or one signal over another. Of the range between the
-// cursors, or, without them, of all that is shown.
+// Analysis below the plots: spectrum of a signal, or one signal over another, for the range between the cursors or,
+// without cursors, for the displayed range.
 
 #include <QPointF>
 #include <QTimer>
@@ -34,11 +34,11 @@ public:
 
     explicit PlotAnalysis(const SignalStore& store, QWidget* parent = nullptr);
 
-    /// The view, its range or its cursors are others; null: there is none any more.
+    /// The view, its range or its cursors have changed; null: no view.
     void follow(const PlotView* view);
     void setKind(Kind kind);
     Kind kind() const;
-    /// "Fz · Hann window of 4 096 samples · 0.122 Hz a line · mean of 5 · 12.000 … 42.000 s"
+    /// e.g. "Fz · Hann window of 4 096 samples · 0.122 Hz a line · mean of 5 · 12.000 … 42.000 s"
     QString title() const;
     const AnalysisCanvas& canvas() const { return *canvas_; }
 
@@ -50,13 +50,13 @@ private:
         double from = 0;
         double to = 0;
     };
-    /// What is computed, of which samples.
+    /// A computation with its samples.
     struct Task {
         Kind kind = Kind::Spectrum;
-        std::vector<int> wanted;  ///< signals; of XY the one along the axis first
-        std::int64_t begin = 0;   ///< samples of the first one's history
+        std::vector<int> wanted;  ///< signals; for XY the one along the horizontal axis first
+        std::int64_t begin = 0;   ///< samples of the history of the first one
         std::int64_t end = 0;
-        std::int64_t every = 1;  ///< one in so many
+        std::int64_t every = 1;  ///< step between used samples
         Range range;             ///< [s]
         double period = 0;       ///< [s]
 
@@ -66,24 +66,24 @@ private:
     };
     struct Outcome {
         QVector<QPointF> points;
-        QString message;  ///< why there are none
+        QString message;  ///< reason for a missing result
         int segment = 0, segments = 0;
         double resolution = 0;
     };
-    using Columns = std::vector<std::vector<double>>;  ///< one for each signal
+    using Columns = std::vector<std::vector<double>>;  ///< one per signal
     static Outcome compute(const Task& task, const Columns& columns);
     void fill();
     void fillChoices();
     std::optional<Task> taskFor(Kind kind, const std::vector<int>& wanted);
-    /// What there is of it, or how far it is; begins it where it is another one than before.
+    /// Displays the result or its progress; starts the task if it has changed.
     void run(const Task& task);
-    /// goesOn  what is shown is of the same, and stays until then
+    /// goesOn  the displayed result is of the same task, and remains until the new one
     void readAndCompute(const Task& task, bool goesOn);
     void finish(const Task& task, const Outcome& outcome);
     void present(const Task& task, const Outcome& outcome);
     void tellWhyNot(const QString& message);
     Columns gather(const Task& task) const;
-    /// It lies in a file, and is not read on the spot.
+    /// The data are in a file and have to be read by the worker.
     bool isFar(const Task& task) const;
     void cancel();
     Range range() const;
@@ -98,11 +98,11 @@ private:
     QLabel* title_;
     AnalysisCanvas* canvas_;
     QTimer soon_;
-    std::optional<Task> task_;        ///< that was begun last
-    std::optional<Outcome> outcome_;  ///< of it; nothing: it is under way
-    bool again_ = false;              ///< something else is wanted once it has ended
-    CancelToken cancel_;              ///< of what is under way
-    SessionWorker worker_;            ///< last: its jobs end before the rest
+    std::optional<Task> task_;        ///< task started last
+    std::optional<Outcome> outcome_;  ///< its result; empty: in progress
+    bool again_ = false;              ///< another task has to be started after its end
+    CancelToken cancel_;              ///< of the current task
+    SessionWorker worker_;            ///< last member: its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

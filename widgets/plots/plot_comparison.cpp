@@ -90,7 +90,7 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
         divergence::Choice choice;
         choice.limits = limits_;
         choice.model = model;
-        // The file is opened once more: the plots read theirs meanwhile.
+        // A separate instance of the file, because the plots use theirs.
         worker_.post(this, [this, recording, choice, cancel, number = entry.run,
                             path = file->path()](const CancelToken& ending) {
             auto mine = choice;
@@ -140,7 +140,7 @@ void PlotComparison::finish(const QString& recording, std::uint64_t run,
     if (entry == entries_.end() || entry->run != run || file == nullptr) {
         return;
     }
-    // Whoever cancelled it wants no more of it, even if it was quicker.
+    // The result of a cancelled comparison is discarded.
     const Error none = entry->cancel.isCancelled() ? Error{ErrorCode::Cancelled, {}, {}}
                        : result                    ? Error{}
                                                    : result.error();

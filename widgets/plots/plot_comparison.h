@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether the arm of an opened recording did what the model of it does: compares them elsewhere, marks the first instant
-// at which they part, and says so under the plots and in the recording's log.
+// Compares the arm of an opened recording with its model in the background, marks the first deviation, and reports
+// it below the plots and in the log of the recording.
 
 #include <QHash>
 #include <QObject>
@@ -29,7 +29,7 @@ class PlotComparison : public QObject {
     Q_OBJECT
 
 public:
-    /// What it shows itself in; all of them must outlive it.
+    /// Widgets that display the result; all of them must outlive the object.
     struct Place {
         SignalStore& store;
         PlotPages& pages;
@@ -44,28 +44,28 @@ public:
     const divergence::Limits& limits() const { return limits_; }
     void setLimits(const divergence::Limits& limits) { limits_ = limits; }
 
-    /// Compares an opened recording, with the model that it names, or that of the robot it is of while that is connected.
+    /// Compares an opened recording with the model stated in it, or with that of its robot while it is connected.
     void begin(const QString& recording);
-    /// The same, as the operator wants it: asks for model and limits.
+    /// Asks the user for model and limits, then compares.
     void ask(const QString& recording);
     void cancel(const QString& recording);
-    /// No recording is open any more.
+    /// All recordings were closed.
     void forgetAll();
-    /// Puts cursor A on the first instant at which arm and model of the page in front part.
+    /// Moves cursor A to the first deviation of the page in front.
     void goThere();
-    /// What there is to say of the page in front; empty: nothing.
+    /// The text for the page in front; empty: none.
     QString words() const;
-    /// Another page is in front, or it shows something else.
+    /// The page in front, or its content, has changed.
     void follow();
-    /// The recording of the page in front; empty: it shows none.
+    /// The recording of the page in front; empty: none.
     QString recordingInFront() const;
 
 Q_SIGNALS:
-    /// Arm and model of this file part: told once, however often it is opened.
-    /// seconds  on the recording's time axis
+    /// Arm and model deviate in this file: emitted once per file.
+    /// seconds  on the time axis of the recording
     void parted(const QString& text, const QString& details, const QString& path, double seconds);
     void limitsChanged();
-    /// The band is there, or gone: it takes room from the plots.
+    /// The band was shown or hidden, which changes the space for the plots.
     void bandChanged();
 
 private:
@@ -73,9 +73,9 @@ private:
     struct Entry {
         State state = State::Running;
         std::uint64_t run = 0;
-        double done = 0;  ///< part of it
+        double done = 0;  ///< completed fraction
         CancelToken cancel;
-        std::optional<RobotModelId> model;  ///< nothing: nobody knows
+        std::optional<RobotModelId> model;  ///< empty: unknown
         divergence::Report report;
         QString problem;
     };
@@ -89,8 +89,8 @@ private:
     divergence::Limits limits_;
     QHash<QString, Entry> entries_;
     std::uint64_t runs_ = 0;
-    QSet<QString> told_;    ///< of these files, what
-    SessionWorker worker_;  ///< last: its jobs end before the rest
+    QSet<QString> told_;    ///< files that were reported
+    SessionWorker worker_;  ///< last member: its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

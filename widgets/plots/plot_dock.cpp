@@ -84,8 +84,8 @@ QToolButton* quietButton(const QString& name, const QString& accessibleName, QWi
     return button;
 }
 
-/// Changes the text only when it differs: setting it lays out the title bar anew.
-/// As wide as the widest text it will ever have: what stands beside it keeps its place under the pointer.
+/// Changes the text only if it differs, because this updates the layout of the title bar. The width is that of the
+/// longest text, so that adjacent elements do not move.
 void keepWidth(QToolButton* key, const QStringList& texts) {
     const QString now = key->text();
     int width = 0;
@@ -97,14 +97,14 @@ void keepWidth(QToolButton* key, const QStringList& texts) {
     key->setFixedWidth(width);
 }
 
-/// What a table's time is called in recordings of all kinds.
+/// Names of the time column in recordings.
 bool isTime(const QString& column) {
     static const QStringList kNames{QStringLiteral("timestamp"), QStringLiteral("time"),
                                     QStringLiteral("seconds"), QStringLiteral("t")};
     return kNames.contains(column, Qt::CaseInsensitive);
 }
 
-/// All that is shown on the page in front, plot by plot, then the lanes.
+/// All signals of the page in front, plot by plot, then the lanes.
 std::vector<int> shownInOrder(const SignalStore& store, const PlotPages& pages) {
     std::vector<int> all;
     const PageLayout page = pages.view().page();
@@ -236,7 +236,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     sayWhatIsShown();
     connect(&session_, &RobotSession::linkBegan, this, [this] {
         feed_->beginLink();
-        pages_->clearZero();  // another robot, another tool
+        pages_->clearZero();  // another robot or tool
     });
     connect(&session_, &RobotSession::samplesReceived, this, &PlotDock::take);
     connect(&session_, &RobotSession::stateChanged, this, &PlotDock::onState);
@@ -245,7 +245,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
 
 PlotDock::~PlotDock() {
     comparison_.reset();
-    // The views let go of their signals: before the store goes.
+    // The views must release their signals before the store is destroyed.
     delete content();
 }
 
@@ -298,12 +298,13 @@ void PlotDock::setSignalsShown(bool shown) {
 void PlotDock::setValuesShown(bool shown) {
     values_->follow(view());
     values_->setVisible(shown);
-    // The plots make way for the table: a panel as low as it can be would grow, and the key go from under the pointer.
+    // The plots shrink for the table: otherwise a panel of minimum height would grow and move the button from under
+    // the pointer.
     auto* beneath = static_cast<QSplitter*>(values_->parentWidget());
     const int table = values_->minimumSizeHint().height();
     makeWay();
     if (shown && analysis_->isHidden() && beneath->height() < pages_->sizeHint().height()) {
-        // Where room is short the plots have what the table can do without.
+        // With little space, the plots have priority over the table.
         beneath->setSizes({beneath->height() - table - beneath->handleWidth(), table, 0});
     }
     valuesKey_->setChecked(shown);
@@ -368,7 +369,7 @@ QString PlotDock::historyText() const {
 void PlotDock::buildPagesMenu() {
     QMenu* menu = pagesKey_->menu();
     menu->clear();
-    // These have keys of their own where the title bar has room for them.
+    // These have buttons in the title bar if there is space.
     const auto addSwitch = [this, menu](const char* name, const QString& text, bool on,
                                         void (PlotDock::*set)(bool)) {
         QAction* action = menu->addAction(text);
@@ -481,7 +482,7 @@ void PlotDock::openRecording(const QString& path, std::optional<double> at) {
 }
 
 bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {
-    // Only an incident's file stays what it was: another one may have been recorded anew.
+    // Only the files of incidents are immutable: others may have been recorded again.
     for (auto known = incidents_.constBegin(); known != incidents_.constEnd(); ++known) {
         const recording::Recording* file = store_->recorded(known.key());
         if (file != nullptr && file->path() == path) {
@@ -515,7 +516,7 @@ double PlotDock::placeOf(const recording::Recording& file, double length,
 }
 
 PageLayout PlotDock::pageFor(const QString& recording) const {
-    // The standard plots of it where it has them, or else what comes first.
+    // Its standard plots if available, otherwise the first columns.
     PageLayout page;
     page.name = recording;
     const QVector<PaneLayout> standard = PageLayout::standard().panes;
@@ -697,7 +698,7 @@ void PlotDock::buildHeader() {
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     readout_->setProperty("role", QStringLiteral("secondary"));
     readout_->setElideMode(Qt::ElideRight);
-    readout_->setMinimumWidth(kLeastReadout);  // with a text or without: the keys keep their place
+    readout_->setMinimumWidth(kLeastReadout);  // with and without text: the buttons do not move
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. "
            "Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors."));
@@ -827,7 +828,7 @@ void PlotDock::followLane(const SessionState& state) {
         lane_->add(std::exchange(backAt_, {}).value_or(shown), entry.kind, entry.label);
         lane_->add(shown, entry.kind, entry.label);
     } else if (state.link == LinkState::Lost && state.sequence != 0) {
-        // What the robot did last ended with its last word; the time goes on without it.
+        // The last state ended with its last sample; the time continues.
         const LaneEntry none = noDataEntry();
         lane_->add(shown, none.kind, none.label);
         lane_->add(shown + state.quality.ageMs / 1e3, none.kind, none.label);
@@ -916,7 +917,7 @@ QString PlotDock::recordingText(const RecordingState& recording) {
 
 void PlotDock::styleHeader() {
     const Theme& theme = Theme::current();
-    // Quieter than keys: these controls stand in a title bar. Red only while it records.
+    // Less prominent than buttons: these controls are in a title bar. Red only while recording.
     const QString sheet =
         QStringLiteral(
             "QToolButton { color: %1; font-size: 13px; padding: 0 2px; min-height: %7px; }"
@@ -942,7 +943,7 @@ void PlotDock::styleHeader() {
     }
     keepWidth(span_, spans);
     keepWidth(pause_, {tr("Pause"), tr("Resume")});
-    // Written bold while it records.
+    // Bold while recording.
     constexpr int kPadding = 8;
     const QFontMetrics bold(textFont(13, QFont::Bold));
     record_->setFixedWidth(bold.horizontalAdvance(tr("● REC %1").arg(format::duration(0))) + kPadding);

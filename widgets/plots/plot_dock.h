@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The panel "Plots": the list of signals at its left, pages of plots, what the robot did in a lane underneath, and the
-// controls in its title bar. It takes from the session, once a frame, every sample since the last one and the state.
+// The panel "Plots": list of signals at the left, pages of plots, a lane with the robot state below, and the
+// controls in the title bar. Once per frame, it takes the state and all new samples from the session.
 
 #include <QByteArray>
 #include <QHash>
@@ -56,82 +56,82 @@ public:
     const SeriesBuffer& history() const;
     const StateLane& lane() const { return *lane_; }
 
-    /// What "Record" makes: holds for the next recording.
+    /// Content of a recording started by "Record", from the next one on.
     void setRecordingChoice(const RecordingChoice& choice);
     const RecordingChoice& recordingChoice() const { return choice_; }
 
-    /// Shown range as CSV, columns named as in recordings, or as a picture (.png, .svg, .pdf).
+    /// The displayed range as CSV, with column names as in recordings, or as an image (.png, .svg, .pdf).
     Result<void> exportCsv(const QString& path) const;
     Result<void> exportPicture(const QString& path) const;
-    /// By the ending of the name; tells the operator how it went.
+    /// By the file extension; shows the result to the user.
     bool exportTo(const QString& path);
 
-    /// Opens a recording of any format on a page of its own, beside what is live: it ends where the history does, or
-    /// begins at the cursor A where there is one. That of an incident stands where it happened if the history of its
-    /// robot still reaches there, with the cursor A at the moment of the stop. Reads the file elsewhere; tells the
-    /// operator how it went.
-    /// moment  on the recording's time axis [s], for the cursor A; nothing: as said
+    /// Opens a recording of any format on a separate page next to the live data: it ends at the end of the history,
+    /// or begins at cursor A if set. An incident recording is placed at its time if the history of its robot
+    /// includes it, with cursor A at the stop. The file is read in the background; the result is shown to the user.
+    /// moment  position of cursor A on the time axis of the recording [s]; empty: as above
     void openRecording(const QString& path, std::optional<double> moment = {});
-    /// The moment that cursor A stands on, while it is one of a recording or of a history that is held still.
+    /// The time of cursor A while it refers to a recording or to a paused history.
     const Replay& replay() const;
     void closeRecordings();
-    /// Into and from a file of its own; tells nobody.
+    /// Saves to and loads from a separate file, without messages.
     Result<void> saveArrangement(const QString& path) const;
     Result<void> openArrangement(const QString& path);
-    // Which plots there are, as text for the settings. What cannot be read changes nothing.
+    // The arrangement of the plots as text for the settings. Invalid data change nothing.
     QByteArray arrangement() const;
     void arrange(const QByteArray& json);
-    /// How much of the past is kept at most [bytes].
+    /// Memory limit of the history [bytes].
     std::size_t budget() const;
     void setBudget(std::size_t bytes);
 
-    /// How much time the plots can show, as the menu offers it.
+    /// A time range offered in the menu.
     struct Span {
         double seconds = 0;
-        QString text;  ///< "2 min"
+        QString text;  ///< e.g. "2 min"
     };
     static QVector<Span> spans();
 
 public Q_SLOTS:
-    /// The jog key that is held, "X+" or "Wrist 2−": names the stretch in the lane. Empty: none.
+    /// The held jog button, e.g. "X+" or "Wrist 2−", as text in the lane. Empty: none.
     void setJogLabel(const QString& label);
     void setPaused(bool paused);
-    /// Counts the force shown from what it is now; what is recorded and exported stays as measured.
+    /// Displays the force relative to its current value; recorded and exported values are unchanged.
     void setForceZeroed(bool zeroed);
-    /// The list of signals at the left.
+    /// Shows the list of signals at the left.
     void setSignalsShown(bool shown);
-    /// Shows the list, ready for the words to look for.
+    /// Shows the list with the focus in the search field.
     void searchSignals();
     void addPage();
-    /// The table of what lies at the cursors and between them.
+    /// Shows the table of values at and between the cursors.
     void setValuesShown(bool shown);
-    /// Spectrum of a signal, or one over another.
+    /// Shows the spectrum of a signal, or one signal over another.
     void setAnalysisShown(bool shown);
     void setTimeAxis(tiller::TimeAxis axis);
-    /// Asks for the words of a note at this moment of the plots' time.
+    /// Asks for the text of a note at this time.
     void askForNote(double time);
     void addNote(double time, const QString& text);
-    /// What is shown as a picture, to be pasted elsewhere.
+    /// Copies the displayed plots as an image.
     void copyPicture();
-    /// Begins a recording, or ends the one that runs.
+    /// Starts or ends a recording.
     void toggleRecording();
-    /// Asks where the shown range shall be saved.
+    /// Asks for the file for the displayed range.
     void askExport();
-    /// Asks how the recording in front is to be compared with the model of its arm, and does it.
+    /// Asks for the parameters of the comparison of the recording in front with the model of its arm, and starts
+    /// it.
     void compareWithModel();
-    /// Ends a replay: takes cursor A away and shows the newest samples.
+    /// Ends a replay: removes cursor A and shows the newest samples.
     void endReplay();
 
 Q_SIGNALS:
-    /// Chosen in the menu of the Record key.
+    /// Selected in the menu of the Record button.
     void recordingChosen(const tiller::RecordingChoice& choice);
-    /// What the menu has no room for is to be shown: signals, folder, file name.
+    /// The settings that are not in the menu should be shown: signals, folder, file name.
     void recordingOptionsWanted();
-    /// Another moment is replayed; nothing: all is live again.
+    /// The replayed time has changed; empty: all data are live.
     void replayChanged(const tiller::Replay& moment);
-    /// Arm and model of a recording part at this moment of its time axis.
+    /// Arm and model of a recording deviate at this time on its time axis.
     void partedFromModel(const QString& text, const QString& details, const QString& path, double seconds);
-    /// Pages, plots, their signals or the budget are others.
+    /// Pages, plots, their signals or the memory limit have changed.
     void arrangementChanged();
 
 protected:
@@ -145,7 +145,7 @@ private:
     void followAbsent();
     void buildPagesMenu();
     void sayWhatIsShown();
-    /// "12.3 MB · 145 kB a second · 40 GB free · 0 packets lost"
+    /// e.g. "12.3 MB · 145 kB a second · 40 GB free · 0 packets lost"
     static QString recordingText(const RecordingState& recording);
     QString picturesTitle() const;
     QString historyText() const;
@@ -176,14 +176,15 @@ private:
     std::unique_ptr<PlotReplay> replay_;
     ComparisonBand* comparisonBand_ = nullptr;
     std::unique_ptr<PlotComparison> comparison_;
-    QHash<QString, double> incidents_;  ///< opened ones: when their stops are on the plots' time axis [s]
+    /// opened incidents with the times of their stops on the time axis of the plots [s]
+    QHash<QString, double> incidents_;
     PlotPages* pages_ = nullptr;
     SignalTree* tree_ = nullptr;
     PlotValues* values_ = nullptr;
     PlotAnalysis* analysis_ = nullptr;
     QToolButton* valuesKey_ = nullptr;
     QLabel* historyLabel_ = nullptr;
-    QWidget* side_ = nullptr;  // the list and what stands under it
+    QWidget* side_ = nullptr;  // the list and the elements below it
     QToolButton* signalsKey_ = nullptr;
     QToolButton* pagesKey_ = nullptr;
     ElidedLabel* readout_ = nullptr;
@@ -194,13 +195,13 @@ private:
     QToolButton* record_ = nullptr;
     QToolButton* recordMenu_ = nullptr;
     QString jogLabel_;
-    std::optional<double> backAt_;  ///< on the plots' time axis [s]: data came again, not in the lane yet
+    std::optional<double> backAt_;  ///< on the time axis of the plots [s]: data resumed, not in the lane yet
     RecordingChoice choice_;
     bool recording_ = false;
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;
     int framesToAnalysis_ = 0;
-    SessionWorker files_;  // last: its jobs end before the rest
+    SessionWorker files_;  // last member: its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

@@ -16,7 +16,7 @@ namespace tiller {
 namespace {
 
 constexpr qsizetype kLongestName = 60;
-/// A recording's name, which is a file's, and what a computed signal may be written as.
+/// Maximum length of the name of a recording (file name) or of a computed signal.
 constexpr qsizetype kLongestKey = Derivation::kLongestText;
 constexpr double kLeastShare = 0.05;
 constexpr double kMostShare = 20;

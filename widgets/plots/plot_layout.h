@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which signals are shown where: pages, on each of them plots in columns, and lanes of states under them. As the
-// operator saves it; signals by the names recordings use.
+// Arrangement of signals: pages with plots in columns, and state lanes below them. Stored by the user; signals have
+// the names used in recordings.
 
 #include <QByteArray>
 #include <QString>
@@ -17,9 +17,9 @@ namespace tiller {
 
 struct PaneLayout {
     QStringList shown{};
-    QStringList hidden{};  ///< of those shown
+    QStringList hidden{};  ///< hidden signals
     int column = 0;
-    double share = 1;  ///< of the height of its column, beside the others'
+    double share = 1;  ///< height relative to the other plots of its column
 
     friend bool operator==(const PaneLayout&, const PaneLayout&) = default;
 };
@@ -29,16 +29,16 @@ struct PageLayout {
     QVector<PaneLayout> panes{};  ///< from top to bottom, column by column
     QStringList lanes{};
 
-    /// TCP force over joint currents.
+    /// TCP force and joint currents.
     static PageLayout standard();
     friend bool operator==(const PageLayout&, const PageLayout&) = default;
 };
 
-/// What the labels under the plots count.
+/// Type of the labels of the time axis.
 enum class TimeAxis {
     Relative,    ///< seconds before the newest sample
-    Controller,  ///< the controller's time stamps
-    Clock,       ///< the time of the day
+    Controller,  ///< time stamps of the controller
+    Clock,       ///< time of day
 };
 
 struct PlotLayout {
@@ -47,10 +47,10 @@ struct PlotLayout {
     double span = 30;  ///< [s]
     TimeAxis time = TimeAxis::Relative;
     QVector<Threshold> thresholds{};
-    divergence::Limits modelLimits{};  ///< how far an arm may be from its model
+    divergence::Limits modelLimits{};  ///< limits for the comparison of arm and model
 
     QByteArray toJson() const;
-    /// What is out of bounds in it is brought back into them.
+    /// Values out of range are limited.
     /// Errors  FileCorrupt
     static Result<PlotLayout> fromJson(const QByteArray& json);
     friend bool operator==(const PlotLayout&, const PlotLayout&) = default;

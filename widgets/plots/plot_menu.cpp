@@ -23,7 +23,7 @@ QAction* addAction(QMenu& menu, const char* name, const QString& text, Todo todo
     return action;
 }
 
-/// As Derivation reads it. Of a name or a unit of others what it would take for something else is left out.
+/// In the syntax of Derivation. Characters of names or units with a meaning in this syntax are omitted.
 QString derivationText(QString name, QString unit, const QString& expression) {
     constexpr qsizetype kName = 40;
     constexpr qsizetype kUnit = 12;
@@ -59,7 +59,7 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
     if (signal >= 0) {
         addCurve(menu, pane, signal);
         menu.addSeparator();
-        if (!store_.isRecorded(signal)) {  // nothing more comes there that could cross one
+        if (!store_.isRecorded(signal)) {  // no more data that could cross a threshold
             addThresholds(menu, pane, signal, pane.valueAt(place.y()));
             menu.addSeparator();
         }
@@ -96,7 +96,7 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
 void PlotMenu::addThresholds(QMenu& menu, const PlotPane& pane, int signal, double value) {
     PlotMarks* marks = &view_.marks();
     const SignalInfo& info = store_.info(signal);
-    // As many digits as are read, so that the words say what is watched.
+    // With the number of digits displayed, so that the text matches the threshold.
     const double scale = std::pow(10.0, info.digits);
     const double limit = std::round((value + pane.offset(signal)) * scale) / scale;
     for (const bool above : {true, false}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What can be done at a place of the plots: with the curve whose name or plot is there, with the plot, with a lane.
+// Context menu of the plots for a curve, a plot or a lane.
 
 #include <QCoreApplication>
 #include <QPointF>
@@ -19,7 +19,7 @@ class PlotMenu {
     Q_DECLARE_TR_FUNCTIONS(PlotMenu)
 
 public:
-    /// Both must outlive what the menu's actions do.
+    /// Both arguments must outlive the actions of the menu.
     PlotMenu(PlotView& view, SignalStore& store) : view_(view), store_(store) {}
 
     void fill(QMenu& menu, const QPointF& place);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What lies over and under the curves: the two time cursors and the lane of states.
+// Elements over and below the curves: the two time cursors and the state lane.
 
 #include <QGraphicsItem>
 #include <QString>
@@ -16,7 +16,7 @@ class CursorItem : public QGraphicsItem {
 public:
     explicit CursorItem(const QString& letter);
 
-    /// x in the scene; the line goes from top to bottom.
+    /// x in the scene; the line extends from top to bottom.
     void setLine(double x, double top, double bottom);
     void setActive(bool active);
 
@@ -31,10 +31,10 @@ private:
     bool active_ = false;
 };
 
-/// The states as a strip: blue where the arm moved, a word in each stretch that has room for it.
+/// A lane with the states over time: blue during motion, with a text in each segment that is wide enough.
 class LaneItem : public QGraphicsItem {
 public:
-    /// name  drawn at its left; empty: none
+    /// name  shown on the left; empty: none
     explicit LaneItem(const QString& name = {});
 
     static constexpr int kNameWidth = 54;  ///< [px]

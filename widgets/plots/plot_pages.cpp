@@ -235,7 +235,7 @@ PlotLayout PlotPages::arrangement() const {
     for (int i = 0; i < count(); ++i) {
         const PlotView& view = *views_[static_cast<std::size_t>(i)];
         PageLayout page = view.page();
-        // What is of a file is not remembered: nobody knows whether the file is still there the next time.
+        // Signals of files are not saved: the file may not exist next time.
         const bool had = takeRecordingsFrom(page);
         const bool any = !page.lanes.isEmpty() ||
                          std::any_of(page.panes.begin(), page.panes.end(),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The pages of plots behind their tabs. All show the same stretch of time and the same cursors: whoever turns a page
-// goes on where the other one was.
+// The pages of plots with tabs. All pages show the same time range and cursors.
 
 #include <QDateTime>
 #include <QWidget>
@@ -27,28 +26,28 @@ class PlotPages : public QWidget {
 public:
     PlotPages(SignalStore& store, const StateLane& lane, PlotMarks& marks, QWidget* parent = nullptr);
 
-    PlotView& view() const;  ///< Of the page in front.
+    PlotView& view() const;  ///< The view of the page in front.
     int count() const;
     int current() const;
     void setCurrent(int page);
-    /// An empty page behind the others, and turns to it.
+    /// Adds an empty page and shows it.
     void addPage();
-    /// Returns  false, and adds none, where there are as many as there may be
+    /// Returns  false without adding a page if the limit is reached
     bool addPage(const PageLayout& page);
-    /// Takes everything away that the robot does not send: nobody shows a recording any more.
+    /// Removes all signals of recordings.
     void dropRecordings();
-    /// The last one stays, with the standard plots.
+    /// The last page remains, with the standard plots.
     void removePage(int page);
     void rename(int page, const QString& name);
     QString nameOf(int page) const;
-    /// The page that shows signals of this recording; -1: there is none.
+    /// The page with signals of this recording; -1: none.
     int pageOf(const QString& recording) const;
-    /// The one in front, or else the first one, that shows no recording; -1: all do.
+    /// The page in front or else the first one without recordings; -1: none.
     int livePage() const;
 
     TimeAxis timeAxis() const { return timeAxis_; }
     void setTimeAxis(TimeAxis axis);
-    /// Who knows the time of the day of a moment on the time axis.
+    /// Returns the time of day for a time on the time axis.
     void setClock(std::function<QDateTime(double)> clock);
 
     PlotLayout arrangement() const;
@@ -63,7 +62,7 @@ Q_SIGNALS:
     void zeroChanged();
     void tooManySignals();
     void noteWanted(double time);
-    /// Pages, plots or their signals are others, or another page is in front.
+    /// Pages, plots or signals have changed, or another page is in front.
     void arrangementChanged();
 
 protected:
@@ -71,7 +70,7 @@ protected:
 
 private:
     PlotView& addView();
-    /// Returns  whether there was anything of a recording on the page
+    /// Returns  whether the page contained signals of a recording
     bool takeRecordingsFrom(PageLayout& page) const;
     void turnedTo(int page);
     void nameTabs();

@@ -28,14 +28,14 @@ namespace {
 constexpr int kLabelPixels = 13;
 constexpr int kLegendPixels = 12;
 constexpr double kPixelsPerLine = 28;
-// The boxes of the labels; a text goes beyond its box rather than being cut. [px]
+// Boxes of the labels; a text exceeds its box instead of being cut off. [px]
 constexpr double kLabelWidth = 80;
 constexpr double kLabelHeight = 18;
 constexpr double kLeastPitch = 14;
 constexpr double kTimeGap = 3;
 constexpr double kValueGap = 6;
 
-/// The finest grid that does justice to all of them.
+/// The finest grid suitable for all signals.
 double finestStep(const SignalStore& store, const std::vector<int>& shown) {
     double step = shown.empty() ? 0.5 : store.info(shown.front()).step;
     for (const int signal : shown) {
@@ -79,7 +79,7 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
     chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     chart_->legend()->detachFromChart();
     chart_->legend()->setBackgroundVisible(false);
-    // It reaches into the plot: a click there is one into the plot. The names are looked up by legendAt().
+    // The legend extends into the plot and must not consume clicks. The names are found by legendAt().
     chart_->legend()->setAcceptedMouseButtons(Qt::NoButton);
     scene.addItem(chart_.get());
     applyTheme();
@@ -104,7 +104,7 @@ void PlotPane::applyTheme() {
         QPen pen = pens[i];
         const bool hidden = !curves_[i]->isVisible();
         legend_[i]->setPen(hidden ? QPen(theme.border, pen.widthF()) : pen);
-        // The legend hands its own look on only when it changes: each entry gets what it needs.
+        // The legend passes its font on only when it changes, so it is set for each entry.
         if (const auto at = static_cast<qsizetype>(i); at < markers.size()) {
             QFont font = textFont(kLegendPixels);
             font.setStrikeOut(hidden);
@@ -154,7 +154,7 @@ double PlotPane::offset(int signal) const {
     return i < curves_.size() ? curves_[i]->offset() : 0;
 }
 
-// The chart does not tell where its entries are: an entry is what holds a text, and they stand in their order.
+// The chart does not expose the positions of its legend entries: an entry is an item with a text, in order.
 std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
     std::vector<QGraphicsItem*> entries;
     std::vector<QGraphicsItem*> open{chart_->legend()};
@@ -180,7 +180,7 @@ std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
 }
 
 std::optional<int> PlotPane::legendAt(const QPointF& place) const {
-    // The chart's own margins put the names half over the upper edge of the plot area. Elsewhere none is looked for.
+    // The chart's margins place the names across the upper edge of the plot area. Other positions are not searched.
     if (std::abs(place.y() - area_.top()) > kLegendHeight) {
         return std::nullopt;
     }
@@ -245,7 +245,7 @@ void PlotPane::setArea(const QRectF& area) {
         return;
     }
     area_ = area;
-    // The chart takes the whole scene: what it draws outside the plot area are its labels.
+    // The chart covers the whole scene; labels are drawn outside of the plot area.
     chart_->setGeometry(QRectF(QPointF(0, 0), QSizeF(area.right() + 12, area.bottom() + 40)));
     chart_->setPlotArea(area);
     range_.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 3, 4));
@@ -275,7 +275,7 @@ void PlotPane::updateValueAxis() {
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(range_.min() / step));
     const auto last = std::llround(std::floor(range_.max() / step));
-    // In a low plot only the uppermost label has room, or every other one.
+    // In a low plot there is only space for the uppermost label, or for every second one.
     const double pitch = step / (range_.max() - range_.min()) * area_.height();
     const auto every = std::max(1LL, static_cast<long long>(std::ceil(kLeastPitch / std::max(pitch, 0.1))));
     for (auto i = first; i <= last; ++i) {
@@ -303,7 +303,7 @@ void PlotPane::updateValueAxis() {
 void PlotPane::show(const GridOf& grids, double t0, double t1, double seconds) {
     MinMax all;
     for (const auto& curve : curves_) {
-        // Hidden ones are fetched too: the sheet draws all of them by one raster.
+        // Hidden signals are read too: the sheet uses one raster for all.
         if (const SeriesBuffer* history = store_.buffer(curve->signal())) {
             curve->sample(*history, store_.column(curve->signal()), grids(*history));
         }

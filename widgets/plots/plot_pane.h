@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One of the stacked plots: a chart that draws axes, legend and frame, and our own curves inside it.
+// One plot of a stack: a chart that draws axes, legend and frame, with the curves drawn separately.
 
 #include <QRectF>
 #include <QString>
@@ -35,32 +35,32 @@ struct AxisTick {
     QString label;
 };
 
-/// How the samples of one history fall into the pixel columns of the view.
+/// Returns the mapping of the samples of a history to the pixel columns of the view.
 using GridOf = std::function<const ColumnGrid&(const SeriesBuffer&)>;
 
 class PlotPane {
 public:
-    /// shown  none at all for a plot that waits for its first signal
+    /// shown  empty for a plot without signals
     PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<int> shown);
     ~PlotPane();
     PlotPane(const PlotPane&) = delete;
     PlotPane& operator=(const PlotPane&) = delete;
 
-    /// area  where the curves are, in scene coordinates; labels are drawn around it
+    /// area  of the curves, in scene coordinates; labels are drawn around it
     void setArea(const QRectF& area);
     const QRectF& area() const { return area_; }
     void applyTheme();
 
-    // Where it stands in the view.
+    // Column index in the view.
     int column() const { return column_; }
     void setColumn(int column) { column_ = column; }
-    double share() const { return share_; }  ///< of the height of its column, beside the others'
+    double share() const { return share_; }  ///< Height relative to the other plots of its column.
     void setShare(double share) { share_ = share; }
 
-    /// Labels under the plot; empty for the upper ones of a stack.
+    /// Labels below the plot; empty for all but the lowest plot of a stack.
     void setTimeTicks(double from, double to, const std::vector<AxisTick>& ticks);
-    /// Shows t0 ... t1, cut into columns by the grids.
-    /// seconds  since the last call, for the calm of the scale; negative: take the best scale at once
+    /// Shows t0 ... t1, divided into columns by the grids.
+    /// seconds  since the last call, for the adaptation of the scale; negative: set the best scale immediately
     void show(const GridOf& grids, double t0, double t1, double seconds);
 
     const AxisRange& range() const { return range_; }
@@ -68,34 +68,34 @@ public:
     const CurveSheet& sheet() const { return *sheet_; }
     const std::vector<int>& shown() const { return shown_; }
     bool shows(int signal) const { return indexOf(signal) < shown_.size(); }
-    /// What the values are counted in, where all of them agree.
+    /// The common unit of all signals, if any.
     QString unit() const;
-    /// The signal whose values the cursors read is drawn stronger.
+    /// Draws the signal read by the cursors with more emphasis.
     void setEmphasis(int signal);
 
-    /// A hidden curve has a struck-out name and no part in the scale.
+    /// A hidden curve has a struck-out name and does not affect the scale.
     void setHidden(int signal, bool hidden);
     bool isHidden(int signal) const;
-    /// The entry of the legend at this place of the scene.
+    /// The legend entry at this position of the scene.
     std::optional<int> legendAt(const QPointF& place) const;
-    /// Where an entry is, in the scene; empty before the chart is laid out.
+    /// Rectangle of a legend entry in the scene; empty before the first layout.
     QRectF legendEntry(int signal) const;
 
-    /// What is taken off a signal before it is drawn; 0 at first.
+    /// The offset subtracted from a signal before drawing; initially 0.
     void setOffset(int signal, double offset);
     double offset(int signal) const;
 
-    /// Comes nearer (factor < 1) to the value at this height of the scene, until the scale is released.
+    /// Zooms in (factor < 1) around the value at this height of the scene, until the scale is released.
     void zoomValues(double factor, double y);
-    /// Shows these values and no others, until the scale is released.
+    /// Shows this range of values until the scale is released.
     void holdValues(double low, double high);
     double valueAt(double y) const;
     double yAt(double value) const;
-    /// The curves decide about the scale again, with the next show().
+    /// Adapts the scale to the curves again, with the next show().
     void releaseValues() { range_.release(); }
     bool isZoomed() const { return range_.isHeld(); }
 
-    /// Hides, takes off and zooms as another pane of the same signals does.
+    /// Copies hidden signals, offsets and zoom from another pane with the same signals.
     void showLike(const PlotPane& other);
 
     static constexpr int kLegendHeight = 20;  ///< above the area [px]
@@ -111,10 +111,10 @@ private:
     int column_ = 0;
     double share_ = 1;
     std::unique_ptr<QChart> chart_;
-    QValueAxis* grid_;  // the lines
+    QValueAxis* grid_;  // the grid lines
     AxisLabels* values_;
     AxisLabels* times_;
-    std::vector<QLineSeries*> legend_;  // without points: the chart's legend wants a series for each entry
+    std::vector<QLineSeries*> legend_;  // without points: the legend of the chart needs a series per entry
     std::vector<std::unique_ptr<Curve>> curves_;
     CurveSheet* sheet_;
     AxisRange range_;

@@ -21,22 +21,22 @@ namespace {
 constexpr QSize kPlots(1200, 560);  // [px]
 constexpr int kTitleHeight = 56;
 constexpr int kMargin = 16;
-constexpr double kFineness = 2;  // pixels of a .png for one of the page
+constexpr double kFineness = 2;  // pixels of the .png per pixel of the page
 constexpr double kPointsPerPixel = 0.75;
 constexpr QSize kPage(kPlots.width() + 2 * kMargin, kPlots.height() + kTitleHeight + kMargin);
 
-/// What is on the page, in its pixels.
+/// The content of the page, in pixels.
 class Page {
 public:
     Page(const PlotView& view, SignalStore& store, const StateLane& lane, PictureText text)
         : plots_(store, lane, view.marks()), text_(std::move(text)) {
-        // Laid out like any other window, but never on a screen.
+        // Has a layout like a window, but is never shown on a screen.
         plots_.setAttribute(Qt::WA_DontShowOnScreen);
         plots_.resize(kPlots);
         plots_.setVisible(true);
         plots_.showLike(view, true);
         plots_.showSharp();
-        // The charts place their labels when they are laid out, which otherwise waits for the event loop.
+        // The charts place their labels during layout, which is normally done by the event loop.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     }
 
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    const PaperColors paper_;  // before the plots, which take their colours when they are made
+    const PaperColors paper_;  // before the plots, which read their colours at construction
     PlotView plots_;
     PictureText text_;
 };

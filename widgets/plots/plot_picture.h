@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The shown range as a picture for a report.
+// Exports the displayed range as an image for reports.
 
 #include <QString>
 
@@ -14,16 +14,17 @@ class SignalStore;
 class StateLane;
 
 struct PictureText {
-    QString title;   ///< whose data these are
-    QString detail;  ///< date, and what the cursors read
+    QString title;   ///< source of the data
+    QString detail;  ///< date, and values at the cursors
 };
 
-/// On a white page, whatever the application's colours: title, date, legend, axes, curves, cursors and lane, and
-/// no controls. The ending of the path decides: .png (twice as fine as the screen), .svg and .pdf (lines, not
-/// pixels).
-/// view, store, lane  what the view shows, and shows it from
-/// Errors   InvalidArgument (another ending), FileNotWritable, DiskFull; the file that was there before stays
-/// Threads  GUI
+/// On a white page, independent of the theme: title, date, legend, axes, curves, cursors and lane, without
+/// controls. The file extension selects the format: .png (twice the resolution of the screen), .svg and .pdf
+/// (vector graphics).
+/// view, store, lane  the displayed range and its data
+/// Errors             InvalidArgument (another extension), FileNotWritable, DiskFull; an existing file is then
+///                    unchanged
+/// Threads            GUI
 Result<void> exportPicture(const PlotView& view, SignalStore& store, const StateLane& lane,
                            const PictureText& text, const QString& path);
 

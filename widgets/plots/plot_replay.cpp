@@ -13,7 +13,7 @@ namespace tiller {
 
 namespace {
 
-/// The recording that a page is about: that of the signal the cursors read, or else of any; empty: it is live.
+/// The recording of a page: that of the signal read by the cursors, otherwise of any signal; empty: live.
 QString recordingOn(const PlotView& view, const SignalStore& store) {
     const QSet<int> shown = view.signalsShown();
     if (shown.contains(view.readoutSignal())) {
@@ -47,7 +47,7 @@ QDateTime PlotReplay::wallTimeOf(double time) const {
     if (frame == frames_.end()) {
         return {};
     }
-    // What was said until the next frame belongs to this one.
+    // Messages until the next frame belong to this frame.
     const auto next = frame + 1;
     const std::int64_t last =
         next == frames_.end() ? frame->wallMs : std::max(frame->wallMs, next->wallMs - 1);
@@ -65,7 +65,7 @@ QDateTime PlotReplay::clockAt(double time) const {
     if (frames_.empty()) {
         return {};
     }
-    // Of the frame it came in, or as far from the first or last one as it is.
+    // Interpolated within the frame, or extrapolated from the first or last one.
     auto frame = std::lower_bound(frames_.begin(), frames_.end(), time,
                                   [](const Frame& each, double at) { return each.newest < at; });
     frame = frame == frames_.end() ? frame - 1 : frame;
@@ -104,7 +104,7 @@ Replay PlotReplay::momentNow() const {
     ReplayMoment moment;
     moment.source = source;
     moment.time = *time;
-    // The same sample is read once.
+    // Avoids reading the same sample again.
     const bool same =
         moment_ && moment_->source == source && moment_->time == *time && !moment_->sample.isEmpty();
     moment.sample = same ? moment_->sample : store_.sampleAt(source, *time);

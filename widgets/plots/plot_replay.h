@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one scrubber: while the page in front shows a recording, or the plots are held still, cursor A is a moment that
-// the other parts of the window show too. Recording and history go on meanwhile.
+// Replay: while the page in front shows a recording, or the plots are paused, the other parts of the window show
+// the time of cursor A. Recording and history continue meanwhile.
 
 #include <QHash>
 #include <QObject>
@@ -22,19 +22,19 @@ class PlotReplay : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both arguments must outlive the object.
     PlotReplay(const SignalStore& store, const PlotPages& pages, QObject* parent = nullptr);
 
-    /// Data until this moment of the plots' time axis were shown first at this time of the day: the log is found by it.
+    /// Data up to this time on the time axis were first displayed at this time of day; used to find the log entry.
     void noteFrame(double newest, const QDateTime& now);
     void forgetBefore(double time);
-    /// The time of the day of a moment on the plots' time axis: of the recording that the page in front shows, or of
-    /// the history and what comes after. Not valid: nobody knows.
+    /// Time of day for a time on the time axis: of the recording on the page in front, or of the history. Invalid
+    /// if unknown.
     QDateTime clockAt(double time) const;
-    /// Looks at page, cursor and pause anew, and tells when the moment is another one.
+    /// Evaluates page, cursor and pause again, and emits a signal if the time has changed.
     void follow();
     const Replay& moment() const { return moment_; }
-    /// Lines that the log of a recording has besides those in its file.
+    /// Log lines of a recording in addition to those in its file.
     void setFurtherEvents(const QString& recording, std::vector<recording::RecordedEvent> events);
 
 Q_SIGNALS:
@@ -53,7 +53,7 @@ private:
     const PlotPages& pages_;
     std::deque<Frame> frames_;
     Replay moment_;
-    QHash<QString, std::vector<recording::RecordedEvent>> further_;  ///< by recordings
+    QHash<QString, std::vector<recording::RecordedEvent>> further_;  ///< by recording
 };
 
 }  // namespace tiller

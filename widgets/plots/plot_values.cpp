@@ -23,7 +23,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPatience = 80;    // [ms]
-constexpr int kGoesOn = 20;      // [ms] between two looks at what is being summed up
+constexpr int kGoesOn = 20;      // [ms] between two checks of the summation
 constexpr int kLeastTable = 66;  // [px], its titles and one signal
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 

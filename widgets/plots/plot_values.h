@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The figures beside the plots: what every signal shown has at the cursors, how it differs, and what the stretch
-// between them has in common.
+// Table next to the plots: values of all displayed signals at the cursors, their differences, and statistics of the
+// range between the cursors.
 
 #include <QTimer>
 #include <QWidget>
@@ -23,9 +23,9 @@ class PlotValues : public QWidget {
 public:
     explicit PlotValues(const SignalStore& store, QWidget* parent = nullptr);
 
-    /// Shows what is true now of this view, soon: many calls in a row cost one.
+    /// Updates the table for this view after a short delay; many calls in a row cause one update.
     void follow(const PlotView& view);
-    /// As text with tabs between, for a spreadsheet.
+    /// As tab-separated text for spreadsheets.
     QString toText() const;
     void copy() const;
 

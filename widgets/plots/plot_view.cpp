@@ -29,18 +29,18 @@ namespace tiller {
 
 namespace {
 
-constexpr double kLeft = 56;  // room for the labels of the vertical axes [px]
+constexpr double kLeft = 56;  // space for the labels of the vertical axes [px]
 constexpr double kRight = 10;
-constexpr double kTop = 22;         // the cursors' letters, the legend
-constexpr double kBetween = 24;     // two plots: the lower one's legend
-constexpr double kTimeLabels = 20;  // under the lowest plot
+constexpr double kTop = 22;         // for the letters of the cursors and the legend
+constexpr double kBetween = 24;     // between two plots, for the legend of the lower one
+constexpr double kTimeLabels = 20;  // below the lowest plot
 constexpr double kLaneHeight = 14;
 constexpr double kLaneGap = 2;
 constexpr double kBottom = 10;
 constexpr double kLeastHeight = 24;  // of a plot
 
 double niceTickStep(double span, double width) {
-    const double least = span / std::max(1.0, width / 110.0);  // labels want this many pixels each
+    const double least = span / std::max(1.0, width / 110.0);  // minimum distance of labels in pixels
     static constexpr double kSteps[] = {0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1,    2,    5,    10,
                                         20,    30,   60,   120,  300, 600, 900, 1800, 3600, 7200, 14400};
     for (const double step : kSteps) {
@@ -51,12 +51,12 @@ double niceTickStep(double span, double width) {
     return 28800;
 }
 
-// A curve that goes on by less than this many pixels is drawn anew at most 30 times a second: more is not seen.
+// A curve that moves by less than this number of pixels is repainted at most 30 times per second.
 constexpr double kQuickColumns = 3;
 constexpr double kCalmFrame = 0.03;  // [s]
-constexpr double kGrab = 6;          // a cursor is taken hold of within this distance [px]
+constexpr double kGrab = 6;          // distance within which a cursor is grabbed [px]
 constexpr double kZoomPerNotch = 0.8;
-constexpr int kCoarse = 10;  // arrow keys with Shift
+constexpr int kCoarse = 10;  // factor for arrow keys with Shift
 
 }  // namespace
 
@@ -102,12 +102,12 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
 
 PlotView::~PlotView() {
     store_.want(this, {});
-    // The charts are items of the scene and belong to the panes: they must go before it.
+    // The charts are items of the scene and owned by the panes: destroy them first.
     panes_.clear();
     setScene(nullptr);
 }
 
-// ---- what is shown
+// ---- content
 
 void PlotView::build(const PageLayout& page) {
     name_ = page.name;
@@ -187,7 +187,7 @@ PageLayout PlotView::page() const {
 
 bool PlotView::setPage(const PageLayout& wanted) {
     PageLayout page = wanted;
-    // Columns are counted without holes.
+    // Column numbers are consecutive.
     std::map<int, int> columns;
     for (const PaneLayout& pane : page.panes) {
         columns[pane.column] = 0;
@@ -256,7 +256,7 @@ bool PlotView::addSignals(const QStringList& keys, int pane, Place place) {
             std::stable_sort(page.panes.begin(), page.panes.end(),
                              [](const PaneLayout& a, const PaneLayout& b) { return a.column < b.column; });
         } else {
-            // As high as it would be among equals; the others keep their proportions.
+            // Its height is the average; the others keep their proportions.
             double shares = 0;
             int count = 0;
             for (const PaneLayout& other : std::as_const(page.panes)) {
@@ -339,18 +339,18 @@ const LaneItem* PlotView::signalLane(int signal) const {
     return found == lanes_.end() ? nullptr : found->item;
 }
 
-// ---- places
+// ---- layout
 
 void PlotView::layOut() {
     const QSizeF size = viewport()->size();
     scene_->setSceneRect(QRectF(QPointF(0, 0), size));
     const double width = std::max(40.0, std::floor((size.width() - kRight) / columns_ - kLeft));
     const double lanes = kLaneHeight + static_cast<double>(lanes_.size()) * (kLaneHeight + kLaneGap);
-    int most = 0;  // plots in a column
+    int most = 0;  // plots per column
     for (int column = 0; column < columns_; ++column) {
         most = std::max(most, static_cast<int>(std::ranges::count(panes_, column, &PlotPane::column)));
     }
-    // Lanes that have no room would lie over the curves.
+    // Lanes without enough space would cover the curves.
     const double least = kTop + most * kLeastHeight + (most - 1) * kBetween;
     const double below = size.height() - kBottom - kTimeLabels;
     const bool roomy = below - lanes >= least;
@@ -408,7 +408,7 @@ double PlotView::xAt(double time) const {
 // ---- time
 
 void PlotView::measure() {
-    // While no data come the lane goes on alone: the outage is as long as it lasts.
+    // Without data only the lane continues: the outage lasts until new data arrive.
     const SeriesBuffer& history = store_.live();
     double oldest = history.firstTime();
     double newest = std::max(history.lastTime(), lane_.endTime());
@@ -426,7 +426,7 @@ void PlotView::measure() {
 void PlotView::refresh(double seconds) {
     measure();
     sinceShown_ += seconds;
-    // What is frozen stays as it is on the screen; only its oldest samples may fall out of the history.
+    // A paused view does not change, except when its oldest samples are dropped from the history.
     if (window_.follows() && (shownEnd_ != store_.live().end() || shownNewest_ != window_.newest()) &&
         isDue()) {
         show(sinceShown_);
@@ -489,7 +489,7 @@ void PlotView::show(double seconds, HistoryFile::Effort effort) {
     }
     const double t0 = window_.start();
     const double t1 = window_.end();
-    // Columns lie on a fixed raster of time, so that a moving curve moves as a whole and does not shimmer.
+    // Columns are on a fixed time raster, so that a moving curve does not flicker.
     const QRectF& area = panes_.front()->area();
     const int columns = std::max(1, static_cast<int>(std::ceil(area.width() * devicePixelRatioF())));
     const double width = window_.span() / columns;
@@ -508,7 +508,7 @@ void PlotView::show(double seconds, HistoryFile::Effort effort) {
                                           effort) &&
                           isSharp;
                 if (history.revision() != known) {
-                    cutNow();  // by the times of the rows that have come
+                    cutNow();  // by the times of the received rows
                 }
             }
         }
@@ -547,7 +547,7 @@ void PlotView::setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock
 }
 
 void PlotView::placeTicks() {
-    // What the labels count from; the time of the day counts from midnight, so that its ticks are round.
+    // Reference of the labels; the time of day refers to midnight, so that ticks are round.
     double reference = timeAxis_ == TimeAxis::Relative ? reference_ : 0;
     QDateTime midnight;
     if (timeAxis_ == TimeAxis::Clock) {
@@ -580,7 +580,7 @@ void PlotView::placeTicks() {
     timeLabels_.clear();
     for (auto i = std::llround(std::ceil(start / step)); i <= std::llround(std::floor(end / step)); ++i) {
         const double value = static_cast<double>(i) * step;
-        // A label at the very edge would be cut off.
+        // A label at the edge would be cut off.
         const double room = (value - start) / tickSpan_ * width;
         const bool isNow = i == 0 && timeAxis_ == TimeAxis::Relative;
         if (isNow || room < 24 || (end - value) / tickSpan_ * width < 24) {
@@ -748,7 +748,7 @@ void PlotView::changeEvent(QEvent* event) {
             pane->applyTheme();
         }
         if (isVisible()) {
-            show(0);  // the curves, too: where time stands still nothing else would paint them again
+            show(0);  // including the curves: in a paused view there is no other repaint
         }
         viewport()->update();
     }
@@ -807,7 +807,7 @@ void PlotView::drawMarks(QPainter& painter) const {
     const auto first = std::lower_bound(all.begin(), all.end(), window_.start(),
                                         [](const PlotMark& mark, double time) { return mark.time < time; });
     for (int column = 0; column < columns_; ++column) {
-        double free = 0;  // where the words before end
+        double free = 0;  // end of the previous text
         for (auto mark = first; mark != all.end() && mark->time <= window_.end(); ++mark) {
             if (!mark->recording.isEmpty() && !recordings.contains(mark->recording)) {
                 continue;
@@ -816,7 +816,7 @@ void PlotView::drawMarks(QPainter& painter) const {
             const QColor color = mark->alarm ? theme.alarm : theme.secondary;
             painter.setPen(QPen(color, 1));
             painter.drawLine(QPointF(x, kTop), QPointF(x, bottom));
-            // A flag, and words where there is room for them.
+            // A flag, with text if there is enough space.
             const std::array<QPointF, 3> flag = {QPointF(x, kTop), QPointF(x + 7, kTop + 4),
                                                  QPointF(x, kTop + 8)};
             painter.setBrush(color);
@@ -951,7 +951,7 @@ void PlotView::releaseValues(PlotPane& pane) {
 }
 
 std::optional<double> PlotView::meanAtTheEnd(int signal) const {
-    constexpr double kSeconds = 0.25;  // long enough for the noise
+    constexpr double kSeconds = 0.25;  // long enough to average the noise
     const SeriesBuffer& history = *store_.buffer(signal);
     const double end = window_.end();
     double sum = 0;
@@ -1147,7 +1147,7 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
 void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     if (event->button() != Qt::LeftButton || legendAt(at)) {
-        // The second press of a quick pair is a press like any other.
+        // The second press of a double click is handled like any other press.
         mousePressEvent(event);
         return;
     }
@@ -1172,7 +1172,7 @@ void PlotView::click(const QPointF& point) {
         setReadoutSignal(pane.shown().back());
     }
     const double time = timeAt(point.x());
-    // First A, then B, then whichever is nearer.
+    // First A, then B, then the nearer one.
     Cursor which = Cursor::A;
     if (cursors_[0] && !cursors_[1]) {
         which = Cursor::B;
@@ -1204,7 +1204,7 @@ void PlotView::wheelEvent(QWheelEvent* event) {
 // ---- drag and drop, menu
 
 PlotView::Target PlotView::targetAt(const QPointF& place) const {
-    constexpr double kEdge = 0.2;  // of a plot's height and width
+    constexpr double kEdge = 0.2;  // fraction of a plot's height and width
     PlotPane& pane = paneAt(place);
     const QRectF& area = pane.area();
     Target target{paneIndex(pane), Place::Into, area};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One page of plots: charts stacked in columns, lanes of states under them, and two cursors over one time axis.
-// Dragging and the wheel move through time, signals are dropped onto it; nothing done here reaches the robot.
+// One page of plots: charts stacked in columns, state lanes below them, and two cursors over a common time axis.
+// Dragging and the mouse wheel move through time; signals are added by drag and drop. The robot is not affected.
 
 #include <QDateTime>
 #include <QGraphicsView>
@@ -35,87 +35,86 @@ class PlotView : public QGraphicsView {
 
 public:
     enum class Cursor { A, B };
-    /// Where a signal goes that is dropped onto a plot.
+    /// Position of a signal that is dropped onto a plot.
     enum class Place { Into, Above, Below, Beside };
 
     /// store, lane, marks  must outlive the view
     PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, QWidget* parent = nullptr);
     ~PlotView() override;
 
-    /// Data came or the time went on, with or without data: shows the newest. Cheap when nothing changed or
-    /// nobody sees it.
-    /// seconds  since the last call; paces the calm of the scales
+    /// Shows the newest data after data arrived or time passed. Cheap if nothing has changed or the view is hidden.
+    /// seconds  since the last call; for the adaptation of the scales
     void refresh(double seconds);
 
-    /// The range, cursors and signal that another view of the same history shows, and its page if asked for.
+    /// Copies range, cursors and signal from another view of the same history, and optionally its page.
     void showLike(const PlotView& other, bool page);
 
-    // What is shown.
+    // The current content.
     PageLayout page() const;
-    /// Returns  false, and changes nothing, if the robot cannot be asked for so many signals
+    /// Returns  false without changes if the robot cannot send this number of signals
     bool setPage(const PageLayout& page);
-    /// States become lanes, wherever they are put. What is there already, or does not exist, is passed over.
-    /// Returns  false if the robot cannot be asked for so many
+    /// States are added as lanes at any position. Existing and unknown signals are ignored.
+    /// Returns  false if the robot cannot send this number of signals
     bool addSignals(const QStringList& keys, int pane, Place place = Place::Into);
-    /// Into the plot whose signal the cursors read.
+    /// Adds to the plot with the signal read by the cursors.
     bool addSignals(const QStringList& keys);
     void removeSignal(int pane, int signal);
     void removePane(int pane);
     void removeLane(int signal);
     PlotMarks& marks() const { return marks_; }
-    /// All that is shown, lanes too.
+    /// All displayed signals, including lanes.
     QSet<int> signalsShown() const;
-    /// Those that something shown is of.
+    /// Recordings with displayed signals.
     QStringList recordingsShown() const;
 
     const TimeWindow& window() const { return window_; }
-    /// clock  the time of the day of a moment on the time axis, if somebody knows
+    /// clock  returns the time of day for a time on the time axis, if known
     void setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock);
     TimeAxis timeAxis() const { return timeAxis_; }
-    /// What stands under the plots, from left to right.
+    /// Labels below the plots, from left to right.
     QStringList timeLabels() const { return timeLabels_; }
     void setSpan(double seconds);
     void pause();
-    /// Back to the newest samples.
+    /// Returns to the newest samples.
     void follow();
     void scrollBy(double seconds);
     void showRange(double from, double to);
-    /// All that is known, each plot at its best scale.
+    /// Shows all data, each plot with its best scale.
     void fit();
 
     std::optional<double> cursor(Cursor which) const { return cursors_[index(which)]; }
-    /// A moment on the time axis [s]; nothing takes the cursor away.
+    /// A time on the time axis [s]; empty removes the cursor.
     void setCursor(Cursor which, std::optional<double> time);
-    /// Cursor A stands there, in sight.
+    /// Moves cursor A to this time and makes it visible.
     void goTo(double time);
     int readoutSignal() const { return readoutSignal_; }
     void setReadoutSignal(int signal);
-    /// "A–B Δt 1.200 s · ΔFz −9.8 N", "A −12.300 s · Fz −4.1 N", or empty.
+    /// E.g. "A–B Δt 1.200 s · ΔFz −9.8 N", "A −12.300 s · Fz −4.1 N"; may be empty.
     QString readout() const;
     bool isHidden(int signal) const;
     void setHidden(int signal, bool hidden);
-    /// Counts the TCP force from what it is at the end of the range shown; false: there is none.
+    /// Displays the TCP force relative to its value at the end of the displayed range; false: no force data.
     bool zeroForce();
-    /// Shows it as the robot measures it again.
+    /// Displays the force as measured.
     void clearZero();
     bool isForceZeroed() const { return !offsets_.isEmpty(); }
-    /// "Zeroed: Fx −0.3 · Fy +1.2 · Fz −9.8 N taken off"; empty unless it is.
+    /// Text with the offsets; empty if not zeroed.
     QString zeroText() const;
     const std::vector<std::unique_ptr<PlotPane>>& panes() const { return panes_; }
     const LaneItem& laneItem() const { return *laneItem_; }
-    /// Shows all that a long recording has to tell, which otherwise comes in the course of some frames.
+    /// Shows all details of a long recording, which are otherwise loaded over some frames.
     void showSharp();
-    /// Null: there is no lane of that signal.
+    /// Null: no lane for this signal.
     const LaneItem* signalLane(int signal) const;
-    /// The samples behind a picture are shown as they fall into these columns.
+    /// The columns of the displayed image for the samples of a history.
     const ColumnGrid& gridOf(const SeriesBuffer& history) const;
-    /// The plot over which a place of the view is, labels included.
+    /// The plot at a position of the view, including its labels.
     PlotPane& paneAt(const QPointF& place) const;
     int paneIndex(const PlotPane& pane) const;
-    /// The signal whose name in a legend, or lane, is at this place.
+    /// The signal whose legend entry or lane is at this position.
     std::optional<int> legendAt(const QPointF& place) const;
     std::optional<int> laneAt(const QPointF& place) const;
-    /// The curves decide about its scale again.
+    /// Adapts its scale to the curves again.
     void releaseValues(PlotPane& pane);
     double timeAt(double x) const;
     double xAt(double time) const;
@@ -124,15 +123,15 @@ public:
     QSize minimumSizeHint() const override { return {320, 130}; }
 
 Q_SIGNALS:
-    /// Span, pause or place in history changed.
+    /// Time range, pause or position in the history has changed.
     void windowChanged();
     void readoutChanged();
     void zeroChanged();
-    /// Plots, their signals or lanes are others.
+    /// Plots, signals or lanes have changed.
     void pageChanged();
-    /// More signals were asked for than a robot takes.
+    /// The robot cannot send the requested number of signals.
     void tooManySignals();
-    /// A note for this moment is wanted.
+    /// The user wants to add a note at this time.
     void noteWanted(double time);
 
 protected:
@@ -167,12 +166,12 @@ private:
 
     void layOut();
     void build(const PageLayout& page);
-    /// Tells the window how far history and lane reach.
+    /// Updates the time limits of history and lane in the window.
     void measure();
-    /// The window changed by hand: shows it at once, with the best scales.
+    /// After a change of the window by the user: updates immediately, with the best scales.
     void rewind();
     void show(double seconds, HistoryFile::Effort effort = HistoryFile::Effort::Draft);
-    /// So much has changed that a new picture is worth its cost.
+    /// True if enough has changed to justify a repaint.
     bool isDue() const;
     void placeTicks();
     void placeCursors();
@@ -180,7 +179,7 @@ private:
     std::optional<Cursor> cursorNear(double x) const;
     bool moveActiveCursor(int pixels);
     void cycleReadout(int by);
-    /// The plots' area over which x is.
+    /// The plot area at the horizontal position x.
     const QRectF& areaAt(double x) const;
     PlotPane* paneOf(int signal) const;
     bool isOverValues(const QPointF& place) const;
@@ -205,23 +204,23 @@ private:
     int columns_ = 1;
     LaneItem* laneItem_;
     std::vector<SignalLane> lanes_;
-    std::array<std::vector<CursorItem*>, 2> cursorItems_;  // one in each column
+    std::array<std::vector<CursorItem*>, 2> cursorItems_;  // one per column
     std::array<std::optional<double>, 2> cursors_;
-    std::array<std::optional<double>, 2> cursorsBefore_;  // the last click
+    std::array<std::optional<double>, 2> cursorsBefore_;  // before the last click
     Cursor active_ = Cursor::A;
     int readoutSignal_;
     std::map<const SeriesBuffer*, ColumnGrid> grids_;
     std::int64_t shownEnd_ = -1;
     double shownNewest_ = 0;
     double sinceShown_ = 0;  // [s]
-    double reference_ = 0;   // what the time labels count from [s]
+    double reference_ = 0;   // reference of the time labels [s]
     TimeAxis timeAxis_ = TimeAxis::Relative;
     std::function<QDateTime(double)> clock_;
     QStringList timeLabels_;
     double tickSpan_ = -1;
     double tickEnd_ = 0;
-    QTimer sharpen_;              // more is known of what is shown than was read
-    QHash<int, double> offsets_;  // by signal; empty: none is zeroed
+    QTimer sharpen_;              // more details are available than displayed
+    QHash<int, double> offsets_;  // by signal; empty: not zeroed
     QString name_;                // of the page
     Drag drag_ = Drag::None;
     std::optional<int> legendPressed_;

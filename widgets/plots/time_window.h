@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which stretch of time the plots show. It follows the newest sample until somebody pauses it or goes back in
-// history; data go on arriving meanwhile.
+// The displayed time range of the plots. It follows the newest sample until it is paused or moved back; data
+// continue to arrive meanwhile.
 
 namespace tiller {
 
@@ -14,24 +14,24 @@ public:
     double span() const { return span_; }
     double end() const { return end_; }
     double start() const { return end_ - span_; }
-    /// The newest sample known [s].
+    /// Time of the newest sample [s].
     double newest() const { return newest_; }
     bool follows() const { return follows_; }
-    /// How far the right edge is behind the newest sample [s]; 0 while following.
+    /// Distance of the right edge from the newest sample [s]; 0 while following.
     double behind() const { return follows_ ? 0 : newest_ - end_; }
 
-    /// The history reaches from oldest to newest.
+    /// The history covers oldest to newest.
     void setHistory(double oldest, double newest);
-    /// Keeps the right edge while following, the middle otherwise.
+    /// Keeps the right edge while following, otherwise the centre.
     void setSpan(double seconds);
     void pause() { follows_ = false; }
     void follow();
-    /// Exactly this stretch, where it lies within the history.
+    /// Shows exactly this range, limited to the history.
     void showRange(double from, double to);
     double oldest() const { return oldest_; }
-    /// Negative goes back. Coming back to the newest sample does not start following: a pause stays one.
+    /// Negative: backwards. Returning to the newest sample does not end a pause.
     void scrollBy(double seconds);
-    /// factor < 1 zooms in. The moment `anchor` keeps its place on the screen, unless following.
+    /// factor < 1 zooms in. The time `anchor` keeps its position on the screen, unless following.
     void zoom(double factor, double anchor);
 
 private:

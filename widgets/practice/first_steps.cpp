@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kThere = 0.001;       // [m] of the flange
 constexpr double kTurnedThere = 0.01;  // [rad]
-constexpr double kSameJoints = 0.005;  // [rad]: a waypoint taught where the arm stands
-constexpr double kRealMove = 0.01;     // [rad]: less is standing
+constexpr double kSameJoints = 0.005;  // [rad] a waypoint taught at the current position
+constexpr double kRealMove = 0.01;     // [rad] minimum of a motion
 
 const char* nameOf(FirstStep step) {
     switch (step) {
@@ -144,7 +144,7 @@ void FirstSteps::followMove(const SessionState& state) {
     }
 }
 
-// One that is pasted or put back is none that was taught, unless the arm stands there.
+// A pasted or restored waypoint does not count as taught, unless the arm is at its position.
 void FirstSteps::onWaypoint(int row) {
     if (following_ && state_.link == LinkState::Live &&
         furthest(document_.waypoints().at(row).joints, state_.q) < kSameJoints) {

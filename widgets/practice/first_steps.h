@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which of the first things to do with an arm have been done. Each is taken from what the robot, the project or
-// the recorder tells, never from a key that was pressed.
+// Progress of the first steps. Each step is detected from the state of the robot, the project or the recorder, not
+// from user input.
 
 #include <QObject>
 #include <QStringList>
@@ -24,18 +24,18 @@ class FirstSteps : public QObject {
     Q_OBJECT
 
 public:
-    /// session, document  must outlive it
+    /// session, document  must outlive the object
     FirstSteps(RobotSession& session, ProjectDocument& document, QObject* parent = nullptr);
 
-    /// Only what happens while it is followed counts; at first nothing does.
+    /// Only events while following count; initially false.
     void setFollowing(bool following);
     bool isDone(FirstStep step) const { return done_[static_cast<std::size_t>(step)]; }
     bool allDone() const;
-    /// Names of those done, for the settings, and the way back.
+    /// Names of the completed steps, for the settings, and the inverse.
     QStringList done() const;
     void setDone(const QStringList& names);
 
-    /// What to do, in one line.
+    /// Instruction in one line.
     static QString text(FirstStep step);
 
 Q_SIGNALS:
@@ -51,7 +51,7 @@ private:
     SessionState state_;
     bool following_ = false;
     std::array<bool, kFirstSteps.size()> done_{};
-    std::optional<JointPositions> movedFrom_;  ///< since a move of ours began, until the arm stands after it
+    std::optional<JointPositions> movedFrom_;  ///< start of a motion by this program, until standstill
 };
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The checklist of the first five minutes. It asks nothing and blocks nothing.
+// The checklist of the first steps. It does not block anything.
 
 #include <array>
 
@@ -16,12 +16,12 @@ class FirstStepsCard : public ViewCard {
     Q_OBJECT
 
 public:
-    /// steps, view  must outlive it
+    /// steps, view  must outlive the object
     FirstStepsCard(FirstSteps& steps, QWidget& view);
 
 Q_SIGNALS:
     void practiceRequested();
-    /// The operator does not want to see it again.
+    /// The user dismissed the card.
     void dismissed();
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The practice tasks as they are being done: which one is shown, whether it can be started, and the check of the
-// try under way. What a task needs of the simulated controller comes from outside; a real robot is never touched.
+// State of the practice tasks: the displayed task, whether it can be started, and the check of the current attempt.
+// Functions for the simulated controller are provided by the owner; a real robot is never affected.
 
 #include <QObject>
 #include <QStringList>
@@ -19,11 +19,11 @@ class ProjectDocument;
 class RobotSession;
 
 struct PracticeHooks {
-    /// Why this is not the simulated robot of this program, as a sentence; empty when it is.
+    /// The reason why this is not the simulated robot of this program, as a sentence; empty if it is.
     std::function<QString(const SessionState&)> obstacle;
-    /// Makes happen at the simulated controller what the task begins with.
+    /// Prepares the simulated controller for the task.
     std::function<void(PracticeTask)> setUp;
-    /// Takes back what setUp() left there. Harmless when there is nothing.
+    /// Reverts the changes of setUp(). No effect if there are none.
     std::function<void()> tidyUp;
     std::function<void(const project::Waypoint&)> addWaypoint;
 };
@@ -32,39 +32,39 @@ class Practice : public QObject {
     Q_OBJECT
 
 public:
-    /// session, document  must outlive it
+    /// session, document  must outlive the object
     Practice(RobotSession& session, ProjectDocument& document, PracticeHooks hooks,
              QObject* parent = nullptr);
     ~Practice() override;
 
     PracticeTask task() const { return task_; }
-    /// Another task; the try under way ends.
+    /// Selects another task; the current attempt ends.
     void choose(PracticeTask task);
-    /// by  1: the next one, -1: the one before
+    /// by  1: the next one, -1: the previous one
     void turn(int by);
 
-    /// Why the task cannot be started now; empty when it can.
+    /// The reason why the task cannot be started; empty if it can.
     QString obstacle() const;
     void start();
     bool isRunning() const { return check_ != nullptr; }
-    /// The check of this try has passed.
+    /// True if the check of this attempt has passed.
     bool passed() const { return check_ != nullptr && check_->passed(); }
-    /// What the check says, or why there can be none.
+    /// Text of the check, or the reason why there is none.
     QString text() const;
     void setAnswer(std::optional<double> figure);
-    /// The operator says that it is done: counts if the check has passed. Goes on to the next that is not.
+    /// The user finishes the task: it counts as completed if the check has passed. Selects the next open task.
     void finish();
-    /// Ends the try under way.
+    /// Ends the current attempt.
     void abandon();
 
     bool isDone(PracticeTask task) const { return done_[static_cast<std::size_t>(task)]; }
     bool allDone() const;
-    /// Names of those done, for the settings, and the way back.
+    /// Names of the completed tasks, for the settings, and the inverse.
     QStringList done() const;
     void setDone(const QStringList& names);
 
 Q_SIGNALS:
-    /// Anything that is shown of it.
+    /// A displayed property has changed.
     void changed();
     void taskDone(tiller::PracticeTask task);
 
@@ -77,7 +77,7 @@ private:
     SessionState state_;
     PracticeTask task_ = PracticeTask::Recover;
     std::unique_ptr<PracticeCheck> check_;
-    QString shown_;  ///< text(), obstacle() and passed() as they were told last
+    QString shown_;  ///< last emitted state of text(), obstacle() and passed()
     std::array<bool, kPracticeTasks.size()> done_{};
 };
 

@@ -15,7 +15,7 @@
 namespace tiller {
 namespace {
 
-constexpr int kHeight = 370;  // [px] the longest task with its check
+constexpr int kHeight = 370;  // [px] height for the longest task with its check
 
 }  // namespace
 
@@ -87,7 +87,7 @@ void PracticeCard::readAnswer() {
     typed.replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
     bool ok = false;
     const double figure = typed.toDouble(&ok);
-    // "nan" and "inf" are read as figures too.
+    // "nan" and "inf" are accepted as numbers by the conversion.
     practice_.setAnswer(ok && std::isfinite(figure) ? std::optional(figure) : std::nullopt);
 }
 
@@ -101,7 +101,7 @@ void PracticeCard::showTask() {
         answerRow_->setVisible(task == PracticeTask::Measure);
         setTitle(tr("Practice · %1 of %2").arg(task_ + 1).arg(kPracticeTasks.size()));
     }
-    // In the operator's units, which may change.
+    // In the user's units, which may change.
     text_->setText(practiceText(task));
     check_->setText(practice_.text());
     check_->setDone(practice_.passed() || (!practice_.isRunning() && practice_.isDone(task)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One practice task at a time: what to do, Start, what its check says, Done.
+// Shows one practice task at a time: instruction, Start, text of its check, Done.
 
 #include "widgets/practice/view_card.h"
 
@@ -18,7 +18,7 @@ class PracticeCard : public ViewCard {
     Q_OBJECT
 
 public:
-    /// practice, view  must outlive it
+    /// practice, view  must outlive the object
     PracticeCard(Practice& practice, QWidget& view);
 
 private:
@@ -33,7 +33,7 @@ private:
     TickLine* check_;
     QPushButton* start_;
     QPushButton* done_;
-    int task_ = -1;  ///< the one shown
+    int task_ = -1;  ///< the displayed task
 };
 
 }  // namespace tiller

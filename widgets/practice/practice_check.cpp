@@ -16,12 +16,12 @@
 namespace tiller {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file for lupdate.
 struct PracticeText {
     Q_DECLARE_TR_FUNCTIONS(Practice)
 };
 
-/// Up and running, as before the stop.
+/// Running and ready, as before the stop.
 bool isReady(const SessionState& state) {
     return state.robotMode == RobotMode::Running && allowsMotion(state.safety());
 }
@@ -83,10 +83,11 @@ public:
 private:
     static constexpr double kSlant = 10;        // [deg]
     static constexpr double kAtOrigin = 0.003;  // [m]
-    static constexpr double kStep = 0.001;      // [m] between places that are remembered
+    static constexpr double kStep = 0.001;      // [m] minimum distance of stored positions
     static constexpr std::size_t kPlaces = 20'000;
 
-    // A frame taken with the arm begins where the TCP has been; one in typed figures need not.
+    // The origin of a frame taught with the arm is a former TCP position; a frame entered as numbers may be
+    // anywhere.
     void remember(const Eigen::Vector3d& place) {
         if (places_.size() < kPlaces && (places_.empty() || (places_.back() - place).norm() > kStep)) {
             places_.push_back(place);
@@ -207,7 +208,7 @@ private:
     static constexpr double kSlowed = 0.5;
     static constexpr double kBack = 0.050;  // [m]
 
-    std::optional<Eigen::Vector3d> at_;  ///< where it was slowed down last
+    std::optional<Eigen::Vector3d> at_;  ///< position of the last slow-down
 };
 
 class MeasureCheck : public PracticeCheck {

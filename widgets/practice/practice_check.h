@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The practice tasks and what tells that one is done: from what the robot and the project say, never from a key
-// that was pressed. A check follows one try; a new try gets a new check.
+// The practice tasks, and the checks of their completion, based on the state of the robot and the project, not on
+// user input. A check belongs to one attempt; a new attempt has a new check.
 
 #include <QString>
 #include <QUuid>
@@ -20,10 +20,10 @@ inline constexpr std::array kPracticeTasks = {PracticeTask::Recover, PracticeTas
                                               PracticeTask::TouchUp, PracticeTask::FindLimit,
                                               PracticeTask::Measure};
 
-/// For the settings: "recover".
+/// Name for the settings, e.g. "recover".
 QString practiceName(PracticeTask task);
 QString practiceTitle(PracticeTask task);
-/// What to do, in two or three sentences.
+/// Instruction in two or three sentences.
 QString practiceText(PracticeTask task);
 
 class PracticeCheck {
@@ -33,14 +33,14 @@ public:
     PracticeCheck(const PracticeCheck&) = delete;
     PracticeCheck& operator=(const PracticeCheck&) = delete;
 
-    /// With every state, and after every edit of the project.
+    /// Call with every state, and after every edit of the project.
     virtual void follow(const SessionState& state, const project::Project& project) = 0;
-    /// A figure that was measured, where the task asks for one; nothing while there is none.
+    /// A measured number, for tasks that ask for one; empty if not entered.
     virtual void setAnswer(std::optional<double> /*figure*/) {}
 
-    /// Once passed, it stays passed.
+    /// Remains true once passed.
     bool passed() const { return passed_; }
-    /// What is there, and what is missing.
+    /// What was achieved, and what is missing.
     QString text() const { return text_; }
 
 protected:
@@ -55,14 +55,14 @@ private:
     QString text_;
 };
 
-/// How far the part of the task "touch up" has moved, along X of the base [m].
+/// Displacement of the part in the task "touch up" along X of the base [m].
 inline constexpr double kPartMoved = 0.020;
 
-/// Where the part was: a waypoint for the task "touch up", at the arm's place.
+/// The former position of the part: a waypoint for the task "touch up" at the current position of the arm.
 project::Waypoint practiceWaypoint(const SessionState& state, const project::Project& project);
 
-/// project   as it is when the try begins
-/// waypoint  the one made for "touch up"; null for the other tasks
+/// project   at the start of the attempt
+/// waypoint  created for "touch up"; null for other tasks
 std::unique_ptr<PracticeCheck> practiceCheck(PracticeTask task, const project::Project& project,
                                              const QUuid& waypoint = {});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A line of words with a mark before it that says whether it is done. It keeps its place and its size.
+// A text with a check mark for its completion, with constant position and size.
 
 #include <QWidget>
 
@@ -19,7 +19,7 @@ public:
     QString text() const;
     void setDone(bool done);
     bool isDone() const { return done_; }
-    /// Room for so many lines of words, whatever they are.
+    /// Reserves the height for this number of lines.
     void reserveLines(int lines);
 
 protected:

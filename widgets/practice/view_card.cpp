@@ -17,10 +17,10 @@
 namespace tiller {
 namespace {
 
-constexpr int kGap = 8;            // between the card and the edges of the view [px]
-constexpr int kMargin = 10;        // inside
+constexpr int kGap = 8;            // distance from the edges of the view [px]
+constexpr int kMargin = 10;        // inner margin
 constexpr int kHeadMargin = 6;     // above and below the title
-constexpr int kLeastContent = 44;  // below this it is folded
+constexpr int kLeastContent = 44;  // with less height it is folded
 
 QToolButton* quietKey(const QString& name, const QString& text, QWidget* parent) {
     auto* key = new QToolButton(parent);
@@ -28,7 +28,7 @@ QToolButton* quietKey(const QString& name, const QString& text, QWidget* parent)
     key->setAccessibleName(text);
     key->setToolTip(text);
     key->setProperty("quiet", true);
-    key->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus where the hand works
+    key->setFocusPolicy(Qt::TabFocus);  // a click does not change the focus
     return key;
 }
 
@@ -49,7 +49,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     hide();
     title_->setFont(textFont(15, QFont::Bold));
     title_->setTextFormat(Qt::PlainText);
-    // Drawn symbols have the same width in every language.
+    // Drawn symbols have the same width in all languages.
     close_->setText(QStringLiteral("×"));
     fold_->setCheckable(true);
 
@@ -81,7 +81,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(kMargin, kMargin, kMargin, kHeadMargin);
     layout->setSpacing(6);
-    // A drawer at the lower edge of the view: its keys stay in their place when it folds and unfolds.
+    // Anchored at the lower edge of the view: its buttons do not move when it is folded or unfolded.
     layout->addWidget(scroll_, 1);
     layout->addWidget(foot_);
     layout->addLayout(head);
@@ -124,7 +124,7 @@ void ViewCard::openQuietly() {
 }
 
 void ViewCard::putAway() {
-    // Hidden, it would hand the focus on to whatever comes next: a key, or the robot's speed.
+    // When hidden, it would pass the focus to the next control, e.g. a button or the speed slider.
     if (isAncestorOf(window()->focusWidget())) {
         view_.setFocus(Qt::OtherFocusReason);
     }
@@ -198,7 +198,7 @@ void ViewCard::hideEvent(QHideEvent* event) {
 
 bool ViewCard::event(QEvent* event) {
     switch (event->type()) {
-        // What is done on the card is not done to the view below it.
+        // Events on the card must not reach the view below it.
         case QEvent::MouseButtonPress:
         case QEvent::MouseButtonRelease:
         case QEvent::MouseButtonDblClick:

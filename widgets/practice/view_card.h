@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A card in the lower left corner of a view. It lies over the view and so moves nothing else; its size follows
-// from the view's alone, so that nothing in it slides either. It can be folded to its title, and folds by
-// itself where the view has no room for it.
+// A card in the lower left corner of a view, as an overlay that does not move other elements; its size depends on
+// the view only. It can be folded to its title, and is folded automatically if the view is too small.
 
 #include <QFrame>
 
@@ -19,41 +18,41 @@ class ViewCard : public QFrame {
     Q_OBJECT
 
 public:
-    /// name    object name, and the beginning of those of its keys: "name.fold", "name.close"
-    /// height  that it has where there is room [px]; 0: what its content needs
+    /// name    object name, and prefix of the names of its buttons: "name.fold", "name.close"
+    /// height  preferred height [px]; 0: height of the content
     ViewCard(const QString& name, const QString& title, int height, QWidget& view);
 
     void setTitle(const QString& title);
     QString title() const;
     bool isFolded() const;
     void setFolded(bool folded);
-    /// Shows it in its place; asks for no focus.
+    /// Shows the card without taking the focus.
     void open();
-    /// As open(), folded where it would hide much of the view: for a card that nobody asked for.
+    /// As open(), but folded if it would cover a large part of the view: for a card that opens automatically.
     void openQuietly();
-    /// Hides it. The focus, if it was in the card, goes to the view.
+    /// Hides the card. If it has the focus, the view gets it.
     void putAway();
 
-    /// What the folded card takes of the view's lower edge [px]; 0 while it is hidden or unfolded.
+    /// Height of the folded card at the lower edge of the view [px]; 0 while hidden or unfolded.
     int covered() const;
 
     static constexpr int kWidth = 306;  ///< [px]
 
 Q_SIGNALS:
-    /// Its close key was pressed. Whoever made the card decides what that means.
+    /// The close button was pressed. The owner decides about the effect.
     void closeRequested();
     /// covered() has changed.
     void coveredChanged();
 
 protected:
-    /// Where the content goes; it scrolls where it is too long.
+    /// Layout of the content, which scrolls if it is too long.
     QVBoxLayout& content() { return *contentLayout_; }
-    /// Below the content, always in sight.
+    /// Buttons below the content, always visible.
     QHBoxLayout& keys() { return *keyLayout_; }
-    /// Between the two, always in sight too.
+    /// Adds a widget above the buttons, always visible.
     void addAboveKeys(QWidget* widget);
-    /// Enables a control of the card, or not: one that has the focus hands it to the view, not on to whatever
-    /// control of the window comes next.
+    /// Enables or disables a control of the card: when it has the focus, the view gets it instead of the next
+    /// control of the window.
     void setUsable(QWidget& control, bool usable);
 
     bool event(QEvent* event) override;

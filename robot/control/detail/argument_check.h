@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Looks at arguments before anything is sent, and names the one that is wrong: not a number, out of its
-// range, or so large that it must be degrees or millimetres.
+// Checks arguments before sending and reports the invalid one: NaN, out of range, or so large that it must be in
+// degrees or millimetres.
 
 #include "robot/control/detail/velocity_limiter.h"
 #include "robot/control/motion_types.h"
@@ -10,13 +10,13 @@
 
 namespace tiller::control {
 
-// Source: the limits ur_rtde and the controller agree on.
+// Source: limits common to ur_rtde and the controller.
 inline constexpr double kHighestToolSpeed = 3.0;           ///< [m/s]
 inline constexpr double kHighestToolAcceleration = 150.0;  ///< [m/s2]
 inline constexpr double kHighestBlend = 2.0;               ///< [m]
 
-/// Keeps the first complaint. Names must be literals.
-/// Real-time: yes, as long as there is nothing to complain about
+/// Keeps the first error. Names must be literals.
+/// Real-time: yes, unless there is an error
 class ArgumentCheck {
 public:
     explicit ArgumentCheck(const char* context) : context_(context) {}
@@ -25,16 +25,17 @@ public:
     ArgumentCheck& pose(const char* name, const Pose& pose);
     ArgumentCheck& jointSpeeds(const char* name, const JointVelocities& qd, const ArmLimits& arm);
     ArgumentCheck& torques(const char* name, const JointTorques& torques, const ArmLimits& arm);
-    /// cap  on the linear part [m/s]
+    /// cap  of the linear part [m/s]
     ArgumentCheck& twist(const char* name, const Twist& twist, double cap);
-    /// A place or an offset near the robot [m].
+    /// A position or offset near the robot [m].
     ArgumentCheck& offset(const char* name, const Eigen::Vector3d& metres, double largest);
     ArgumentCheck& finite(const char* name, const double* values, int count);
     /// low <= value <= high
     ArgumentCheck& range(const char* name, double value, double low, double high, const char* unit);
-    /// Speed of the TCP along a line [m/s]: 0 < speed <= cap, which the caller of setSpeedCap() can raise.
+    /// Speed of the TCP along a line [m/s]: 0 < speed <= cap; the cap can be changed by setSpeedCap().
     ArgumentCheck& toolSpeed(const char* name, double speed, double cap);
-    /// 0 < value <= high. hint  what a far too large value may be: "deg/s"
+    /// 0 < value <= high
+    /// hint  probable unit of a value that is far too large: "deg/s"
     ArgumentCheck& positive(const char* name, double value, double high, const char* unit,
                             const char* hint = nullptr);
 
@@ -51,10 +52,10 @@ private:
 
 bool isFinite(const JogTarget& target);
 
-/// What can only be another unit, named. kNoCap is no speed cap; there is no acceleration without a limit.
+/// Detects values in a wrong unit. kNoCap is allowed for speeds; accelerations always need a limit.
 Error checkLimits(const MotionLimits& limits, const char* context);
 
-/// The fastest joint's limit [rad/s].
+/// Limit of the fastest joint [rad/s].
 double highestJointSpeed(const ArmLimits& arm);
 
 }  // namespace tiller::control

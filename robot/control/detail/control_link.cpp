@@ -16,10 +16,10 @@ using std::chrono::milliseconds;
 
 namespace {
 
-// How often the control thread looks up when no data come. In real time only: whether they are late is
+// Maximum interval between two checks of the control thread without data. Real time; whether data are late is
 // decided by the Clock.
 constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
-// What is found so soon after the thread had something to do may have come meanwhile.
+// Data found within this time after other work of the thread may have arrived earlier.
 constexpr std::int64_t kBusyNs = kNsPerMs / 20;
 
 QString rangeText(RegisterRange range) {
@@ -30,7 +30,7 @@ RegisterRange other(RegisterRange range) {
     return range == RegisterRange::Upper ? RegisterRange::Lower : RegisterRange::Upper;
 }
 
-// Which registers, whose they are, and what the operator can do.
+// The affected registers, their possible users, and the suggested action.
 Error explainInUse(const Error& error, RegisterRange range) {
     const QString fieldbus =
         range == RegisterRange::Lower
@@ -57,11 +57,11 @@ Result<void> ControlLink::open(const Deadline& deadline) {
     wanted.port =
         static_cast<std::uint16_t>(options_.rtdePort != 0 ? options_.rtdePort : 30004 + options_.portOffset);
     wanted.request.outputs = outputNames(options_.registers);
-    // Without watchdog or external wrench the arm can be moved all the same.
+    // Motion is possible without watchdog or external wrench.
     wanted.request.inputs = {{inputNames(options_.registers, kCommandInputs), true},
                              {inputNames(options_.registers, kWatchdogInputs), false},
                              {inputNames(options_.registers, kWrenchInputs), false}};
-    // A controller may hold the registers of a connection that has just ended for a moment longer.
+    // A controller may reserve the registers of an ended connection a little longer.
     const Deadline grace =
         Deadline::after(std::min(milliseconds(1000), deadline.remaining() / 2), deadline.token());
     auto opened = rtde::Connection::open(wanted, deadline);
@@ -125,7 +125,7 @@ Result<void> ControlLink::checkModes(const Deadline& deadline) {
     return {};
 }
 
-// By what it says alone: to a program of others, what ours is asked with would be commands.
+// Only reads: for another program, a request could be a command.
 Result<Echo> ControlLink::findProgram(const Deadline& deadline) {
     const QString context = QStringLiteral("join the control program at %1").arg(connection_->peer());
     const auto data = firstData(deadline, context);
@@ -141,7 +141,7 @@ Result<Echo> ControlLink::findProgram(const Deadline& deadline) {
 }
 
 void ControlLink::begin(script::PrimaryClient& primary) {
-    // What was meant for the connection before must not reach this one.
+    // Discard values of the previous connection.
     kick_ = false;
     wrench_.take();
     quit_.store(false, std::memory_order_release);
@@ -176,15 +176,15 @@ bool ControlLink::send(const Command& command) {
     return sent;
 }
 
-// The package that has just been read into `values`, or the newest of those that queued up behind it.
+// The package just read into `values`, or the newest one of a backlog.
 Feedback ControlLink::newest(std::vector<double>& values, std::int64_t lookedNs, std::int64_t doneNs) {
     Feedback data = layout_.decode(values, now());
     data.awaited = data.hostNs - doneNs > kBusyNs;
     data.lookedNs = lookedNs;
-    constexpr int kQueue = 1000;  // a peer that sends faster than it is read does not keep the thread here
+    constexpr int kQueue = 1000;  // limits the time for a peer that sends faster than it is read
     const bool mayQueue = !data.awaited || connection_->hasPackage();
     for (int passed = 0; passed < kQueue && mayQueue && loop_.wantsNewest(); ++passed) {
-        // What ends the connection meanwhile shows at the next read.
+        // A failure of the connection is detected by the next read.
         if (connection_->readPackage(values, std::chrono::nanoseconds(0)) !=
             rtde::Connection::Read::Package) {
             break;
@@ -199,7 +199,7 @@ Feedback ControlLink::newest(std::vector<double>& values, std::int64_t lookedNs,
 
 void ControlLink::run(script::PrimaryClient& primary) {
     realtime::nameThread("control");
-    // Who asks for no priority does not ask for more heat either.
+    // Without a priority request, deep sleep stays enabled to save power.
     std::optional<realtime::CpuLatency> latency;
     if (options_.priority > 0) {
         latency.emplace();
@@ -214,9 +214,9 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t timeoutNs = std::chrono::nanoseconds(options_.connectionTimeout).count();
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
-    int looks = 0;  // in vain, since the newest package
+    int looks = 0;  // without success, since the newest package
     const auto isDead = [&](std::int64_t nowNs) {
-        // When this computer hung, the data may be on their way.
+        // After a delay of this computer, data may still be in transit.
         constexpr int kLooks = 10;
         const std::int64_t silentNs = nowNs - std::max(lastData(), begunNs);
         return timeoutNs > 0 && looks >= kLooks && silentNs > std::max(timeoutNs, loop_.dataTimeoutNs());
@@ -227,7 +227,7 @@ void ControlLink::run(script::PrimaryClient& primary) {
     };
     while (alive && !quit_.load(std::memory_order_acquire)) {
         const std::int64_t due = loop_.dueNs();
-        // The last of the wait for a cycle that is due is spent looking, not asleep.
+        // At the end of the wait for a scheduled cycle, poll instead of sleeping.
         const std::int64_t left = due == kNoCycleDue ? kLookUpNs : due - now() - kWakeUpNs;
         const std::chrono::nanoseconds wait(std::clamp<std::int64_t>(left, 0, kLookUpNs));
         switch (connection_->readPackage(values, wait, &waker_)) {
@@ -265,7 +265,7 @@ void ControlLink::run(script::PrimaryClient& primary) {
     }
     if (!alive) {
         loop_.lost(now(), ControlLoss::LinkLost);
-        connection_->close();  // frees the registers for whoever comes next
+        connection_->close();  // releases the registers for the next client
     }
     running_.store(false, std::memory_order_release);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The control thread and its RTDE connection: takes the registers, carries each package from the robot to the
-// ControlLoop and each command back.
+// The control thread and its RTDE connection: claims the registers, passes each package of the robot to the
+// ControlLoop and sends the resulting command.
 
 #include <array>
 #include <atomic>
@@ -23,8 +23,9 @@
 
 namespace tiller::control {
 
-/// Threads  open() to end(): one at a time; checkModes() and findProgram() between open() and begin(). All
-///          others: any. Owns one thread, "control", of the priority in the options
+/// Owns one thread, "control", with the priority in the options.
+/// Threads  open() to end(): one at a time; checkModes() and findProgram() between open() and begin(). All others:
+///          any
 class ControlLink {
 public:
     ControlLink(const ControllerOptions& options, ControlLoop& loop) : options_(options), loop_(loop) {}
@@ -32,35 +33,36 @@ public:
     ControlLink(const ControlLink&) = delete;
     ControlLink& operator=(const ControlLink&) = delete;
 
-    /// Connects and takes the registers.
-    /// Errors  those of rtde::Connection::open(), RegisterInUse and FieldUnknown with what the operator can do
+    /// Connects and claims the registers.
+    /// Errors  those of rtde::Connection::open(), RegisterInUse and FieldUnknown with a suggested action
     Result<void> open(const Deadline& deadline);
-    /// Errors  UnsafeState when the arm is not ready to be moved, Timeout, Cancelled
+    /// Errors  UnsafeState if the arm is not ready to move, Timeout, Cancelled
     Result<void> checkModes(const Deadline& deadline);
-    /// What the program that runs says of itself.
-    /// Errors  NotInControl when it is none of ours, Timeout, Cancelled
+    /// Reads the echo of the running program.
+    /// Errors  NotInControl if it is not a control program, Timeout, Cancelled
     Result<Echo> findProgram(const Deadline& deadline);
     SoftwareVersion version() const { return connection_->version(); }
     /// [s]
     double period() const { return connection_->period(); }
 
-    /// Starts the thread. primary  asked to stop a program that was paused; outlives the thread
+    /// Starts the thread.
+    /// primary  used to stop a program that was paused; must outlive the thread
     void begin(script::PrimaryClient& primary);
-    /// Ends thread and connection. Harmless when there are none.
+    /// Ends thread and connection. Allowed when there are none.
     void end();
     bool isRunning() const { return running_.load(std::memory_order_acquire); }
 
-    /// Has what was just asked for sent at once, where time does not stand still.
+    /// Makes the thread send the newest command immediately, unless the clock is virtual.
     void wake() const {
         if (options_.clock->runsByItself()) {
             waker_.wake();
         }
     }
-    /// Sends the watchdog's register once.
-    /// Errors  NotInControl; RegisterInUse when another client owns it
+    /// Sends the watchdog register once.
+    /// Errors  NotInControl; RegisterInUse if another client uses it
     Result<void> kickWatchdog();
     /// wrench  [N, Nm]
-    /// Errors  NotInControl; RegisterInUse when there is no such input or another client owns it
+    /// Errors  NotInControl; RegisterInUse if the input does not exist or another client uses it
     Result<void> sendWrench(const std::array<double, 6>& wrench);
 
 private:
@@ -72,7 +74,7 @@ private:
 
     const ControllerOptions& options_;
     ControlLoop& loop_;
-    std::unique_ptr<rtde::Connection> connection_;  ///< the control thread's while it runs
+    std::unique_ptr<rtde::Connection> connection_;  ///< used by the control thread while it is running
     FeedbackLayout layout_;
     std::thread thread_;
     std::atomic<bool> quit_{false};

@@ -12,10 +12,10 @@ namespace tiller::control {
 
 namespace {
 
-// How long the program may leave a package unanswered before it counts as gone.
+// Time without an answer after which the program counts as ended.
 constexpr std::int64_t kEchoGoneNs = 500 * kNsPerMs;
 
-/// [mm/s], from 1 on: 0 says that there are no torques yet. No cap is one that nothing reaches.
+/// [mm/s], at least 1, because 0 means no torques yet. No cap becomes a value that is never reached.
 std::int32_t inMillimetres(double cap) {
     constexpr double kLargest = 1e6;
     constexpr double kMillimetresPerMetre = 1000;
@@ -74,8 +74,9 @@ void ControlLoop::permitFinish() {
 }
 
 void ControlLoop::permitForce(bool permitted) {
-    // Who permits looks for a stop afterwards, who stops takes back afterwards: of two exchanges of one word
-    // the later sees what came before the earlier. A plain store anywhere would break that chain.
+    // The permission is written before checking for a stop, and a stop revokes it after stopping: with two
+    // exchanges of one word, the later one sees everything before the earlier one. A plain store would break this
+    // order.
     forcePermitted_.exchange(permitted, std::memory_order_acq_rel);
 }
 
@@ -98,7 +99,7 @@ std::int32_t ControlLoop::ask(Request request) {
 
 void ControlLoop::setHook(CycleHook* hook) {
     hook_.store(hook);
-    // Sleeps rather than yields: it may have to let a thread of lower priority go on.
+    // Sleep rather than yield, so that a thread of lower priority can continue.
     while (hookInUse_.load()) {
         std::this_thread::sleep_for(std::chrono::microseconds(50));
     }
@@ -115,7 +116,7 @@ void ControlLoop::takeIn(const Feedback& data) {
         if (static_cast<double>(sinceLast) > 1.5 * period_ * static_cast<double>(kNsPerSecond)) {
             ++status_.late;
         }
-        // The stall is over, but what was asked for before it is too old to go on with.
+        // The stall is over, but earlier commands are too old to be continued.
         if (sinceLast > dataTimeoutNs()) {
             endActive(StopCause::DataStale, data.hostNs);
         }
@@ -123,7 +124,7 @@ void ControlLoop::takeIn(const Feedback& data) {
     data_ = data;
     sentEarly_ = false;
     ageNs_ = std::max<std::int64_t>(stream_.add(data.timestamp, data.hostNs).jitterNs, 0);
-    // In this thread's own queue it may have waited since the last look, and no longer.
+    // The package may have been in the queue since the last check.
     arrivedNs_ = data.awaited ? data.hostNs : std::max(data.hostNs - ageNs_, data.lookedNs);
     if (!hasData_) {
         hasData_ = true;
@@ -155,7 +156,7 @@ Command ControlLoop::tick(const Feedback& data) {
 }
 
 ControllerStatus ControlLoop::status() const {
-    // First, so that what is told as answered is in the rest too.
+    // Read first, so that the other values include the answered package.
     const double answeredTime = answeredTime_.load(std::memory_order_acquire);
     ControllerStatus status = published_.load();
     status.answeredTime = answeredTime;
@@ -170,11 +171,11 @@ bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     if (dueNs() <= nowNs && cycleWithoutPackage(nowNs, out)) {
         return true;
     }
-    // Ends a motion whose holder is silent even when no tick asks.
+    // Ends a motion that is not refreshed, even without a tick.
     mailbox_.active(nowNs);
     noteEnded(nowNs);
     publish();
-    // A package a little late is nothing; the next tick carries the stop.
+    // A slightly late package needs no action; the next tick sends the stop.
     constexpr std::int64_t kPatienceNs = 10 * kNsPerMs;
     if (age < kPatienceNs || !owesStop()) {
         return false;
@@ -204,7 +205,7 @@ bool ControlLoop::wantsNewest() {
 bool ControlLoop::cycleWithoutPackage(std::int64_t nowNs, Command& out) {
     const MotionCommand* motion = mailbox_.active(nowNs);
     if (motion == nullptr || motion->id != followed_) {
-        return false;  // what there is to do instead, the next package will show
+        return false;  // the next package determines the reaction
     }
     out = {};
     composedNs_ = nowNs;
@@ -229,9 +230,9 @@ bool ControlLoop::early(std::int64_t nowNs, Command& out) {
     hookInUse_.store(false);
     const MotionCommand* motion = hooked ? nullptr : mailbox_.active(nowNs);
     if (motion != nullptr && (motion->id != followed_ || motion->kind != MotionCommand::Kind::Program)) {
-        return false;  // how it begins depends on where the arm is then
+        return false;  // the start depends on the current position of the arm
     }
-    // Set points wait for their turn, a stop for none.
+    // Set points are limited to one per package, stops are not.
     if (motion != nullptr ? sentEarly_ : !owesStop()) {
         return false;
     }
@@ -285,14 +286,14 @@ void ControlLoop::followEcho(const Feedback& data) {
     }
     const std::int32_t behind = sequence_ - echo.sequence;
     if (behind >= 0 && static_cast<std::size_t>(behind) >= kSentMemory) {
-        // Older than what is remembered: at least as long as all of it took.
+        // Older than the stored times: at least their whole duration.
         status_.roundTripMs = static_cast<double>(kSentMemory) * period_ * 1000.0;
     }
     if (behind >= 0 && static_cast<std::size_t>(behind) < kSentMemory) {
         const auto slot = static_cast<std::size_t>(echo.sequence) % kSentMemory;
         status_.roundTripMs = static_cast<double>(std::max<std::int64_t>(arrivedNs_ - sentNs_[slot], 0)) /
                               static_cast<double>(kNsPerMs);
-        // Only now is it our program, our session, and alive.
+        // Control begins here: the right program and session respond.
         const bool taking = !isInControl() && status_.loss == ControlLoss::Taking;
         if (taking && data.runtimeState == RuntimeState::Playing) {
             status_.inControl = true;
@@ -302,7 +303,7 @@ void ControlLoop::followEcho(const Feedback& data) {
     }
 }
 
-// Everything in the data that forbids to move on.
+// Ends the motion if the data do not permit it.
 void ControlLoop::watch(const Feedback& data) {
     status_.robotMode = data.robotMode;
     status_.safetyMode = data.safetyMode;
@@ -330,7 +331,7 @@ void ControlLoop::watch(const Feedback& data) {
     if (data.runtimeState != RuntimeState::Playing) {
         const bool asked = endRequested_.load(std::memory_order_acquire);
         paused_ = data.runtimeState == RuntimeState::Pausing || data.runtimeState == RuntimeState::Paused;
-        // A safeguard ends what was asked for some packages before the program is paused.
+        // A safeguard stop ends the motion some packages before the program is paused.
         constexpr std::int64_t kUntilPausedNs = 500 * kNsPerMs;
         yieldedWhenPaused_ = yieldedNs_ && data.hostNs - *yieldedNs_ < kUntilPausedNs;
         leave(asked ? endLoss_.load(std::memory_order_relaxed) : ControlLoss::ScriptStopped,
@@ -345,7 +346,7 @@ void ControlLoop::watch(const Feedback& data) {
     if (unanswered > dataTimeoutNs()) {
         endActive(StopCause::ControlLost, data.hostNs);
     }
-    // Everything flows, but late: a stop would reach the arm as late.
+    // Data arrive, but late: a stop would also be late.
     if (status_.roundTripMs * static_cast<double>(kNsPerMs) > static_cast<double>(dataTimeoutNs())) {
         endActive(StopCause::LinkLost, data.hostNs);
     }
@@ -388,7 +389,7 @@ void ControlLoop::watch(const Feedback& data) {
                 break;
         }
     }
-    // Whoever moves the TCP offset under a running jog moves the point it turns about.
+    // A change of the TCP offset during a jog would shift its centre of rotation.
     constexpr double kSameOffset = 1e-6;
     const bool tcpChanged = (data.tcpOffset.position - followedTcp_.position).norm() > kSameOffset ||
                             (data.tcpOffset.rotation - followedTcp_.rotation).norm() > kSameOffset;
@@ -398,7 +399,8 @@ void ControlLoop::watch(const Feedback& data) {
 }
 
 void ControlLoop::leave(ControlLoss loss, StopCause cause, std::int64_t nowNs) {
-    // In this order, and the other way round where motions begin (confirmControl): no motion is left over.
+    // This order, and the opposite order at the start of motions (confirmControl), ensures that no motion is
+    // missed.
     inControl_.exchange(false, std::memory_order_acq_rel);
     endActive(cause, nowNs);
     forcePermitted_.exchange(false, std::memory_order_acq_rel);
@@ -433,7 +435,7 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
         pressed_ = 0;
         followedSilenceNs_ = std::chrono::nanoseconds(motion->silence).count();
         status_.limiter = motion->limiter;
-        // What is still being measured belongs to a motion that another one has followed before standstill.
+        // The measurement belongs to a motion that was replaced before standstill.
         meter_.cancel();
     }
     if (motion->kind == MotionCommand::Kind::Jog) {
@@ -486,9 +488,9 @@ bool ControlLoop::feelsContact(const JogTarget& target, const Feedback& data) {
         return false;
     }
     if (!data.tcpForce) {
-        return true;  // who cannot feel must not push
+        return true;  // no motion with contact detection without force data
     }
-    // One noisy package is no contact; three are 6 ms, a tenth of a millimetre at the speed this is for.
+    // One noisy package is not a contact; three are 6 ms, or a tenth of a millimetre at the intended speed.
     constexpr int kPackages = 3;
     const bool pressed = (*data.tcpForce - followedForce_).norm() > target.contactForce;
     pressed_ = pressed ? pressed_ + 1 : 0;
@@ -508,7 +510,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
         mailbox_.end(motion.id, StopCause::LimitReached, data.hostNs);
         return;
     }
-    // Slowing down must be as brisk as stopping, or the limiter's braking in front of a limit would lag.
+    // Slowing down uses the deceleration of a stop; otherwise braking before a limit would lag behind.
     const bool brake = status_.limiter.brake;
     bool slowing = false;
     if (target.kind == JogTarget::Kind::Cartesian) {
@@ -531,7 +533,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
     command.rotation = {rotation.x(), rotation.y(), rotation.z()};
 }
 
-// A motion that was being followed is over: by whom and when the epoch knows.
+// The current motion has ended; the epoch knows the cause and the time.
 void ControlLoop::noteEnded(std::int64_t nowNs) {
     const Epoch& epoch = mailbox_.epoch();
     if (followed_ == kNoMotion || epoch.isActive(followed_)) {
@@ -544,8 +546,7 @@ void ControlLoop::noteEnded(std::int64_t nowNs) {
     if (cause != StopCause::LimitReached) {
         status_.limiter = {};
     }
-    // A motion that gave way to another one, or came to its end, did not stop.
-    // Nobody holds the arm any more: nor shall it go on pushing.
+    // A replaced or completed motion is not a stop. If the operator input has ended, also end force mode.
     if (cause == StopCause::EventLoopStalled || cause == StopCause::DataStale ||
         cause == StopCause::LinkLost) {
         forcePermitted_.exchange(false, std::memory_order_acq_rel);
@@ -565,9 +566,9 @@ void ControlLoop::publish() {
     published_.store(status_);
 }
 
-// Epoch and sequence number, last of all. A motion that was ended while the command was being made is not
-// sent any more; and nothing that idles may bear the number of a motion that has just begun, because the
-// robot would never begin it.
+// Sets epoch and sequence number as the last step. The command of a motion that ended meanwhile is not sent. An
+// idle command must not have the epoch of a motion that has just started, because the robot would never execute the
+// motion.
 void ControlLoop::seal(Command& command, std::int64_t nowNs) {
     const bool moves = command.kind != ScriptCommand::Idle && command.kind != ScriptCommand::End;
     if (moves && mailbox_.epoch().isActive(followed_)) {

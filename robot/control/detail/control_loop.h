@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the control thread does between a package from the robot and the package back, without socket and
-// thread: a function of the data, the mailbox and the time. Everything that ends a motion without being asked
-// is decided here.
+// The processing between a package from the robot and the answer, without socket and thread: a function of the
+// data, the mailbox and the time. All automatic ends of a motion are decided here.
 
 #include <array>
 #include <atomic>
@@ -25,48 +24,48 @@
 
 namespace tiller::control {
 
-/// Data older than this are no ground to move on.
+/// Older data do not permit motion.
 inline constexpr std::int64_t kMaxDataAgeNs = 100'000'000;
-/// A link on which a command takes longer than this to the robot and back is none to move on either.
+/// A longer round trip from a command to its echo does not permit motion either.
 inline constexpr double kMaxRoundTripMs = 100.0;
 
 inline constexpr std::int64_t kNoCycleDue = std::numeric_limits<std::int64_t>::max();
 
-/// What a cycle is run for.
+/// The trigger of a cycle.
 struct Occasion {
     double period = 0.002;  ///< [s]
-    bool fresh = true;      ///< the data have just come; otherwise they are those of the package before
-    /// Fresh: when it is to begin, to be even, by the clock of Feedback::hostNs.
+    bool fresh = true;      ///< new data; otherwise the data of the previous package
+    /// Fresh: scheduled start of the cycle for even spacing, on the clock of Feedback::hostNs.
     std::int64_t evenNs = 0;
-    /// Of the data at Feedback::hostNs, by the robot's time stamps, from the fastest arrival seen [ns].
+    /// Age of the data at Feedback::hostNs, from the robot's time stamps and the fastest observed arrival [ns].
     std::int64_t ageNs = 0;
 };
 
-/// Computes the target of one motion in step with the packages: see packet_loop.h.
+/// Computes the target of a motion in sync with the packages: see packet_loop.h.
 class CycleHook {
 public:
     virtual MotionId motion() const = 0;
     /// Called in the control thread.
     /// Returns  false to end the motion
     virtual bool cycle(const Feedback& data, const Occasion& occasion, MotionCommand& target) = 0;
-    /// When the last cycle ended, by the clock of Feedback::hostNs: its target leaves then.
+    /// End of the last cycle on the clock of Feedback::hostNs; its target is sent then.
     virtual std::int64_t endedNs() const = 0;
-    /// When the next cycle is to run even if no package comes until then; kNoCycleDue: it waits for one.
+    /// Time at which the next cycle runs even without a package; kNoCycleDue: it waits for a package.
     virtual std::int64_t dueNs(const realtime::ArrivalPace& pace) const = 0;
 
 protected:
     ~CycleHook() = default;
 };
 
-/// Threads  tick(), dueNs(), fallback(), lost(): the control thread. begin(): before it starts. All others:
-///          any; ask() and setHook() one at a time.
+/// Threads  tick(), dueNs(), fallback(), lost(): the control thread. begin(): before it starts. All others: any;
+///          ask() and setHook() one at a time.
 /// Real-time: yes
 class ControlLoop {
 public:
     ControlLoop(Mailbox& mailbox, const MotionLimits& limits)
         : mailbox_(mailbox), limits_(limits), speedCap_(limits.tcpSpeed) {}
 
-    /// Prepares for a new connection: nothing is in control until the program with this session answers.
+    /// Prepares for a new connection: control begins when the program with this session responds.
     void begin(std::int32_t session, double period, const ArmLimits& arm, std::int64_t nowNs);
     void setGranted(bool priority, bool cpus, bool fastWakeUps) {
         status_.priorityGranted = priority;
@@ -74,84 +73,86 @@ public:
         status_.cpusGranted = cpus;
     }
 
-    /// One package from the robot in, one back.
+    /// Processes one package from the robot and returns the answer.
     Command tick(const Feedback& data);
-    /// A package that is not answered, because a newer one has come already.
+    /// Processes a package that is not answered because a newer one has already arrived.
     void pass(const Feedback& data);
-    /// True while the newest package counts alone: a packet loop that took long is not to work off a queue.
+    /// True if only the newest package matters: a slow packet loop must not process a backlog.
     bool wantsNewest();
-    /// What tick() returned has been sent.
+    /// Call after sending the result of tick().
     void answered() { answeredTime_.store(data_.timestamp, std::memory_order_release); }
-    /// When fallback() has something to do although no package came; kNoCycleDue: nothing.
+    /// Time at which fallback() has to be called if no package arrives; kNoCycleDue: never.
     std::int64_t dueNs();
-    /// For when no package comes: ends the motion once the data are too old, and runs the cycle that is due.
-    /// Returns  true when `out` shall be sent without waiting any longer
+    /// To be called if no package arrives: ends the motion when the data are too old, and runs a scheduled cycle.
+    /// Returns  true if `out` has to be sent immediately
     bool fallback(std::int64_t nowNs, Command& out);
-    /// For when somebody has just changed what is to be done and no package is due: sends it at once, but
-    /// set points only once between two packages. Returns  true when `out` shall be sent
+    /// To be called after a change by another thread while no package is due: returns the command immediately, but
+    /// set points only once between two packages.
+    /// Returns  true if `out` has to be sent
     bool early(std::int64_t nowNs, Command& out);
-    /// The connection is gone.
+    /// Reports the loss of the connection.
     void lost(std::int64_t nowNs, ControlLoss loss);
 
-    /// From the next tick on the program is told to end; that it ended is called `loss`.
+    /// Requests the end of the program from the next tick on; `loss` is reported when it has ended.
     void requestEnd(ControlLoss loss = ControlLoss::Released) {
         endLoss_.store(loss, std::memory_order_relaxed);
         endRequested_.store(true, std::memory_order_release);
     }
-    /// How old data may be, and how long the program may leave a package unanswered, before a motion ends that
-    /// was not given a longer silence.
+    /// Maximum age of the data and maximum response time of the program before a motion without a longer timeout
+    /// ends.
     /// Threads: before the control thread starts
     void setDataTimeout(std::int64_t ns) { dataTimeoutNs_ = ns; }
     /// The same for the active motion. Threads: the control thread
     std::int64_t dataTimeoutNs() const;
-    /// For who joins a program that runs: goes on counting where the client before has ended.
+    /// For joining a running program: continues with the sequence and epoch of the previous client.
     /// Threads: after begin(), before the control thread starts
     void follow(const Echo& echo);
-    /// From the next tick on a move or path may come to its end without us.
+    /// From the next tick on, a move or path may complete without a client.
     void permitFinish();
-    /// Whether the robot has heard of it.
+    /// Whether the robot has received this permission.
     bool isFinishPermitted() const { return finishHeard_.load(std::memory_order_acquire); }
-    /// From the next tick on only the program with this session is ours, and its echo is waited for.
+    /// From the next tick on, only the program with this session is accepted.
     void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
 
-    /// Puts a request into the packages until another one is asked.
+    /// Adds a request to the packages until it is replaced.
     /// Returns  its number
     std::int32_t ask(Request request);
-    /// Takes the request out of the packages: nobody waits for it any more.
+    /// Removes the request from the packages when no caller waits for it any more.
     void withdraw();
-    /// The newest answer of our program.
+    /// The newest answer of the program.
     Answer answer() const { return answer_.load(); }
-    /// Force mode may go on, until this is taken back: by the caller, an unsafe mode, the loss of control, or
-    /// the end of a motion whose holder fell silent.
+    /// Permits force mode until this is revoked by the caller, an unsafe mode, the loss of control, or the end of a
+    /// motion that was not refreshed in time.
     void permitForce(bool permitted);
-    /// From the next tick on TCP and elbow of a jog get no faster than this [m/s].
+    /// Speed limit of TCP and elbow for jogs from the next tick on [m/s].
     void setSpeedCap(double cap) { speedCap_.store(cap); }
     double speedCap() const { return speedCap_.load(); }
-    /// From the next tick on jogs keep the safety distance of this check; null: there is none.
+    /// From the next tick on, jogs keep the safety distance of this check; null: no check.
     /// Threads  any; one at a time
     void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check) {
         check_.publish(std::move(check));
     }
-    /// Null takes it away; when the call returns it is not in use any more.
+    /// Null removes the hook; after the return it is no longer in use.
     void setHook(CycleHook* hook);
 
-    /// For who has just begun a motion: true means that the loss of control, should it come, will end it;
-    /// false that the caller must. A look with isInControl() could miss a loss that in turn missed the
-    /// motion.
+    /// To be called after starting a motion: true guarantees that a later loss of control ends the motion; false
+    /// means that the caller must end it. With isInControl() a simultaneous loss could be missed.
     bool confirmControl();
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
     ControllerStatus status() const;
-    /// True once after our program was paused: it is of no more use, and what it has begun, force mode for
-    /// one, might go on all the same. Threads  the control thread
+    /// True once after the program was paused: it cannot be used any more, and its effects, such as force mode,
+    /// might continue.
+    /// Threads  the control thread
     bool takePaused() { return std::exchange(paused_, false); }
-    /// Whether the arm yielded to forces or hands when it was paused: what ends that is a line of the program,
-    /// which does not run then. Threads  the control thread
+    /// Whether force mode, freedrive or teach mode was active at the pause; only the paused program could end these
+    /// modes.
+    /// Threads  the control thread
     bool yieldedWhenPaused() const { return yieldedWhenPaused_; }
-    /// Of the newest package.
+    /// According to the newest package.
     ScriptState scriptState() const { return scriptState_.load(std::memory_order_acquire); }
-    /// How many packages said that a program plays.
+    /// Number of packages that reported a running program.
     std::uint64_t playing() const { return playing_.load(std::memory_order_acquire); }
-    /// For the time in which no control thread runs.
+    /// For the time without a control thread.
     void publishLoss(ControlLoss loss);
 
 private:
@@ -164,7 +165,7 @@ private:
     void composeProgram(const MotionCommand& motion, const Feedback& data, const Occasion& occasion,
                         Command& command);
     bool cycleWithoutPackage(std::int64_t nowNs, Command& out);
-    /// Something is over that the robot was last told to go on with, force mode included.
+    /// True if a motion or force mode ended that the robot may still execute.
     bool owesStop() const;
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
     bool feelsContact(const JogTarget& target, const Feedback& data);
@@ -174,9 +175,9 @@ private:
 
     Mailbox& mailbox_;
     MotionLimits limits_;
-    std::atomic<double> speedCap_;  ///< in place of limits_.tcpSpeed
+    std::atomic<double> speedCap_;  ///< replaces limits_.tcpSpeed
     VelocityLimiter limiter_{ArmLimits{}, MotionLimits{}};
-    /// The control thread only looks at the newest; who publishes frees the older ones.
+    /// The control thread only reads the newest value; the publisher frees the older ones.
     realtime::TripleBuffer<std::shared_ptr<const collision::CollisionCheck>> check_;
     StopMeter meter_;
 
@@ -189,16 +190,16 @@ private:
     std::atomic<bool> forcePermitted_{false};
     std::atomic<bool> mayFinish_{false};
     std::atomic<bool> finishHeard_{false};
-    std::int32_t finishSequence_ = 0;  ///< of the first package that permits it; 0: none
+    std::int32_t finishSequence_ = 0;  ///< of the first package with the permission; 0: none
     std::int64_t dataTimeoutNs_ = kMaxDataAgeNs;
-    bool sentEarly_ = false;  ///< set points, since the newest package
+    bool sentEarly_ = false;  ///< set points since the newest package
     std::atomic<std::uint64_t> playing_{0};
     std::atomic<ScriptState> scriptState_{ScriptState::Ready};
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};
     bool paused_ = false;
     bool yieldedWhenPaused_ = false;
-    std::optional<std::int64_t> yieldedNs_;  ///< when force mode, freedrive or teach mode were last asked for
+    std::optional<std::int64_t> yieldedNs_;  ///< time of the last force mode, freedrive or teach mode command
     std::int32_t asked_ = 0;                 ///< under the caller's lock: number of the last request
     realtime::TripleBuffer<Request> request_;
     realtime::Seqlock<Answer> answer_;
@@ -207,25 +208,25 @@ private:
     bool hasData_ = false;
     realtime::ArrivalPace pace_{period_};
     realtime::StreamWatch stream_;
-    std::int64_t ageNs_ = 0;       ///< of the newest data when they were read: see Occasion
-    std::int64_t arrivedNs_ = 0;   ///< when they came, as far as that is known
-    std::int64_t evenNs_ = 0;      ///< when the newest package's cycle is to begin, to be even
-    std::int64_t composedNs_ = 0;  ///< when the command was made that is about to be sent
+    std::int64_t ageNs_ = 0;       ///< age of the newest data at reading: see Occasion
+    std::int64_t arrivedNs_ = 0;   ///< estimated arrival time
+    std::int64_t evenNs_ = 0;      ///< scheduled start of the newest package's cycle for even spacing
+    std::int64_t composedNs_ = 0;  ///< creation time of the command that is about to be sent
     std::int32_t sequence_ = kBeforeFirstSequence;
     static constexpr std::size_t kSentMemory = 512;
     std::array<std::int64_t, kSentMemory> sentNs_{};
     std::int32_t echoed_ = 0;
     std::int64_t unansweredSinceNs_ =
-        0;  ///< when the first package after the last new echo was sent; 0: none
+        0;  ///< time of sending the first package after the last new echo; 0: none
 
-    MotionId sentMotion_ = kNoMotion;                          ///< what the robot was last told to do
-    bool sentForce_ = false;                                   ///< whether force mode may go on, by the same
-    MotionId followed_ = kNoMotion;                            ///< the motion the last command was for
-    bool followedByHand_ = false;                              ///< a jog or a move of the interface
-    std::int64_t followedSilenceNs_ = 0;                       ///< what it was given, see MotionCommand
-    Pose followedTcp_;                                         ///< TCP offset when it began
-    Eigen::Vector3d followedForce_ = Eigen::Vector3d::Zero();  ///< on the TCP when it began
-    int pressed_ = 0;  ///< packages in a row in which the TCP was pressed harder than the jog allows
+    MotionId sentMotion_ = kNoMotion;                          ///< last motion sent to the robot
+    bool sentForce_ = false;                                   ///< force mode permission sent with it
+    MotionId followed_ = kNoMotion;                            ///< the motion of the last command
+    bool followedByHand_ = false;                              ///< a jog or a move of the user interface
+    std::int64_t followedSilenceNs_ = 0;                       ///< its timeout, see MotionCommand
+    Pose followedTcp_;                                         ///< TCP offset at its start
+    Eigen::Vector3d followedForce_ = Eigen::Vector3d::Zero();  ///< force at the TCP at its start
+    int pressed_ = 0;  ///< consecutive packages with a force above the limit of the jog
 
     ControllerStatus status_;
     realtime::Seqlock<ControllerStatus> published_;

@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// "5.4", and "5.25.1" where that counts.
+/// e.g. "5.4", and "5.25.1" if the bugfix version matters.
 QString shortly(const SoftwareVersion& version) {
     const QString both = QStringLiteral("%1.%2").arg(version.major).arg(version.minor);
     return version.bugfix > 0 ? both + QStringLiteral(".%1").arg(version.bugfix) : both;
@@ -46,10 +46,10 @@ Result<void> ControlProgram::listen(const SoftwareVersion& version, const Deadli
         return heard;
     }
     ArmLimits limits = ArmLimits::of(robotModel(options_.model));
-    if (const auto told = listener->configuration()) {
-        // The robot tells its type, but not what torques its joints can give.
-        const auto model = robotModelByType(told->robotType, version.isCb3());
-        limits = ArmLimits::of(robotModel(model.value_or(options_.model)), *told);
+    if (const auto reported = listener->configuration()) {
+        // The robot reports its type, but not the torque limits of its joints.
+        const auto model = robotModelByType(reported->robotType, version.isCb3());
+        limits = ArmLimits::of(robotModel(model.value_or(options_.model)), *reported);
     }
     const std::lock_guard lock(guard_);
     arm_ = limits;
@@ -107,8 +107,8 @@ Result<void> ControlProgram::knows(const char* name, const QString& context) con
                      .arg(QLatin1String(name))};
 }
 
-// A name that is dropped from the language makes a controller refuse the whole program: once it has told
-// which, the program does without.
+// A function that was removed from the language makes a controller refuse the whole program: after its error
+// message, the program is sent without this function.
 Result<void> ControlProgram::upload(std::int32_t session, const QString& section, const Deadline& deadline) {
     for (;;) {
         auto sent = uploadOnce(session, section, deadline);
@@ -137,12 +137,12 @@ Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& sec
                                                section, without, options_.force);
     {
         const std::lock_guard lock(guard_);
-        primary_->takeMessages();  // what was said before is not about us
+        primary_->takeMessages();  // discard earlier messages
         script_ = script;
         own_ = {};
     }
     session_ = session;
-    // Stays until the program answers: a controller can drop a program whose sender hangs up at once.
+    // Connected until the program responds: a controller can drop a program whose sender disconnects immediately.
     std::optional<script::ScriptClient> sender;
     if (options_.deliver) {
         if (auto delivered = options_.deliver(script.text, deadline); !delivered) {
@@ -220,7 +220,7 @@ Result<void> ControlProgram::sendAnew(const Deadline& deadline) {
 }
 
 void ControlProgram::giveWayTo(const script::SupervisedProgram& program) {
-    complaint({});  // what was said before is not about this script
+    complaint({});  // discard earlier errors
     const std::lock_guard lock(guard_);
     own_ = program;
     sectionName_ = QString();
@@ -245,7 +245,7 @@ Error ControlProgram::complaint(const QString& context) {
             const bool ours = place.contains(QLatin1String(".script line "));
             QString text = message.text;
             if (const int line = own_.lineOf(message.line); !own_.text.isEmpty() && line > 0) {
-                // A syntax error repeats its line.
+                // A syntax error repeats its line number.
                 text.replace(QStringLiteral("on_line:%1:").arg(message.line),
                              QStringLiteral("on_line:%1:").arg(line));
             }

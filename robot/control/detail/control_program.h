@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The control program on the robot: made for its software, sent, heard of, ended and sent again.
+// The control program on the robot: generated for the software version, sent, monitored, ended and restarted.
 
 #include <memory>
 #include <mutex>
@@ -21,7 +21,7 @@ namespace tiller::control {
 /// Threads  listen(), stopListening(), upload(), end(), restart(): one at a time. All others: any
 class ControlProgram {
 public:
-    /// What the controller says about a script of the user's.
+    /// Messages of the controller about a user script.
     struct ScriptHeard {
         QString name;
         bool started = false;
@@ -33,50 +33,50 @@ public:
 
     static std::int32_t newSession();
 
-    // ---- the controller it runs on -----------------------------------------------------------------------
+    // ---- the controller -----------------------------------------------------------------------------------
 
-    /// Connects to the primary interface: what the controller says about programs, and the arm's own dimensions.
-    /// version  of the controller's software
+    /// Connects to the primary interface for messages about programs and for the dimensions of the arm.
+    /// version  of the controller software
     Result<void> listen(const SoftwareVersion& version, const Deadline& deadline);
     void stopListening();
     /// Only between listen() and stopListening().
     script::PrimaryClient& listener() { return *primary_; }
     SoftwareVersion version() const;
     ArmLimits arm() const;
-    /// Errors  VersionUnsupported below these versions; a CB3 version of zeros: never there; one of PolyScope X
-    ///         of zeros: all of them have it
+    /// Errors  VersionUnsupported below these versions; zeros for CB3: not available there; zeros for PolyScope X:
+    ///         all versions
     Result<void> needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3, const QString& context,
                        const SoftwareVersion& polyScopeX = {}) const;
-    /// Errors  VersionUnsupported when the controller does not know this builtin
+    /// Errors  VersionUnsupported if the controller does not have this builtin function
     Result<void> knows(const char* name, const QString& context) const;
 
-    // ---- on its way -----------------------------------------------------------------------------------------
+    // ---- sending -------------------------------------------------------------------------------------------
 
-    /// Of the program sent last, or joined; 0: none.
+    /// Of the program sent or joined last; 0: none.
     std::int32_t session() const { return session_; }
     void setSession(std::int32_t session) { session_ = session; }
     int primaryPort() const {
         return options_.primaryPort != 0 ? options_.primaryPort : 30001 + options_.portOffset;
     }
-    /// section  script of the user's own that runs inside; may be empty
-    /// Errors   ScriptError with the controller's words; those of script::ScriptClient, Timeout, Cancelled
+    /// section  user script that runs inside; may be empty
+    /// Errors   ScriptError with the controller's message; those of script::ScriptClient, Timeout, Cancelled
     Result<void> upload(std::int32_t session, const QString& section, const Deadline& deadline);
     Result<void> awaitControl(const Deadline& deadline, const QString& context);
-    /// Ends it, if it runs.
+    /// Ends the program if it is running.
     Result<void> end(ControlLoss loss, const Deadline& deadline);
-    /// Ends it and sends it again with this section in it.
-    /// name  what the section is called in messages
+    /// Ends the program and sends it again with this section.
+    /// name  of the section in messages
     Result<void> restart(const QString& section, const QString& name, const Deadline& deadline);
-    /// Sends it, without a section, after a program of others has ended.
+    /// Sends the program without a section after another program has ended.
     Result<void> sendAnew(const Deadline& deadline);
 
-    // ---- what is said of it -----------------------------------------------------------------------------------
+    // ---- messages ---------------------------------------------------------------------------------------------
 
-    /// A script of the user's takes its place: complaints are about that one from now on.
+    /// Attributes later errors to a user script that replaces the control program.
     void giveWayTo(const script::SupervisedProgram& program);
-    /// What the controller complained of since the last upload; code None when it did not.
+    /// The error reported by the controller since the last upload; code None if there is none.
     Error complaint(const QString& context);
-    /// Counts states on the connection complaints come on, each after the complaints of its time.
+    /// Number of robot states received on the message connection; each arrives after the messages of its time.
     std::uint64_t statesHeard() const;
     ScriptHeard scriptHeard() const;
 
@@ -90,15 +90,15 @@ private:
     RequestChannel& requests_;
     std::int32_t session_ = 0;
 
-    mutable std::mutex guard_;  ///< of all below
+    mutable std::mutex guard_;  ///< protects the following members
     SoftwareVersion version_;
     ArmLimits arm_;
     std::unique_ptr<script::PrimaryClient> primary_;
-    ControlScript script_;  ///< the one sent last
-    /// The user's program that has taken its place; no text: none.
+    ControlScript script_;  ///< the program sent last
+    /// The user program that replaces it; empty text: none.
     script::SupervisedProgram own_;
-    QString sectionName_;  ///< what its section is called in messages
-    QStringList refused_;  ///< names that this controller does not know and the program does without
+    QString sectionName_;  ///< name of its section in messages
+    QStringList refused_;  ///< functions that this controller does not have and the program avoids
     ScriptHeard scriptHeard_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The text of control.script as it is sent: names filled in for one robot, one register range, one session.
+// The text of control.script to be sent, with names replaced for one robot, register range and session.
 
 #include <QString>
 #include <QStringList>
@@ -13,33 +13,31 @@
 
 namespace tiller::control {
 
-/// control.script, control_requests.script and control_cycle.script, one after the other.
+/// control.script, control_requests.script and control_cycle.script, concatenated.
 const char* controlScriptTemplate();
 
 struct ControlScript {
     QString text;
-    int firstLine = 1;  ///< of `text` in control.script, to find the lines of the controller's messages there
+    int firstLine =
+        1;  ///< line number in control.script of the first line of `text`, for controller messages
     int sectionLine = 0;   ///< of the section in `text`, counted from 1
-    int sectionLines = 1;  ///< how many it takes
+    int sectionLines = 1;  ///< number of its lines
 
-    /// What a line of `text`, counted from 1, is called: "control_cycle.script line 13", or "line 2" of the
+    /// Description of a line of `text`, counted from 1, e.g. "control_cycle.script line 13", or "line 2" of the
     /// section.
     QString place(int line, int column) const;
 };
 
-/// version  software without a function gets the lines that do without it
-/// session  marks this start of the program; echoed by it
-/// arm      what its joints can do: by that servo targets are judged, and torques braked
-/// section  lines of a path or a function, run by ScriptCommand::Section. Names beginning with tiller_ are
-/// the
-///          program's own
-/// refused  names in CALLS that this controller does not know: the program does without them
+/// version  selects the lines for functions available in this software
+/// session  identifies this start of the program, which echoes it
+/// arm      limits of the joints, for checking servo targets and for braking after torques
+/// section  lines of a path or a function, run by ScriptCommand::Section. Names starting with tiller_ are reserved
+/// refused  functions in CALLS that this controller does not have: the program avoids them
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
                             const MotionLimits& limits, const ArmLimits& arm, const QString& section = {},
                             const QStringList& refused = {}, const ForceSettings& force = {});
 
-/// Of what the controller says when it cannot compile the program: the name that it does not know, if the
-/// program can do without it; else empty.
+/// The unknown function in a compile error of the controller if the program can avoid it; otherwise empty.
 QString refusedName(const QString& text);
 
 }  // namespace tiller::control

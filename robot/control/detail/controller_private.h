@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inside of Controller: what motions may begin, and who may take or give control when. For the sources of
+// Internals of Controller: when a motion may start, and when control may be taken or released. For the sources of
 // this folder only.
 
 #include <functional>
@@ -29,57 +29,56 @@ struct Controller::Private {
     RequestChannel requests{loop, link};
     ControlProgram program{options, loop, link, requests};
 
-    std::mutex taking;  ///< takeControl(), release() and all that sends programs, one after the other
-    std::mutex patience;
-    CancelToken underWay;  ///< under `patience`: of the call that holds `taking`
-    int ending = 0;        ///< under `patience`: calls of release() that wait for `taking`
+    std::mutex taking;  ///< serializes takeControl(), release() and all functions that send programs
+    std::mutex tokenMutex;
+    CancelToken underWay;  ///< protected by `tokenMutex`: token of the call that holds `taking`
+    int ending = 0;        ///< protected by `tokenMutex`: release() calls that wait for `taking`
 
     std::int64_t now() const { return options.clock->nowNs(); }
     std::int64_t dataTimeoutNs() const { return std::chrono::nanoseconds(options.dataTimeout).count(); }
-    /// With the cap as it is now: read after the stops are counted, so that a cap set meanwhile stops what
-    /// was made with the one before.
+    /// The limits with the current cap. Call after reading the number of stops, so that a change of the cap stops a
+    /// motion that was planned with the old one.
     MotionLimits limitsNow() const {
         MotionLimits limits = options.limits;
         limits.tcpSpeed = loop.speedCap();
         return limits;
     }
 
-    /// Whether there is nothing to take. Needs `taking`.
+    /// True if control does not have to be taken. Needs `taking`.
     bool isInControl() const { return link.isRunning() && loop.isInControl(); }
-    /// Connects and sends the control program, or joins the one that runs; leaves nothing behind when that
-    /// fails. Needs `taking`.
+    /// Connects and sends the control program, or joins the running one; cleans up on failure. Needs `taking`.
     Result<void> take(const Deadline& deadline, bool join);
-    /// Cancels who is taking control, then has `whenRunning` prepare the end of the control thread.
+    /// Cancels a call that is taking control, then has `whenRunning` prepare the end of the control thread.
     void end(const std::function<void()>& whenRunning);
     void disconnect();
 
-    /// Starts a motion, unless a stop came since there were so many or control has ended.
+    /// Starts a motion, unless a stop occurred since this number of stops or control has ended.
     Result<MotionId> start(const MotionCommand& command, std::uint64_t stops, const QString& context);
-    /// Sends the program with this section, unless a stop came since there were so many.
+    /// Sends the program with this section, unless a stop occurred since this number of stops.
     /// Returns  the empty epoch in which it can be started
     Result<std::uint64_t> sendSection(const QString& section, const QString& name, std::uint64_t stops,
                                       const Deadline& deadline, const QString& context);
-    /// Starts the section that was sent last, unless a stop or another motion came since that epoch.
-    /// silence  how long it may last without a heartbeat; 0: as everything else
+    /// Starts the section that was sent last, unless a stop or another motion occurred since this epoch.
+    /// silence  maximum time without a heartbeat; 0: default
     Result<MotionId> beginSection(std::uint64_t epoch, Holding holding, std::chrono::milliseconds silence,
                                   const QString& context);
-    /// Both.
+    /// Sends and starts the section.
     Result<MotionId> startSection(const QString& section, const QString& name, Holding holding,
                                   std::chrono::milliseconds silence, std::uint64_t stops,
                                   const Deadline& deadline, const QString& context);
-    /// Why no motion may begin now; code None when it may.
+    /// The reason why no motion may start; code None if permitted.
     Error obstacle(const QString& context) const;
 
 private:
     Result<void> connect(const Deadline& deadline, bool join);
 };
 
-/// The way of the commands' classes into the controller.
+/// Gives the command classes access to the controller.
 struct ControllerAccess {
     static Controller::Private& of(Controller& controller) { return *controller.d_; }
 };
 
-/// Makes handles, and looks into them.
+/// Creates handles and reads their members.
 struct MotionAccess {
     static Motion make(Controller& controller, MotionId id, MotionKind kind) {
         Motion motion;
@@ -105,18 +104,18 @@ struct MotionAccess {
     static Controller* controller(const Motion& motion) { return motion.controller_; }
 };
 
-/// A deadline that release() can end: registers its token for as long as it lives. Needs `taking`.
+/// A deadline that release() can cancel: registers its token for the lifetime of the object. Needs `taking`.
 class UnderWay {
 public:
     UnderWay(Controller::Private& d, const Deadline& deadline) : d_(d) {
-        const std::lock_guard lock(d_.patience);
+        const std::lock_guard lock(d_.tokenMutex);
         d_.underWay = deadline.token();
         if (d_.ending > 0) {
             d_.underWay.cancel();
         }
     }
     ~UnderWay() {
-        const std::lock_guard lock(d_.patience);
+        const std::lock_guard lock(d_.tokenMutex);
         d_.underWay = CancelToken();
     }
     UnderWay(const UnderWay&) = delete;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The number that makes a stop final. Every motion begins a new epoch and bears its number; every stop begins
-// a new, empty one. A command counts only while the epoch it was given for is the present one, and epochs
-// never come back.
+// The counter that makes a stop final. Every motion starts a new epoch and uses its number; every stop starts a
+// new, empty epoch. A command is valid only in its own epoch, and epochs are never reused.
 
 #include <array>
 #include <atomic>
@@ -16,36 +15,35 @@ namespace tiller::control {
 /// Threads  any. Blocks: never (compare-and-swap). Real-time: yes
 class Epoch {
 public:
-    /// Begins the epoch of a new motion; what was active ends with StopCause::Superseded.
+    /// Starts the epoch of a new motion; the active one ends with StopCause::Superseded.
     MotionId beginMotion(std::int64_t nowNs);
-    /// The same, unless the epoch has moved on from this one; kNoMotion then.
+    /// As beginMotion(), unless the epoch has changed since; then returns kNoMotion.
     MotionId beginMotionAfter(std::uint64_t epoch, std::int64_t nowNs);
-    /// The same, unless a stop came since stops() was this; kNoMotion then.
+    /// As beginMotion(), unless a stop occurred since stops() returned this value; then returns kNoMotion.
     MotionId beginMotionUnlessStopped(std::uint64_t stops, std::int64_t nowNs);
-    /// Begins an empty epoch: ends whatever is active.
-    /// Returns  that epoch
+    /// Starts an empty epoch, which ends the active motion.
+    /// Returns  this epoch
     std::uint64_t stop(StopCause cause, std::int64_t nowNs);
-    /// Makes this the present epoch, empty, unless it is past already: another client was there before.
+    /// Starts this epoch, empty, unless it is in the past, after another client.
     void skipTo(std::uint64_t epoch);
-    /// As stop(), but only if that motion is the active one.
+    /// As stop(), but only if this motion is active.
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs);
 
     std::uint64_t current() const;
-    /// How many stops there were, those not counted that only make way for another motion. Who reads it
-    /// before it prepares a motion sees whether one came meanwhile.
+    /// Number of stops, without replacements by another motion. Read this before preparing a motion to detect a
+    /// stop in between.
     std::uint64_t stops() const { return stops_.load(std::memory_order_acquire); }
     bool isActive(MotionId motion) const;
     MotionId activeMotion() const;  ///< kNoMotion in an empty epoch
-    /// The newest epoch in which nothing may move any more: the present one when it is empty, else the one
-    /// before.
+    /// The newest epoch in which no motion is possible any more: the current one if it is empty, else the previous
+    /// one.
     std::uint64_t deadUpTo() const;
     MotionState state(MotionId motion) const;
-    /// When the end of this motion was asked for, by the clock of those who ask. Meaningful soon after the
-    /// end.
+    /// Time at which the end of this motion was requested, on the caller's clock. Valid only for recent motions.
     std::int64_t endedNs(MotionId motion) const;
 
 private:
-    // epoch * 2^16 + occupied * 2^8 + how the epoch before it ended
+    // epoch * 2^16 + occupied * 2^8 + cause of the end of the previous epoch
     using Word = std::uint64_t;
     static constexpr std::size_t kMemory = 256;
 
@@ -58,7 +56,7 @@ private:
 
     std::atomic<Word> word_{word(1, false, StopCause::None)};
     std::atomic<std::uint64_t> stops_{0};
-    std::array<std::atomic<std::uint64_t>, kMemory> causes_{};  ///< epoch * 2^8 + how it ended
+    std::array<std::atomic<std::uint64_t>, kMemory> causes_{};  ///< epoch * 2^8 + cause of its end
     std::array<std::atomic<std::int64_t>, kMemory> began_{};
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one slot between those who want the arm to move and the control thread. The last command wins; one that
-// has been stopped, replaced or not refreshed in time is gone for good.
+// The single command slot between the callers and the control thread. The last command wins; a command that was
+// stopped, replaced or not refreshed in time cannot become active again.
 
 #include <array>
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace tiller::control {
 
-/// Without a refresh for this long a held motion ends.
+/// A held motion ends without a refresh for this time.
 inline constexpr std::int64_t kHoldTimeNs = std::chrono::nanoseconds(kHoldTime).count();
 
 struct MotionCommand {
@@ -25,20 +25,20 @@ struct MotionCommand {
     Kind kind = Kind::None;
     bool held = true;
     JogTarget jog;             ///< Jog
-    std::int32_t program = 0;  ///< Program: what control.script shall do, a ScriptCommand
-    std::int32_t choice = 0;   ///< Program: as control.script says
-    /// MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]; Program: as control.script says
+    std::int32_t program = 0;  ///< Program: a ScriptCommand
+    std::int32_t choice = 0;   ///< Program: see control.script
+    /// MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]; Program: see control.script
     std::array<double, 6> target{};
     double speed = 0;
     double acceleration = 0;
     double rotationAcceleration = 0;
     std::array<double, 3> rotation{};  ///< Program: rotation vector of a custom frame
-    Limiter limiter;                   ///< of a move: what keeps it below the speed asked for
-    /// Of a free move or path: how long it lasts without a heartbeat; 0: as everything else.
+    Limiter limiter;                   ///< of a move: the limit that reduces the requested speed
+    /// Of a free move or path: maximum time without a heartbeat; 0: default.
     std::chrono::milliseconds silence{0};
 };
 
-/// A stop that chooses its deceleration; it counts for the epoch it made.
+/// A stop with a specific deceleration; valid for the epoch it created.
 struct Brake {
     enum class Along : std::uint8_t { AsFits, Joints, Line };
     std::uint64_t epoch = 0;
@@ -47,24 +47,24 @@ struct Brake {
     double rotationDeceleration = 0;
 };
 
-/// Callers' side: threads any; they wait for each other's copy of a command, never for the control thread,
-/// and stop() waits for nobody. Control thread's side: take() and active(), real-time, wait-free.
+/// Callers: any thread; they wait for each other while copying a command, never for the control thread, and stop()
+/// does not wait. Control thread: take() and active() are real-time and wait-free.
 class Mailbox {
 public:
     MotionId start(MotionCommand command, std::int64_t nowNs);
-    /// The same, unless a stop or another motion came since `epoch` was the current one.
-    /// Returns  kNoMotion then
+    /// As start(), unless a stop or another motion occurred since `epoch` was current.
+    /// Returns  kNoMotion in this case
     MotionId startAfter(std::uint64_t epoch, MotionCommand command, std::int64_t nowNs);
-    /// The same, unless a stop came since there were so many: Epoch::stops(). Other motions do not matter.
-    /// Returns  kNoMotion then
+    /// As start(), unless a stop occurred since this number of stops: Epoch::stops(). Other motions do not matter.
+    /// Returns  kNoMotion in this case
     MotionId startUnlessStopped(std::uint64_t stops, MotionCommand command, std::int64_t nowNs);
-    /// Returns  false when the motion has ended, if only by this call coming too late
+    /// Returns  false if the motion has ended, e.g. because this call came too late
     bool refresh(MotionId motion, std::int64_t nowNs);
     bool refresh(MotionId motion, const JogTarget& target, std::int64_t nowNs);
-    /// Refreshes a Program with other values; its identity and holding stay.
+    /// Refreshes a Program with new values; its identity and holding are unchanged.
     bool change(MotionId motion, const MotionCommand& values, std::int64_t nowNs);
     enum class Change : std::uint8_t { Done, Ended, Refused };
-    /// The same, if mayFollow(the command before, the time since its last refresh [ns]) says so.
+    /// As change(), if mayFollow(the previous command, the time since its last refresh [ns]) returns true.
     template <class MayFollow>
     Change changeIf(MotionId motion, const MotionCommand& values, std::int64_t nowNs, MayFollow mayFollow) {
         const std::lock_guard lock(callers_);
@@ -82,13 +82,13 @@ public:
     }
     const Epoch& epoch() const { return epoch_; }
     void skipTo(std::uint64_t epoch) { epoch_.skipTo(epoch); }
-    /// Whether what is active comes to an end by itself: a move, a path.
+    /// Whether the active motion has a target: a move or a path.
     bool hasAnEnd();
 
-    /// The command to follow now, or null. Ends it first when its holder has fallen silent.
-    /// Threads  the control thread only; the reference lives until the next call
+    /// The command to execute, or null. Ends the command first if it was not refreshed in time.
+    /// Threads  the control thread only; the reference is valid until the next call
     const MotionCommand* active(std::int64_t nowNs);
-    /// How to brake in this empty epoch. Threads: the control thread only
+    /// The deceleration for this empty epoch. Threads: the control thread only
     Brake brake(std::uint64_t epoch);
 
 private:
@@ -100,7 +100,7 @@ private:
     std::atomic<std::int64_t> refreshedNs_{0};
 
     std::mutex callers_;
-    MotionCommand last_;  ///< under the mutex: what was published last
+    MotionCommand last_;  ///< protected by the mutex: the command published last
 
     realtime::TripleBuffer<MotionCommand> newest_;  ///< published under the mutex
     realtime::TripleBuffer<Brake> brake_;           ///< published under the mutex

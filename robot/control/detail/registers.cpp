@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kIntInputs = 9;
 constexpr int kSliderRegister = 10;
-// Of the range's 24 the last six are left to others: clients set registers 18 to 22 by hand.
+// The last six of the 24 registers are left to others: users set registers 18 to 22 manually.
 constexpr int kDoubleInputs = 18;
 static_assert(kIntInputs + 1 + kDoubleInputs == kCommandSize);
 constexpr int kWatchdogRegister = 9;
@@ -88,7 +88,7 @@ Result<FeedbackLayout> FeedbackLayout::of(const rtde::Recipe& outputs, RegisterR
     layout.qd_ = find("actual_qd");
     layout.tcpPose_ = find("actual_TCP_pose");
     layout.tcpSpeed_ = find("actual_TCP_speed");
-    layout.tcpOffset_ = outputs.indexOf("tcp_offset");  // older software has none
+    layout.tcpOffset_ = outputs.indexOf("tcp_offset");  // not available in older software
     layout.speedScaling_ = outputs.indexOf("speed_scaling");
     layout.tcpForce_ = outputs.indexOf("actual_TCP_force");
     layout.robotStatus_ = outputs.indexOf("robot_status_bits");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What passes between the controller and control.script through RTDE registers, and which field each value
-// travels in. The numbers here are the ones in control.script.
+// The data exchanged between the controller and control.script through RTDE registers, and the field of each value.
+// The numbers are the same as in control.script.
 
 #include <array>
 #include <cstdint>
@@ -18,11 +18,11 @@ namespace tiller::control {
 
 int firstRegister(RegisterRange range);     ///< 0 or 24
 inline constexpr int kEpochRegister = 1;    ///< integer input, counted from the first register
-inline constexpr int kSessionRegister = 4;  ///< the same
+inline constexpr int kSessionRegister = 4;  ///< integer input, counted from the first register
 inline constexpr int kStateRegister = 2;    ///< integer output
 
 enum class ScriptCommand : std::int32_t {
-    Idle = 0,  ///< nothing may move; ends whatever does
+    Idle = 0,  ///< no motion; ends the active one
     JogCartesian = 1,
     JogJoints = 2,
     MoveJ = 3,
@@ -43,24 +43,24 @@ enum class ScriptCommand : std::int32_t {
 };
 
 enum class ScriptState : std::int32_t {
-    Ready = 0,      ///< standing, nothing to do
-    Executing = 1,  ///< the command of the echoed epoch
+    Ready = 0,      ///< at standstill without a command
+    Executing = 1,  ///< executing the command of the echoed epoch
     Done = 2,       ///< the move of the echoed epoch reached its target
     Braking = 3,
-    Expired = 4,     ///< no fresh sequence number for 100 ms: stopped, and the echoed epoch is dead
-    OutOfReach = 5,  ///< no joint positions for the target: stopped, dead
-    Contact = 6,     ///< contact detection found one: stopped, dead
-    TooFar = 7,      ///< a servo target further off than the arm could get: stopped, dead
-    TcpTooFast = 8,  ///< torques made the TCP faster than the cap: stopped, dead
+    Expired = 4,     ///< no new sequence number for 100 ms: stopped, and the echoed epoch is invalid
+    OutOfReach = 5,  ///< no joint positions for the target: stopped, invalid
+    Contact = 6,     ///< contact detected: stopped, invalid
+    TooFar = 7,      ///< servo target too far away: stopped, invalid
+    TcpTooFast = 8,  ///< torques made the TCP faster than the cap: stopped, invalid
     ElbowTooFast = 9,
-    /// Of a program of the user's in place of the control program: it ended because no heartbeat came.
+    /// Of a user program that replaced the control program: it ended because of a missing heartbeat.
     HeartbeatExpired = 100'004,
 };
 
-/// Questions and settings. Source: serve() in control.script
+/// Queries and settings. Source: serve() in control.script
 enum class RequestKind : std::int32_t {
     None = 0,
-    Store = 1,  ///< six numbers for requests to come, beside their own: `whole` 0 or 6 of twelve
+    Store = 1,  ///< six additional numbers for later requests: `whole` 0 or 6 of twelve
     SetPayload = 2,
     SetTargetPayload = 3,
     SetTcp = 4,
@@ -93,9 +93,9 @@ enum class RequestKind : std::int32_t {
     FreedriveStatus = 32,
 };
 
-/// To the control program; it travels with every package until the answer to it has come.
+/// Sent to the control program with every package until it is answered.
 struct Request {
-    std::int32_t number = 0;  ///< another one for each
+    std::int32_t number = 0;  ///< unique for each request
     RequestKind kind = RequestKind::None;
     std::int32_t whole = 0;
     std::array<double, 6> numbers{};
@@ -110,45 +110,45 @@ struct Answer {
     std::array<double, 6> numbers{};
 };
 
-/// Sequence numbers are above this. Programs written for ur_rtde keep 1 or 2 in the register that echoes
-/// them: whose program runs can be told without asking it.
+/// Sequence numbers are larger than this. Programs written for ur_rtde keep 1 or 2 in the register that echoes
+/// them, so that the running program can be identified without a query.
 inline constexpr std::int32_t kBeforeFirstSequence = 0x1000;
 
 /// One package to the robot.
 struct Command {
-    std::int32_t sequence = 0;  ///< another one each time: the heartbeat
+    std::int32_t sequence = 0;  ///< changes every time: the heartbeat
     std::int32_t epoch = 0;
     ScriptCommand kind = ScriptCommand::Idle;
-    std::int32_t choice = 0;           ///< jogs: a JogFrame; others as control.script says
-    std::int32_t session = 0;          ///< tells the program's instances apart
+    std::int32_t choice = 0;           ///< jogs: a JogFrame; others: see control.script
+    std::int32_t session = 0;          ///< identifies the instance of the program
     std::array<double, 6> values{};    ///< twist, joint speeds, torques or target
     double speed = 0;                  ///< moves only
     double acceleration = 0;           ///< [m/s2] or [rad/s2]
     double rotationAcceleration = 0;   ///< [rad/s2]
     std::array<double, 3> rotation{};  ///< JogFrame::Custom: rotation vector of the frame
     Request request;
-    bool forcePermitted = false;  ///< force mode may go on
+    bool forcePermitted = false;  ///< force mode is permitted
     double speedFraction = 1;     ///< of the speed slider
-    bool mayFinish = false;       ///< a move or path may come to its end without a heartbeat
-    std::int32_t silenceMs = 0;   ///< a move or path may last so long without one; 0: as everything else
+    bool mayFinish = false;       ///< a move or path may complete without a heartbeat
+    std::int32_t silenceMs = 0;   ///< maximum time of a move or path without a heartbeat; 0: default
 };
 
-/// What control.script says in its output registers.
+/// Values of control.script in its output registers.
 struct Echo {
     std::int32_t sequence = 0;
     std::int32_t epoch = 0;
     ScriptState state = ScriptState::Ready;
     std::int32_t session = 0;
-    std::int32_t waypoint = 0;  ///< of a path: the one headed for, from 1
+    std::int32_t waypoint = 0;  ///< path: current target, from 1
     Answer answer;
 };
 
-/// One package from the robot, as far as the control thread needs it.
+/// The values of a package from the robot that the control thread needs.
 struct Feedback {
     std::int64_t hostNs = 0;
-    bool awaited = true;        ///< hostNs is when it came; otherwise it may have been there for a while
-    std::int64_t lookedNs = 0;  ///< not awaited: when the connection was looked at last before
-    double timestamp = 0;       ///< the controller's [s]
+    bool awaited = true;  ///< hostNs is the time of arrival; otherwise the package may have arrived earlier
+    std::int64_t lookedNs = 0;  ///< not awaited: time of the previous check of the connection
+    double timestamp = 0;       ///< of the controller [s]
     RuntimeState runtimeState = RuntimeState::Stopped;
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
@@ -169,13 +169,13 @@ std::vector<std::string> outputNames(RegisterRange range);
 /// The recipes of the control connection, in this order.
 enum Inputs : std::size_t { kCommandInputs, kWatchdogInputs, kWrenchInputs, kInputRecipes };
 std::vector<std::string> inputNames(RegisterRange range, Inputs recipe = kCommandInputs);
-/// The register that kicks the watchdog.
+/// The register of the watchdog.
 std::string watchdogName(RegisterRange range);
 
-/// Finds the values of a recipe once, so that decoding is copying.
+/// Looks up the values of a recipe once, so that decoding only copies.
 class FeedbackLayout {
 public:
-    /// Errors   FieldUnknown naming the outputs this robot lacks and control cannot do without
+    /// Errors   FieldUnknown with the required outputs that this robot does not have
     static Result<FeedbackLayout> of(const rtde::Recipe& outputs, RegisterRange range);
     /// Real-time: yes
     Feedback decode(std::span<const double> values, std::int64_t hostNs) const;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Questions to the control program, and settings of it: one at a time, through the packages that go to the
-// robot anyway.
+// Queries and settings of the control program: one at a time, within the regular packages to the robot.
 
 #include <array>
 #include <mutex>
@@ -19,7 +18,7 @@ namespace tiller::control {
 
 class ControlLink;
 
-/// That it came, or why not: of a request whose answer holds no numbers.
+/// The result of a request whose answer contains no numbers.
 inline Result<void> noAnswer(const Result<Answer>& answer) {
     return answer ? Result<void>() : Result<void>(answer.error());
 }
@@ -29,13 +28,13 @@ class RequestChannel {
 public:
     RequestChannel(ControlLoop& loop, const ControlLink& link) : loop_(loop), link_(link) {}
 
-    /// Asks the control program and waits for its answer.
-    /// numbers  up to 18; those after the sixth go ahead, unless the program has them already
+    /// Sends a request to the control program and waits for its answer.
+    /// numbers  up to 18; those after the sixth are sent in advance, unless the program already has them
     /// Errors   NotInControl, LinkLost, NoSolution, Stopped, VersionUnsupported, Timeout, Cancelled
     Result<Answer> request(RequestKind kind, std::int32_t whole, std::span<const double> numbers,
                            const QString& context, const Deadline& deadline);
 
-    /// Nobody asks while `begin` runs, and what the program before had kept is forgotten.
+    /// Blocks requests while `begin` runs, and discards the numbers stored for the previous program.
     template <class Begin>
     void restart(Begin begin) {
         const std::lock_guard lock(turn_);
@@ -52,7 +51,7 @@ private:
     ControlLoop& loop_;
     const ControlLink& link_;
     Turn turn_;
-    /// Under it: numbers 6 to 17 as the program keeps them; nothing where that is not known.
+    /// Protected by the mutex: numbers 6 to 17 as stored in the program; empty if unknown.
     std::array<std::optional<std::array<double, 6>>, 2> stored_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The body of a function as a caller writes it, before it becomes part of the control program.
+// Checks the body of a user function before it becomes part of the control program.
 
 #include <QString>
 
@@ -9,9 +9,10 @@
 
 namespace tiller::control {
 
-/// Whether each block of these lines of URScript (def, thread, sec, if, while) is closed by an `end` of theirs. Anything
-/// else would close or reach around the function they become, and run outside it: without its stops and heartbeat.
-/// Errors   InvalidArgument naming the line
+/// Checks that each block of these URScript lines (def, thread, sec, if, while) is closed by its own `end`.
+/// Otherwise the body would close the surrounding function or extend beyond it, and run without its stops and
+/// heartbeat.
+/// Errors   InvalidArgument with the line
 Result<void> checkBlocks(const QString& body, const QString& context);
 
 }  // namespace tiller::control

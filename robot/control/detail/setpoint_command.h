@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How targets and parameters of a stream are looked at and put into a command. Inside this folder only.
+// Checks the targets and parameters of a stream and converts them to a command. For this folder only.
 
 #include "robot/control/detail/mailbox.h"
 #include "robot/control/detail/velocity_limiter.h"
@@ -10,7 +10,7 @@
 
 namespace tiller::control {
 
-/// Real-time: yes, as long as there is nothing to complain about. An error with code None is none.
+/// Real-time: yes, unless there is an error. Code None means no error.
 struct SetpointRules {
     ArmLimits arm;
     double toolSpeed = 0;  ///< [m/s]
@@ -25,15 +25,15 @@ struct SetpointRules {
     Error check(const SpeedParameters& parameters) const;
     Error check(const TorqueParameters& parameters) const;
 
-    /// Whether the arm can get from one servo target to the next: see kJointLeeway.
+    /// Whether the arm can reach one servo target from the previous one: see kJointLeeway.
     /// seconds  between them
     Error step(const JointPositions& from, const JointPositions& to, double seconds) const;
     Error step(const Pose& from, const Pose& to, double seconds) const;
 };
 
-/// How long the step to the next servo target may be reckoned [s].
-/// since   the one before [s]; 0 for the first
-/// rules   for how long one target rules [s]
+/// Duration used for the step to the next servo target [s].
+/// since  time since the previous one [s]; 0 for the first
+/// rules  duration of one target [s]
 double stepTime(double since, double rules);
 
 SetpointRules rulesOf(Controller& controller);

@@ -12,36 +12,39 @@ namespace tiller::control {
 
 namespace {
 
-// During Cartesian jogging single joints may be faster than a joint jog lets them, up to this: the caps on
-// the TCP are what the operator feels. Near a singularity this is what slows the arm down.
+// Joint speed limit for Cartesian jogging, higher than for joint jogging because the limits of the TCP apply. This
+// limit slows the arm down near a singularity.
 constexpr double kCartesianJointSpeed = 1.5;  // [rad/s]
 
-// Braking in front of a joint limit. Gentler than what a stop does, so that it can always be kept up with,
-// and begun early enough for the time a command takes to reach the arm.
+// Deceleration before a joint limit: less than for a stop, so that it is always achieved, with a reserve for the
+// delay of a command.
 constexpr double kLimitDeceleration = 1.0;  // [rad/s2]
 constexpr double kLimitLatency = 0.03;      // [s]
-constexpr double kLimitMargin = 0.01;       // [rad] kept free before the end of the range
+constexpr double kLimitMargin = 0.01;       // [rad] margin before the limit of the range
 
-// Braking in front of a collision: the same, as a share of the deceleration of a stop.
+// Deceleration before a collision, as a fraction of the deceleration of a stop.
 constexpr double kClearDeceleration = 0.5;
-// A jog ends so far inside the safety distance at most; less would keep it from sliding along a wall [m].
+// Maximum distance within the safety distance at the end of a jog; smaller values would prevent sliding along a
+// wall [m].
 constexpr double kClearBand = 0.0003;
 constexpr double kDeepInside = 0.0006;
-// Slower approaches, as a share of the highest speed of the body, are sliding along; deep inside nothing but rounding is.
+// Slower approaches, as a fraction of the body's maximum speed, count as sliding; deep inside only rounding errors
+// do.
 constexpr double kSliding = 2e-3;
 constexpr double kSlidingDeepInside = 1e-4;
 
-// Less than this is not worth creeping for: it counts as blocked.
+// Smaller scales count as blocked.
 constexpr double kSmallestScale = 0.02;
 
-// Where slowing down begins, and where motion further in ends.
+// Start of the slow-down, and end of motion towards the singularity.
 struct SingularityZone {
     double begin;
     double end;
 };
-constexpr SingularityZone kWristZone{0.17, 0.03};     // |sin q5|: 10 deg, 1.7 deg
-constexpr SingularityZone kElbowZone{0.26, 0.05};     // |sin q3|: 15 deg, 3 deg
-constexpr SingularityZone kShoulderZone{0.10, 0.02};  // [m] between wrist and the base axis' cylinder
+constexpr SingularityZone kWristZone{0.17, 0.03};  // |sin q5|: 10 deg, 1.7 deg
+constexpr SingularityZone kElbowZone{0.26, 0.05};  // |sin q3|: 15 deg, 3 deg
+constexpr SingularityZone kShoulderZone{0.10,
+                                        0.02};  // [m] between the wrist and the cylinder around the base axis
 
 constexpr int kBase = 0;
 constexpr int kElbow = 2;
@@ -52,7 +55,7 @@ struct Geometry {
     Eigen::Matrix<double, 3, 6> elbow;  // of the elbow, linear part only
 };
 
-// The TCP's place comes from the robot, so that neither TCP offset nor calibration need to be known.
+// The TCP position is reported by the robot, so that TCP offset and calibration do not need to be known.
 Geometry geometryAt(const DhParameters& dh, const JointPositions& q, const Eigen::Vector3d& tcp) {
     const auto frames = kinematics::linkFrames(dh, q);
     const Eigen::Vector3d elbow = frames[2].translation();
@@ -70,7 +73,7 @@ Geometry geometryAt(const DhParameters& dh, const JointPositions& q, const Eigen
     return g;
 }
 
-// Damped so little that it only matters in the singularity itself, where it keeps the numbers finite.
+// The damping is so small that it only has an effect at the singularity, where it keeps the values finite.
 Vector6 jointSpeeds(const Matrix6& jacobian, const Vector6& twist) {
     constexpr double kDamping = 1e-3;
     Matrix6 normal = jacobian * jacobian.transpose();
@@ -95,7 +98,7 @@ void holdTo(Limiter& limiter, double speed, double cap, LimiterKind kind, int jo
     }
 }
 
-// The speed from which the arm still comes to rest in time.
+// The speed from which the arm can stop within the distance.
 double approachSpeed(double distance, double deceleration) {
     if (distance <= 0) {
         return 0;
@@ -134,17 +137,17 @@ ArmLimits ArmLimits::of(const RobotModel& model) {
     return limits;
 }
 
-ArmLimits ArmLimits::of(const RobotModel& model, const script::RobotConfiguration& told) {
+ArmLimits ArmLimits::of(const RobotModel& model, const script::RobotConfiguration& reported) {
     ArmLimits limits = of(model);
-    limits.dh = kinematics::calibrated(model, told.dh);
+    limits.dh = kinematics::calibrated(model, reported.dh);
     for (std::size_t joint = 0; joint < limits.maxSpeed.size(); ++joint) {
-        const double least = told.minPosition[joint];
-        const double most = told.maxPosition[joint];
+        const double least = reported.minPosition[joint];
+        const double most = reported.maxPosition[joint];
         if (std::isfinite(most - least) && most > least) {
             limits.minPosition[joint] = least;
             limits.maxPosition[joint] = most;
         }
-        if (const double speed = told.maxSpeed[joint]; std::isfinite(speed) && speed > 0) {
+        if (const double speed = reported.maxSpeed[joint]; std::isfinite(speed) && speed > 0) {
             limits.maxSpeed[joint] = speed;
         }
     }
@@ -167,7 +170,7 @@ Twist twistInBase(const JogTarget& target, const Pose& tcpPose) {
     return target.twist;
 }
 
-/// What a jog asks for, at full scale.
+/// The requested motion at full scale.
 struct VelocityLimiter::Motion {
     const JogTarget& target;
     const JointPositions& q;
@@ -178,7 +181,7 @@ struct VelocityLimiter::Motion {
 
     bool isCartesian() const { return target.kind == JogTarget::Kind::Cartesian; }
 
-    /// Where the arm is after this time at this speed. A straight line of the TCP bends in joint space.
+    /// Position of the arm after this time at this speed. A straight line of the TCP is curved in joint space.
     JointPositions after(const DhParameters& dh, double seconds) const {
         Vector6 bend = Vector6::Zero();
         if (isCartesian()) {
@@ -193,7 +196,7 @@ struct VelocityLimiter::Motion {
     }
 };
 
-/// In which a jog comes to rest, gently.
+/// Duration of the normal deceleration of a jog.
 double VelocityLimiter::brakingTime(bool cartesian, const Twist& twist, const Vector6& qd) const {
     const double joints = kClearDeceleration * limits_.jointDeceleration;
     if (!cartesian) {
@@ -203,15 +206,15 @@ double VelocityLimiter::brakingTime(bool cartesian, const Twist& twist, const Ve
                     twist.angular.norm() / joints);
 }
 
-// The arm shall come to rest at its safety distance from everything. How fast it approaches each thing is measured on
-// the distances themselves, a moment later and where it would come to rest: what is nearest there may be hidden by what
-// is nearest now.
+// Makes the arm stop at the safety distance from everything. The approach speed to each object is determined from
+// the distances a moment later and at the expected stop position: the nearest object there may differ from the
+// nearest one now.
 void VelocityLimiter::keepClear(Limiter& limiter, const Motion& motion, const Situation& situation) const {
     using collision::CollisionCheck;
     const CollisionCheck& check = *situation.check;
     const Vector6& qd = motion.qd;
     const Vector6& qdNow = situation.qd.values;
-    constexpr double kMoment = 2e-5;  // [rad] of all joints together
+    constexpr double kMoment = 2e-5;  // [rad] over all joints
     constexpr double kStandstill = 1e-9;
     const double sum = qd.cwiseAbs().sum();
     if (sum < kStandstill) {
@@ -235,7 +238,7 @@ void VelocityLimiter::keepClear(Limiter& limiter, const Motion& motion, const Si
     for (const CollisionCheck::Pair& pair : check.pairs()) {
         const bool isCell = pair.with != collision::Contact::With::Arm;
         if (motion.target.contactForce > 0 && isCell && pair.link >= kJointCount) {
-            continue;  // that is what it looks for
+            continue;  // intended contact
         }
         const double fastest = pair.radius.dot(qd.cwiseAbs());
         const double fastestNow = pair.radius.dot(qdNow.cwiseAbs());
@@ -267,7 +270,7 @@ void VelocityLimiter::keepClear(Limiter& limiter, const Motion& motion, const Si
             }
         };
         hold((distance - check.distance(pair, next)) / moment);
-        constexpr double kBends = 0.0005;  // so far the arm may be from where it is expected to rest [m]
+        constexpr double kBends = 0.0005;  // possible deviation from the expected stop position [m]
         const double rest = check.distance(pair, atRest);
         if (rest < pair.margin - kBends) {
             hold((distance - rest - kBends) / toRest);
@@ -306,7 +309,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     for (int joint = 0; joint < kJointCount && !cartesian; ++joint) {
         holdTo(limiter, std::abs(qd[joint]), jointCap, LimiterKind::JointSpeed, joint);
     }
-    const double wanted = limiter.scale;  // what the caps leave; the rest is the arm's own shape
+    const double wanted = limiter.scale;  // the part allowed by the caps; the rest is due to the kinematics
     for (int joint = 0; joint < kJointCount; ++joint) {
         const auto i = static_cast<std::size_t>(joint);
         const double speed = std::abs(qd[joint]);
@@ -323,7 +326,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     }
     const double fastest = qd.cwiseAbs().maxCoeff();
     if (cartesian && fastest > 0) {
-        // Joint jogs may pass: it is Cartesian motion that a singularity makes wild.
+        // Joint jogs may pass: only Cartesian motion causes high joint speeds at a singularity.
         constexpr double kLookAhead = 0.005;  // [rad] of the fastest joint
         const JointPositions next(Vector6(q.values + qd * (kLookAhead / fastest)));
         const auto here = kinematics::singularityMeasure(arm_.dh, q);
@@ -338,7 +341,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     if (limiter.scale < kSmallestScale * wanted) {
         limiter.scale = 0;
         if (limiter.kind == LimiterKind::JointSpeed) {
-            limiter.kind = LimiterKind::Singularity;  // nowhere else would a joint have to be that fast
+            limiter.kind = LimiterKind::Singularity;  // only there would a joint have to be this fast
         }
     }
     return limiter;

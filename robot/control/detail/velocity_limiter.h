@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Decides how much of an asked-for velocity the arm may have here and now, and says what holds it down. It
-// only ever scales: the direction stays what the hand asked for.
+// Reduces a requested velocity to the currently permitted value, and reports the limit. It only scales: the
+// direction remains as requested.
 
 #include <array>
 
@@ -14,7 +14,7 @@
 
 namespace tiller::control {
 
-/// What is known of the arm.
+/// Properties of the arm.
 struct ArmLimits {
     DhParameters dh;
     std::array<double, 6> minPosition{};  ///< [rad]
@@ -23,33 +23,33 @@ struct ArmLimits {
     std::array<double, 6> maxTorque{};    ///< [Nm]
 
     static ArmLimits of(const RobotModel& model);
-    /// What the robot tells of itself; the model's where it tells nothing that can be.
-    static ArmLimits of(const RobotModel& model, const script::RobotConfiguration& told);
+    /// Values reported by the robot; values of the model if a reported one is missing or implausible.
+    static ArmLimits of(const RobotModel& model, const script::RobotConfiguration& reported);
 };
 
-/// Slows down so that joints stop before their limits, and the arm before its singularities and at the safety distance
-/// from itself and its surroundings; motion away from any of them is free. Holds TCP, elbow, rotation and joints to
-/// their caps.
+/// Slows down so that joints stop before their limits, and the arm before singularities and at the safety distance
+/// from itself and its surroundings; motion away from them is free. Limits the speeds of TCP, elbow, rotation and
+/// joints.
 /// Threads  one. Real-time: yes (no allocation; some ten microseconds)
 class VelocityLimiter {
 public:
     VelocityLimiter(const ArmLimits& arm, const MotionLimits& limits) : arm_(arm), limits_(limits) {}
 
-    /// What is known of the arm's motion and of what it could touch.
+    /// Current motion of the arm and the objects it could collide with.
     struct Situation {
-        JointVelocities qd = {};                           ///< of the arm now [rad/s]
-        const collision::CollisionCheck* check = nullptr;  ///< null: nothing is known
+        JointVelocities qd = {};                           ///< current velocity of the arm [rad/s]
+        const collision::CollisionCheck* check = nullptr;  ///< null: no check
     };
-    /// q, tcpPose  where the arm is (base frame)
-    /// A jog that looks for contact (contactForce) may touch the surroundings with the tool and wrist 3.
-    /// Returns     Limiter::scale to multiply the target with, 0 when it may not move that way at all
+    /// q, tcpPose  current position of the arm (base frame). A jog with contact detection (contactForce) may touch
+    ///             the surroundings with the tool and wrist 3.
+    /// Returns     Limiter::scale, the factor for the target; 0 if motion in this direction is not possible
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose,
                   const Situation& situation) const;
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose) const {
         return limit(target, q, tcpPose, Situation());
     }
 
-    /// Another cap on TCP and elbow [m/s].
+    /// Changes the speed limit of TCP and elbow [m/s].
     void setSpeedCap(double cap) { limits_.tcpSpeed = cap; }
     const ArmLimits& arm() const { return arm_; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Since when robots know what more than one kind of request asks for. Source: the vendor's script manual.
+// First versions that support features used by more than one type of request. Source: the vendor's script manual.
 
 #include "robot/core/version.h"
 

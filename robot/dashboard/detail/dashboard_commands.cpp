@@ -13,7 +13,7 @@ Error rejected(const QString& line, const QString& reply) {
     return {ErrorCode::Rejected, QStringLiteral("dashboard command \"%1\"").arg(line), reply};
 }
 
-/// What follows the prefix of the documented reply.
+/// The rest of the reply after its documented prefix.
 Result<QString> after(DashboardClient& client, const QString& line, const QString& prefix,
                       const Deadline& deadline) {
     const auto reply = client.command(line, deadline);

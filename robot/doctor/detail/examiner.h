@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One examination under way. Private to robot/doctor.
+// State of one examination. Private to robot/doctor.
 
 #include <QCoreApplication>
 #include <map>
@@ -14,12 +14,12 @@
 
 namespace tiller::doctor {
 
-/// The texts of the doctor for the translators: lupdate finds them by this name.
+/// Translation context of the doctor's texts for lupdate.
 struct DoctorText {
     Q_DECLARE_TR_FUNCTIONS(Doctor)
 };
 
-/// What one examination has found so far, and how long it may still take.
+/// The findings so far and the remaining time of one examination.
 class Examiner {
 public:
     Examiner(const Patient& examined, const Deadline& end, const std::function<void(const Finding&)>& each)
@@ -28,17 +28,17 @@ public:
     void good(Condition condition, const QString& detail);
     void found(Condition condition, Verdict verdict, const QString& cause, const QString& detail,
                const QString& fix);
-    /// What was found about it does not count: the next finding does.
+    /// Discards the findings of a condition; the next finding replaces them.
     void forget(Condition condition) { findings_.erase(condition); }
     bool isGood(Condition condition) const;
-    /// One finding for every condition: what was not looked at is Skipped.
+    /// One finding per condition; conditions that were not examined are Skipped.
     Report report() const;
-    /// At most so long, never past the examination's own end.
+    /// A deadline of at most `ms`, but not later than the end of the examination.
     Deadline within(int ms) const;
 
     const Patient& patient;
     const Deadline& deadline;
-    QString address;  ///< resolved
+    QString address;  ///< after name resolution
     std::optional<SoftwareVersion> version;
 
 private:
@@ -46,9 +46,9 @@ private:
     std::map<Condition, Finding> findings_;
 };
 
-// In this order; each reports what it finds.
+// The steps of the examination in order; each adds its findings.
 
-/// Returns  false when there is no address to go on with
+/// Returns  false if there is no usable address
 bool examineAddress(Examiner& examiner);
 void examinePorts(Examiner& examiner);
 void examineService(Examiner& examiner);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves down until the tool touches something.
+// Moves down until the tool makes contact.
 #include <iostream>
 
 #include "robot/control/motions.h"
@@ -13,7 +13,7 @@ int main(int, char** argv) {
 
     Twist down;
     down.linear.z() = -0.03;  // [m/s]
-    // Free: this program need not refresh it. As nobody holds it, the deadline below ends it.
+    // Free: no refresh needed. The deadline below limits the motion.
     auto touch = control::Motions(controller)
                      .moveUntilContact(down, Deadline::after(3s), {.holding = control::Holding::Free});
     const Result<void> felt = touch ? touch->wait(Deadline::after(10s)) : touch.error();

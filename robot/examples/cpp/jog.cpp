@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Jogs the tool upwards for a second, as long as somebody keeps asking for it.
+// Jogs the tool upwards for one second by refreshing the jog.
 #include <iostream>
 #include <thread>
 
@@ -14,11 +14,11 @@ int main(int, char** argv) {
     const double before = controller.status().tcpPose[2];
 
     control::JogTarget up;
-    up.twist.linear.z() = 0.05;  // [m/s] along the axes of the base
+    up.twist.linear.z() = 0.05;  // [m/s] in the base frame
     const control::Jog jog = control::Motions(controller).startJog(up).value();
     for (int i = 0; i < 50; ++i) {
         std::this_thread::sleep_for(20ms);
-        if (!jog.refresh()) {  // at least every 100 ms, or the arm brakes
+        if (!jog.refresh()) {  // at least every 100 ms, otherwise the arm stops
             std::cerr << "the jog ended: " << jog.state().cause << std::endl;
             return EXIT_FAILURE;
         }

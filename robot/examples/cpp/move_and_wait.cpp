@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 int main(int, char** argv) {
     control::Controller controller({.host = argv[1]});
     if (auto taken = controller.takeControl(Deadline::after(5s)); !taken) {
-        std::cerr << taken.error() << std::endl;  // which port, which register, what to do
+        std::cerr << taken.error() << std::endl;  // the message contains port, register and suggested action
         return EXIT_FAILURE;
     }
     control::Motions motions(controller);
@@ -19,7 +19,7 @@ int main(int, char** argv) {
     if (reached) {
         Pose up = Pose::fromArray(controller.status().tcpPose);
         up.position.z() += 0.05;
-        auto line = motions.moveL(up, {.speed = 0.1});  // [m/s], at most the cap of 0.25
+        auto line = motions.moveL(up, {.speed = 0.1});  // [m/s], at most the cap of 0.25 m/s
         reached = line ? line->wait(Deadline::after(30s)) : line.error();
     }
     std::cout << (reached ? "there" : reached.error().message()) << std::endl;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads joint positions and TCP pose, once and then every packet for a moment.
+// Reads joint positions and TCP pose once, and then every packet for a short time.
 #include <iostream>
 
 #include "robot/receive/receiver.h"
@@ -10,14 +10,14 @@ using namespace std::chrono_literals;
 
 int main(int, char** argv) {
     receive::Receiver receiver({.host = argv[1]});
-    receiver.start().value();  // its own thread, SCHED_FIFO where permitted; value() throws what went wrong
+    receiver.start().value();  // starts a thread, SCHED_FIFO if permitted; value() throws on errors
     const receive::Sample first = receiver.waitForData(Deadline::after(5s)).value();
-    const receive::RobotState state(first);  // what is not there reads as NaN
+    const receive::RobotState state(first);  // missing values are NaN
     std::cout << "joints [rad] " << state.q() << "\nTCP [m, rad] " << state.tcpPose() << std::endl;
 
     receive::Subscription stream = receiver.subscribe();
     receive::Sample sample;
-    for (int packet = 0; packet < 500; ++packet) {  // each of them once, up to 500 a second
+    for (int packet = 0; packet < 500; ++packet) {  // every packet once, up to 500 per second
         stream.next(sample, Deadline::after(5s)).value();
         if (packet % 100 == 0) {
             const receive::RobotState now(sample);

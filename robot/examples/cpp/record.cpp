@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Records two seconds to a CSV file, one row a packet.
+// Records two seconds to a CSV file, one row per packet.
 #include <iostream>
 #include <thread>
 

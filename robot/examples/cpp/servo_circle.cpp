@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leads the tool around a circle of 3 cm, one target for each packet.
+// Moves the tool in a circle of 3 cm, with one target per packet.
 #include <cmath>
 #include <iostream>
 
@@ -14,10 +14,11 @@ int main(int, char** argv) {
     const Pose start = Pose::fromArray(controller.status().tcpPose);
 
     const auto circle = [&](const control::CycleState& cycle) -> std::optional<Pose> {
-        const double angle = 3.14159265 * cycle.time;  // in the control thread: no waiting, no allocating
+        const double angle = 3.14159265 * cycle.time;  // runs in the control thread: do not wait or allocate
         Pose target = start;
         target.position += 0.03 * Eigen::Vector3d(std::cos(angle) - 1, std::sin(angle), 0);
-        return cycle.time < 2 ? std::optional(target) : std::nullopt;  // nothing ends it: the arm brakes
+        // returning nothing ends the loop, and the arm stops
+        return cycle.time < 2 ? std::optional(target) : std::nullopt;
     };
     control::CycleReport report;
     const auto done = control::PacketLoop(controller).servoL(circle, {}, Deadline::after(10s), &report);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs no robot: a simulated one in this process, moved as a real one is, and something that goes wrong.
+// Runs without a robot: moves a simulated robot in this process like a real one, and triggers a fault.
 #include <iostream>
 #include <thread>
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A program written for ur_rtde, as it is: the modules have the same names."""
+"""An unchanged program written for ur_rtde: the modules have the same names."""
 import sys
 
 import rtde_control

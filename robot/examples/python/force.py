@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Gives way along Z while it pushes with 5 N, for a second."""
+"""Force mode: compliant along Z with a force of 5 N for one second."""
 import sys
 import time
 

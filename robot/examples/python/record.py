@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Records two seconds to a CSV file, one row a packet, and looks at it with pandas."""
+"""Records two seconds to a CSV file with one row per packet, and evaluates it with pandas."""
 import sys
 import time
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Says what is wrong with a robot, and leads it back if a person consents."""
+"""Shows the problems of a robot, and recovers it with the consent of a person."""
 import sys
 
 import tiller

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Leads the tool around a circle of 3 cm, one target for each packet."""
+"""Moves the tool in a circle of 3 cm, with one target per packet."""
 import math
 import sys
 
@@ -12,7 +12,7 @@ with tiller.Robot(sys.argv[1]) as robot:
     def circle(cycle):
         angle = math.pi * cycle["time"]
         if angle > 2 * math.pi:
-            return None  # ends the loop: the arm brakes
+            return None  # ends the loop, and the arm stops
         return centre + [0.03 * math.cos(angle), 0.03 * math.sin(angle), 0, 0, 0, 0]
 
     report = robot.packet_loop("servo_l", circle)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Needs no robot: a simulated one in this process, in virtual time, and something that goes wrong."""
+"""Runs without a robot: a simulated robot in this process, in virtual time, with a fault."""
 import tiller
 
 with tiller.Simulator("UR10e", virtual=True) as simulator, simulator.robot() as robot:
     robot.take_control()
     move = robot.move_j(robot.state.q + [1.0, 0, 0, 0, 0, 0])
-    simulator.step(0.5)  # half a second of the robot's time
+    simulator.step(0.5)  # half a second of robot time
     simulator.fault("protective-stop")
     try:
         move.wait()

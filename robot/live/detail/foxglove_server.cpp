@@ -21,7 +21,8 @@ namespace {
 
 constexpr int kAcceptedAtOnce = 8;
 constexpr int kMaxShownOrigin = 200;  // [characters]
-// The kernel's buffer of a connection: what is in it can no longer be dropped. Less than a second of all messages.
+// Send buffer of the kernel per connection. Its content can no longer be dropped; it is less than a second of all
+// messages.
 constexpr int kSendBuffer = 256 * 1024;
 constexpr qint64 kMaxUnsent = 64 * 1024;
 constexpr qint64 kMaxUnreadAnswers = 256 * 1024;
@@ -44,7 +45,7 @@ QJsonObject describe(const LiveChannel& channel) {
             {"schemaEncoding", "ros2msg"}};
 }
 
-/// A number that a message may have, or nothing.
+/// Converts a number in a message, or returns nothing.
 std::optional<std::uint32_t> numberOf(const QJsonValue& value) {
     const double number = value.toDouble(-1);
     if (number < 0 || number > 4294967295.0 || number != std::floor(number)) {
@@ -63,7 +64,7 @@ FoxgloveServer::FoxgloveServer(const QString& name, AllowedOrigins origins, cons
     , upgrader_(name, QWebSocketServer::NonSecureMode) {
     upgrader_.setSupportedSubprotocols(
         {QStringLiteral("foxglove.sdk.v1"), QStringLiteral("foxglove.websocket.v1")});
-    // Queued: between two batches the event loop serves the viewers that are connected.
+    // Queued, so that the event loop serves connected viewers between two batches.
     listener_.setMaxPendingConnections(kAcceptedAtOnce);
     connect(&listener_, &QTcpServer::newConnection, this, &FoxgloveServer::accept, Qt::QueuedConnection);
     connect(&upgrader_, &QWebSocketServer::originAuthenticationRequired, this,
@@ -156,7 +157,7 @@ void FoxgloveServer::accept() {
     }
 }
 
-// QWebSocketServer emits newConnection while it handles the handshake of the one socket.
+// QWebSocketServer emits newConnection while it processes the handshake of the corresponding socket.
 void FoxgloveServer::welcome() {
     while (QWebSocket* socket = upgrader_.nextPendingConnection()) {
         const auto found =
@@ -192,7 +193,7 @@ void FoxgloveServer::welcome() {
             }
         });
         connect(socket, &QWebSocket::disconnected, this, [this, socket] { forget(socket); });
-        // Connected after Qt's own handler: runs when Qt has read what it can use.
+        // Connected after Qt's own handler, so that it runs after Qt has consumed its data.
         connect(tcp, &QTcpSocket::readyRead, this, [this, socket, tcp = tcp, incoming = incoming] {
             incoming->unread = tcp->bytesAvailable();
             closeIfUnread(socket);
@@ -212,7 +213,7 @@ void FoxgloveServer::welcome() {
     }
 }
 
-// Runs before Qt reads.
+// Called before Qt reads.
 void FoxgloveServer::countIncoming(QTcpSocket* socket, Incoming& incoming) {
     const qint64 available = socket->bytesAvailable();
     const Time now = std::chrono::steady_clock::now();
@@ -279,7 +280,7 @@ void FoxgloveServer::subscribe(QWebSocket* socket, Client& client, std::uint32_t
     } else if (client.subscriptions.contains(id)) {
         report(socket, kError, QStringLiteral("subscription %1 is in use").arg(id));
     } else if (channels.contains(channel)) {
-        // Each subscription of a channel is another copy of each message.
+        // Each subscription of a channel costs a copy of each message.
         report(socket, kError, QStringLiteral("channel %1 is already subscribed to").arg(channel));
     } else if (channels.isEmpty() && subscribedViewers() >= limits_.maxViewers) {
         report(socket, kError,
@@ -339,7 +340,7 @@ void FoxgloveServer::closeStalledClients() {
     }
 }
 
-// Not at once: the caller iterates over the clients, or Qt is reading from the socket.
+// Deferred: the caller iterates over the clients, or Qt is reading from the socket.
 void FoxgloveServer::disconnectLater(QWebSocket* socket, const QString& reason) {
     const auto client = clients_.find(socket);
     if (client == clients_.end() || std::exchange(client->isClosing, true)) {
@@ -352,7 +353,7 @@ void FoxgloveServer::disconnectLater(QWebSocket* socket, const QString& reason) 
         socket,
         [socket, reason] {
             socket->close(QWebSocketProtocol::CloseCodePolicyViolated, reason);
-            // A peer that does not read would keep the connection open.
+            // With a graceful close, a peer that does not read would keep the connection open.
             socket->abort();
         },
         Qt::QueuedConnection);
@@ -402,13 +403,13 @@ void FoxgloveServer::enqueue(QWebSocket* socket, Client& client, Queued next) {
     }
 }
 
-// What the socket has taken can no longer be dropped, so it gets little ahead.
+// Data passed to the socket cannot be dropped any more, so the amount is kept small.
 void FoxgloveServer::sendQueued(QWebSocket* socket, Client& client) {
     while (!client.queue.empty() && socket->bytesToWrite() < kMaxUnsent) {
         auto [subscription, message] = std::move(client.queue.front());
         client.queue.pop_front();
         client.queuedBytes -= message.size();
-        qToLittleEndian(subscription, message.data() + 1);  // copies what other viewers share
+        qToLittleEndian(subscription, message.data() + 1);  // copies data shared with other viewers
         socket->sendBinaryMessage(message);
         ++sent_;
     }

@@ -27,11 +27,11 @@ namespace tiller::live {
 struct LiveChannel {
     std::uint32_t id = 0;
     std::string topic{};
-    std::string type{};        ///< "sensor_msgs/msg/JointState"
+    std::string type{};        ///< e.g. "sensor_msgs/msg/JointState"
     std::string definition{};  ///< ros2msg
 };
 
-/// Threads  that of its event loop
+/// Threads  the thread of its event loop
 class FoxgloveServer : public QObject {
 public:
     FoxgloveServer(const QString& name, AllowedOrigins origins, const LiveLimits& limits);
@@ -55,7 +55,7 @@ public:
 private:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Bytes received through one TCP connection. Qt reads them between the two updates of `unread`.
+    /// Bytes received through one TCP connection. Qt reads them between two updates of `unread`.
     struct Incoming {
         qint64 unread = 0;
         qint64 inWindow = 0;
@@ -71,10 +71,11 @@ private:
         QByteArray message{};
     };
     struct Client {
-        QHash<std::uint32_t, std::uint32_t> subscriptions{};  ///< channel, by the client's subscription id
+        QHash<std::uint32_t, std::uint32_t>
+            subscriptions{};  ///< channel by the subscription id of the client
         std::deque<Queued> queue{};
         qint64 queuedBytes = 0;
-        Time waitingSince{};  ///< since when no unsent byte was taken
+        Time waitingSince{};  ///< time since which no byte could be sent
         std::uint64_t order = 0;
         bool isSlow = false;
         bool isClosing = false;

@@ -8,8 +8,9 @@
 
 namespace tiller::live {
 
-/// One sample as a JSON object: numbers by the names of their fields, vectors as arrays; what the robot does not send is
-/// left out. Empties `out` first. Private to this room.
+/// Converts one sample to a JSON object: names of fields with numbers, or arrays for vectors; missing values are
+/// omitted.
+/// Clears `out` first. Private to this folder.
 void writeJson(const receive::Sample& sample, const std::vector<std::string>& fields, std::string& out);
 
 }  // namespace tiller::live

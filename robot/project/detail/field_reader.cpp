@@ -27,7 +27,7 @@ QString kindOf(const QJsonValue& value) {
     return QStringLiteral("missing");
 }
 
-/// "\"C\" is neither \"J\" nor \"L\""; "\"C\" is none of \"a\", \"b\", \"c\"".
+/// Example: "\"C\" is neither \"J\" nor \"L\""; "\"C\" is none of \"a\", \"b\", \"c\"".
 QString isNoneOf(const QString& text, std::initializer_list<const char*> words) {
     QStringList quoted;
     for (const char* word : words) {
@@ -113,12 +113,12 @@ double FieldReader::number(const QString& where, const QJsonValue& value, double
     }
     const double read = value.toDouble();
     if (!std::isfinite(read) || read < least || read > most) {
-        const auto figure = [unit](double number) {
+        const auto formatted = [unit](double number) {
             const QString text = QString::number(number);
             return *unit == '\0' ? text : QStringLiteral("%1 %2").arg(text, QString::fromUtf8(unit));
         };
         addProblem(where, QStringLiteral("is %1, outside %2 ... %3")
-                              .arg(figure(read), QString::number(least), figure(most)));
+                              .arg(formatted(read), QString::number(least), formatted(most)));
         return least > 0 ? least : 0;
     }
     return read;
@@ -213,7 +213,7 @@ Pose FieldReader::pose(const QString& where, const QJsonObject& object, const ch
 }
 
 JointPositions FieldReader::joints(const QString& where, const QJsonValue& value) {
-    // Twice the joint range: 88.24 here is somebody's degrees.
+    // Twice the joint range: larger values are probably in degrees.
     constexpr double kMost = 4 * std::numbers::pi + 0.2;
     const QVector<double> read = numbers(where, value, kJointCount);
     JointPositions q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Frames, tools, payloads, positions, patterns, the cell and recorded paths, each from its JSON object. Private to
-// robot/project.
+// Reads frames, tools, payloads, positions, patterns, the cell and recorded paths from their JSON objects. Private
+// to robot/project.
 
 #include "robot/project/detail/field_reader.h"
 
@@ -10,7 +10,7 @@ namespace tiller::project {
 
 class PartReader {
 public:
-    /// Both must outlive it.
+    /// Both arguments must outlive the object.
     PartReader(FieldReader& fields, const FrameList& frames) : fields_(fields), frames_(frames) {}
 
     Frame frame(const QString& where, const QJsonObject& object);

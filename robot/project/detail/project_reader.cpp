@@ -65,7 +65,7 @@ QUuid ProjectReader::reference(const QJsonObject& root, const char* key, const E
 void ProjectReader::read(const QJsonObject& root, bool waypointsRequired) {
     readRobot(root.value(QLatin1String("robot")));
     Project& document = result_.document;
-    // Frames first: nearly everything refers to them.
+    // Frames first, because most other entries refer to them.
     readList<Frame>({}, root, "frames", document.frames, &PartReader::frame);
     readList<Pattern>({}, root, "patterns", document.patterns, &PartReader::pattern);
     readWaypoints(root, waypointsRequired);
@@ -111,7 +111,7 @@ void ProjectReader::readWaypoints(const QJsonObject& root, bool required) {
             }
             if (!point.place.isNull() && result_.document.patterns.find(point.place.pattern) == nullptr) {
                 withoutPattern.append(fieldAt(at, "place"));
-                point.place = {};  // an ordinary waypoint is worth keeping
+                point.place = {};  // keep the point as an ordinary waypoint
             }
             ids.insert(point.id);
             result_.document.waypoints.append(std::move(point));
@@ -204,7 +204,7 @@ RecoveredProject ProjectReader::take() {
 
 namespace {
 
-/// End of the string that begins at `from`, one past its closing quote; -1 when it does not end.
+/// Index after the closing quote of the string that begins at `from`; -1 if it is not closed.
 qsizetype endOfString(const QByteArray& bytes, qsizetype from) {
     for (qsizetype i = from + 1; i < bytes.size(); ++i) {
         if (bytes[i] == '\\') {
@@ -225,7 +225,7 @@ bool isListOfEntries(const QByteArray& name) {
 }  // namespace
 
 SalvagedEntries salvageEntries(const QByteArray& bytes) {
-    // Keeps count of brackets only: { is depth 1, the list of a field 2, its entries 3.
+    // Counts brackets: depth 1 is the root object, 2 the list of a field, 3 its entries.
     SalvagedEntries result;
     QHash<QString, QJsonArray> lists;
     QByteArray lastString;

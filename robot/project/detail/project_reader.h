@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From JSON to a project, entry by entry, remembering what is wrong. Private to robot/project.
+// Reads a project from JSON, entry by entry, and collects errors. Private to robot/project.
 
 #include <QHash>
 
@@ -9,14 +9,15 @@
 
 namespace tiller::project {
 
-/// Reads a project into a RecoveredProject. An entry with a problem is left out and counted.
+/// Reads a project into a RecoveredProject. Entries with a problem are skipped and counted.
 class ProjectReader {
 public:
     void addProblem(const QString& where, const QString& what) { fields_.addProblem(where, what); }
-    /// An entry of this list was seen but could not even be parsed.
+    /// Counts an entry of this list that could not be parsed.
     void addLost(const QString& list) { ++countOf(list); }
 
-    /// Everything but format and version; whether "waypoints" must be there.
+    /// Reads all fields except format and version.
+    /// waypoints  whether "waypoints" is required
     void read(const QJsonObject& root, bool waypointsRequired);
 
     RecoveredProject take();
@@ -29,14 +30,14 @@ private:
     void readCell(const QJsonValue& value);
     void readWaypoints(const QJsonObject& root, bool required);
     void checkPatterns();
-    /// The entries of root[key]; `readOne` makes one of them, `accept` takes it unless something was wrong with it.
+    /// Reads the entries of root[key]: `readOne` creates an entry, `accept` adds it unless it has a problem.
     template <class Read, class Accept>
     void readEntries(const QString& where, const QJsonObject& root, const char* key, const Read& readOne,
                      const Accept& accept);
     template <class Entity>
     void readList(const QString& where, const QJsonObject& root, const char* key, EntityList<Entity>& list,
                   Entity (PartReader::*readOne)(const QString&, const QJsonObject&));
-    /// Null where nothing in the list has that id: that is a problem, but costs nothing else.
+    /// A reference to a missing entry becomes null; this is recorded as a problem without other consequences.
     template <class Entity>
     QUuid reference(const QJsonObject& root, const char* key, const EntityList<Entity>& list);
 
@@ -45,10 +46,10 @@ private:
     PartReader parts_{fields_, result_.document.frames};
 };
 
-/// The complete entries of the lists of a text that is not whole JSON: cut off, or damaged somewhere.
+/// The complete list entries of a text that is not valid JSON because it is truncated or damaged.
 struct SalvagedEntries {
-    QJsonObject root;            ///< lists by their names, and what else was whole
-    QHash<QString, int> broken;  ///< entries that were seen but could not be parsed, by list
+    QJsonObject root;            ///< lists by name, and other complete values
+    QHash<QString, int> broken;  ///< number of unparsable entries by list
 };
 SalvagedEntries salvageEntries(const QByteArray& bytes);
 

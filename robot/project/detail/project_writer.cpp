@@ -46,7 +46,7 @@ void putList(QJsonObject& object, const char* key, const QJsonArray& list) {
     }
 }
 
-/// What every entry has.
+/// The fields common to all entries.
 template <class Entity>
 QJsonObject begun(const Entity& entity) {
     QJsonObject object = entity.extra;
@@ -78,7 +78,7 @@ QJsonObject actionOf(const WaypointAction& action) {
     return object;
 }
 
-/// Of a waypoint, all but its id and its history.
+/// All fields of a waypoint except id and history.
 QJsonObject factsOf(const Waypoint& point) {
     static constexpr const char* kColours[] = {"none", "blue", "orange", "green", "pink", "yellow", "sky"};
     QJsonObject object = point.extra;

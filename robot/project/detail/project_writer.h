@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From a project to JSON. What a version 1 did not have is left out where there is nothing to say. Private to
-// robot/project.
+// Writes a project to JSON. Empty fields that version 1 did not have are omitted. Private to robot/project.
 
 #include <QJsonObject>
 
@@ -12,7 +11,7 @@ namespace tiller::project {
 
 inline constexpr char kProjectFormat[] = "tiller-project";
 
-/// Everything of the file.
+/// The complete content of the file.
 QJsonObject toJson(const Project& document);
 
 }  // namespace tiller::project

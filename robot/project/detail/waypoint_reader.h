@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A waypoint from its JSON object, with its actions and its history. Private to robot/project.
+// Reads a waypoint with its actions and history from its JSON object. Private to robot/project.
 
 #include "robot/project/detail/field_reader.h"
 
@@ -9,18 +9,18 @@ namespace tiller::project {
 
 class WaypointReader {
 public:
-    /// Both must outlive it.
+    /// Both arguments must outlive the object.
     WaypointReader(FieldReader& fields, const FrameList& frames) : fields_(fields), frames_(frames) {}
 
-    /// Everything of it.
+    /// Reads a waypoint with id and history.
     Waypoint read(const QString& where, const QJsonObject& object);
 
 private:
     enum class Frames {
         MustBeHere,
-        MayBeGone,  ///< of a revision: the frame of then may have been deleted since
+        MayBeGone,  ///< for a revision: its frame may have been deleted since
     };
-    /// Without id and history.
+    /// Reads a waypoint without id and history.
     Waypoint facts(const QString& where, const QJsonObject& object, Frames frames);
     WaypointAction action(const QString& where, const QJsonObject& object);
     WaypointHistory history(const QString& where, const QJsonObject& object, const QUuid& id);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Watches and moves Universal Robots arms, and simulates them.
+"""Monitors, moves and simulates Universal Robots arms.
 
     import tiller
 
@@ -8,9 +8,9 @@
         robot.take_control()
         robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
 
-SI units throughout: m, rad, s, N, Nm, A, kg; poses are position and rotation vector, in the base frame. Samples carry joint
-positions and poses as Joints and Pose, arrays that calls for the other kind refuse. Without a robot:
-`with tiller.Simulator() as simulator: robot = tiller.Robot(simulator.address)`.
+SI units throughout: m, rad, s, N, Nm, A, kg; poses are position and rotation vector in the base frame. Samples return
+joint positions and poses as Joints and Pose, arrays that are checked when passed as arguments. Without a robot: `with
+tiller.Simulator() as simulator: robot = tiller.Robot(simulator.address)`.
 """
 from . import doctor, errors, kinematics
 from ._native import __version__

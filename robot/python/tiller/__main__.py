@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""python -m tiller COMMAND: the commands of tiller-cli ("simulate", "doctor" ...), which the wheel brings along."""
+"""python -m tiller COMMAND: runs the commands of tiller-cli ("simulate", "doctor" ...), which is included in the wheel."""
 from __future__ import annotations
 
 import os
@@ -9,7 +9,7 @@ import sys
 
 
 def main() -> None:
-    """Runs tiller-cli in the place of this process: signals and the exit status are its own."""
+    """Replaces this process by tiller-cli, so that signals and the exit status are passed through."""
     own = pathlib.Path(__file__).parent / "bin" / "tiller-cli"
     program = str(own) if own.exists() else shutil.which("tiller-cli")
     if program is None:

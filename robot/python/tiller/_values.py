@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Numbers on their way into the C++ library."""
+"""Conversion and checks of arguments for the C++ library."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
@@ -20,7 +20,7 @@ else:
 
 
 def floats(values: Floats, name: str, count: int = 6) -> list[float]:
-    """So many numbers, or InvalidArgument that names the argument."""
+    """Converts to a list of `count` numbers; raises InvalidArgument with the name of the argument."""
     try:
         array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):
@@ -76,7 +76,7 @@ class Joints(_SixNumbers):
 
 
 def joint_positions(values: Floats, name: str, other: str = "") -> list[float]:
-    """Six joint positions [rad]; InvalidArgument for a Pose. other: the call that takes a pose."""
+    """Converts to six joint positions [rad]; raises InvalidArgument for a Pose. other: the call for poses."""
     if isinstance(values, Pose):
         hint = f"; {other} takes a pose" if other else ""
         raise InvalidArgument(name, "a Pose is given, joint positions are needed" + hint)
@@ -84,7 +84,8 @@ def joint_positions(values: Floats, name: str, other: str = "") -> list[float]:
 
 
 def pose_numbers(values: Floats, name: str, other: str = "") -> list[float]:
-    """Six numbers of a pose [m, rad]; InvalidArgument for Joints. other: the call that takes joint positions."""
+    """Converts to six numbers of a pose [m, rad]; raises InvalidArgument for Joints. other: the call for joint
+    positions."""
     if isinstance(values, Joints):
         hint = f"; {other} takes joint positions" if other else ""
         raise InvalidArgument(name, "Joints are given, a pose is needed" + hint)
@@ -92,7 +93,7 @@ def pose_numbers(values: Floats, name: str, other: str = "") -> list[float]:
 
 
 def one_of(value: Any, name: str, allowed: Iterable[Any]) -> Any:
-    """The value, if it is one of those allowed; otherwise InvalidArgument that lists them."""
+    """Returns the value if it is allowed; otherwise raises InvalidArgument with a list of the allowed values."""
     values = list(allowed)
     if isinstance(value, bool) or value not in values:
         words = ", ".join(f'"{one}"' if isinstance(one, str) else str(one) for one in values)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Looks at everything that has to be right before a robot can be watched and moved from this machine."""
+"""Checks all prerequisites for monitoring and moving a robot from this machine."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -9,18 +9,18 @@ from . import _native
 
 @dataclass(frozen=True)
 class Finding:
-    """One condition and what was found."""
+    """The result for one condition."""
 
-    condition: str  #: stable: "address", "port.rtde", "registers.upper"
+    condition: str  #: stable name, e.g. "address", "port.rtde", "registers.upper"
     title: str
     verdict: str  #: "good", "attention", "bad", "skipped"
-    cause: str  #: stable: "port.rtde.refused"; empty when good or skipped
-    detail: str  #: what was seen
-    fix: str  #: what to do; empty when there is nothing to do
+    cause: str  #: stable name, e.g. "port.rtde.refused"; empty if good or skipped
+    detail: str  #: observed value
+    fix: str  #: suggested action; empty if none
 
 
 class Report(list[Finding]):
-    """Findings in the order in which the conditions depend on each other; str() is one line for each."""
+    """Findings in the order of their dependencies; str() has one line per finding."""
 
     @property
     def verdict(self) -> str:
@@ -38,8 +38,8 @@ class Report(list[Finding]):
 
 
 def examine(address: str, port_offset: int = 0, timeout: float | None = 30.0) -> Report:
-    """Asks network, ports, protocol, software, modes, registers and data rate; changes nothing on the robot.
+    """Checks network, ports, protocol, software, modes, registers and data rate, without changes to the robot.
 
-    Takes some two seconds with a healthy robot. Always gives one finding for every condition.
+    Takes about two seconds with a healthy robot. Returns one finding for every condition.
     """
     return Report(Finding(*parts) for parts in _native.examine(address, port_offset, timeout))

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""What can go wrong, one exception class for each code of the C++ library.
+"""Exceptions, one class for each error code of the C++ library.
 
-All are `tiller.Error`; those that Python has a word for are that too (Timeout is a TimeoutError, InvalidArgument a
-ValueError, LinkLost a ConnectionError), so ordinary `except` clauses work.
+All are `tiller.Error`; those with a Python equivalent are derived from it as well (Timeout is a TimeoutError,
+InvalidArgument a ValueError, LinkLost a ConnectionError), so that ordinary `except` clauses work.
 """
 from __future__ import annotations
 
 
 class Error(Exception):
-    """Base of everything this package raises about a robot; tiller.errors has a class for each code.
+    """Base class of all exceptions of this package; tiller.errors has a class for each code.
 
-    code: stable name for programs ("ConnectionRefused"). context: what was being done, to what. controller_message: the
-    controller's or the system's own words, possibly empty.
+    code: stable name for programs ("ConnectionRefused"). context: the attempted action and its object.
+    controller_message: original message of the controller or the system, may be empty.
     """
 
     code = "Internal"
@@ -31,19 +31,19 @@ class Error(Exception):
 
 
 class AddressInvalid(Error, ValueError):
-    """Not an address, nor a host name that resolves."""
+    """Not an address or a host name that resolves."""
 
     code = "AddressInvalid"
 
 
 class HostUnreachable(Error, ConnectionError):
-    """No route, or nobody answers."""
+    """No route, or no response."""
 
     code = "HostUnreachable"
 
 
 class ConnectionRefused(Error, ConnectionRefusedError):
-    """The host answers, nothing listens on the port."""
+    """The host responds, but no process listens on the port."""
 
     code = "ConnectionRefused"
 
@@ -55,31 +55,31 @@ class ConnectionClosed(Error, ConnectionError):
 
 
 class Timeout(Error, TimeoutError):
-    """No answer in time. A motion that was waited for goes on."""
+    """No response in time. A motion that was waited for continues."""
 
     code = "Timeout"
 
 
 class Cancelled(Error):
-    """The caller ended the wait."""
+    """The caller cancelled the wait."""
 
     code = "Cancelled"
 
 
 class LinkLost(Error, ConnectionError):
-    """Data stopped coming on a connection that worked."""
+    """No more data on a working connection."""
 
     code = "LinkLost"
 
 
 class ProtocolError(Error):
-    """Bytes that are not what the protocol says."""
+    """The received bytes violate the protocol."""
 
     code = "ProtocolError"
 
 
 class VersionUnsupported(Error):
-    """The controller's software lacks what was asked for."""
+    """Not supported by the controller's software version."""
 
     code = "VersionUnsupported"
 
@@ -91,7 +91,7 @@ class FieldUnknown(Error, LookupError):
 
 
 class RegisterInUse(Error):
-    """Another client or a fieldbus owns an RTDE input."""
+    """An RTDE input is used by another client or a fieldbus."""
 
     code = "RegisterInUse"
 
@@ -103,13 +103,13 @@ class NotConnected(Error):
 
 
 class NotInControl(Error):
-    """The control program does not run: call take_control()."""
+    """The control program is not running: call take_control()."""
 
     code = "NotInControl"
 
 
 class UnsafeState(Error):
-    """Robot mode or safety mode do not allow it."""
+    """Not allowed in the current robot mode or safety mode."""
 
     code = "UnsafeState"
 
@@ -121,13 +121,13 @@ class RemoteControlRequired(Error):
 
 
 class LimitExceeded(Error, ValueError):
-    """A value or a target outside what is allowed."""
+    """A value or target outside the allowed range."""
 
     code = "LimitExceeded"
 
 
 class InvalidArgument(Error, ValueError):
-    """Wrong size, not a number, or a wrong unit by magnitude."""
+    """Wrong size, NaN, or a value that suggests a wrong unit."""
 
     code = "InvalidArgument"
 
@@ -139,19 +139,19 @@ class NoSolution(Error):
 
 
 class Stopped(Error):
-    """A stop came between the command and its end; the message names the cause."""
+    """Stopped before the command was complete; the message contains the cause."""
 
     code = "Stopped"
 
 
 class Rejected(Error):
-    """The controller said no."""
+    """The controller refused."""
 
     code = "Rejected"
 
 
 class ScriptError(Error):
-    """The controller could not compile or run a script; the message has line and text."""
+    """The controller could not compile or run a script; the message contains line and text."""
 
     code = "ScriptError"
 
@@ -169,13 +169,13 @@ class FileNotWritable(Error, OSError):
 
 
 class FileCorrupt(Error, ValueError):
-    """A file is not what it should be."""
+    """The content of a file is invalid."""
 
     code = "FileCorrupt"
 
 
 class DiskFull(Error, OSError):
-    """There is no room left on the disk."""
+    """The disk is full."""
 
     code = "DiskFull"
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Kinematics without a robot, with the nominal dimensions of each model.
+"""Offline kinematics with the nominal dimensions of each model.
 
-A real arm differs from them by its calibration, up to some millimetres: Robot.inverse_kinematics() asks it.
+A real arm differs by its calibration, up to some millimetres; Robot.inverse_kinematics() takes this into account.
 """
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .errors import NoSolution
 
 
 def models() -> list[str]:
-    """The names of the arms: "UR5e" ..."""
+    """The names of the models, e.g. "UR5e"."""
     return _native.model_names()
 
 
@@ -33,19 +33,19 @@ class Kinematics:
         return Pose(_native.forward(self.model, joint_positions(q, "q"), self.tcp))
 
     def inverse(self, pose: Floats) -> Array:
-        """All joint positions [rad] that give this pose of the TCP, one a row (0 to 8), each joint in (-pi, pi]."""
+        """All joint positions [rad] for this pose of the TCP, one per row (0 to 8), each joint in (-pi, pi]."""
         solutions = _native.inverse(self.model, pose_numbers(pose, "pose"), self.tcp)
         return np.array(solutions).reshape(len(solutions), 6)
 
     def inverse_nearest(self, pose: Floats, near: Floats) -> Joints:
-        """The joint positions [rad] nearest to these that give this pose of the TCP. Raises NoSolution."""
+        """The joint positions [rad] for this pose of the TCP that are nearest to `near`. Raises NoSolution."""
         q = _native.inverse_nearest(self.model, pose_numbers(pose, "pose"), self.tcp, joint_positions(near, "near"))
         if q is None:
             raise NoSolution("inverse kinematics", "the pose cannot be reached")
         return Joints(q)
 
     def jacobian(self, q: Floats) -> Array:
-        """6 x 6: tool speed in the base frame [m/s, rad/s] from joint velocities [rad/s]."""
+        """The 6 x 6 Jacobian: tool velocity in the base frame [m/s, rad/s] from joint velocities [rad/s]."""
         return _native.jacobian(self.model, joint_positions(q, "q"), self.tcp)
 
     def __repr__(self) -> str:
@@ -53,10 +53,10 @@ class Kinematics:
 
 
 def pose_product(a: Floats, b: Floats) -> Pose:
-    """T_a_c of the poses T_a_b and T_b_c [m, rad]."""
+    """T_a_c = T_a_b * T_b_c of two poses [m, rad]."""
     return Pose(_native.pose_product(pose_numbers(a, "a"), pose_numbers(b, "b")))
 
 
 def pose_inverse(pose: Floats) -> Pose:
-    """T_b_a of the pose T_a_b [m, rad]."""
+    """T_b_a, the inverse of the pose T_a_b [m, rad]."""
     return Pose(_native.pose_inverse(pose_numbers(pose, "pose")))

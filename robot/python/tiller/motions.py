@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Handles of motions. A Move goes on without its handle; a Stream or a Jog ends with it."""
+"""Handles of motions. A Move continues without its handle; a Stream or a Jog ends with it."""
 from __future__ import annotations
 
 import asyncio
@@ -19,45 +19,46 @@ Waiting = Callable[[], AbstractContextManager[Any]]
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a motion is.
+    """Progress of a motion.
 
-    active: accepted and not ended. cause: why it ended, as Move.cause. fraction: 0 ... 1 of the way, by the arm's actual
-    place; 0 for motions without a known end, and again once it has ended before its target. waypoint, waypoints: of a
-    path, the one headed for, from 1, and how many there are. executing: the robot confirmed that it executes this motion.
-    speed_fraction: the speed slider, 0 ... 1. speed_scaling: what the controller's own limits leave of the speed, 0 ... 1.
+    active: accepted and not ended. cause: of the end, as Move.cause. fraction: completed fraction of the path, 0 ... 1,
+    from the actual position of the arm; 0 for motions without a known end, and after an end before the target.
+    waypoint, waypoints: of a path, the current target (from 1) and the number of targets. executing: the robot has
+    confirmed the execution of this motion. speed_fraction: the speed slider, 0 ... 1. speed_scaling: reduction by the
+    controller's own limits, 0 ... 1.
     """
 
     active: bool  #: accepted and not ended
-    cause: str  #: why it ended: "Completed", "ApiCall", "LinkLost"; "None" while it is active
-    fraction: float  #: 0 ... 1 of the way, by the arm's actual place; 0 for motions without a known end
-    waypoint: int  #: of a path, counted from 1: the one headed for
-    waypoints: int  #: of a path: how many there are
-    executing: bool  #: the robot confirmed that it executes this motion
+    cause: str  #: cause of the end, e.g. "Completed", "ApiCall", "LinkLost"; "None" while active
+    fraction: float  #: completed fraction of the path, 0 ... 1; 0 for motions without a known end
+    waypoint: int  #: of a path: current target, counted from 1
+    waypoints: int  #: of a path: number of targets
+    executing: bool  #: the robot has confirmed the execution of this motion
     speed_fraction: float  #: the speed slider, 0 ... 1
-    speed_scaling: float  #: what the controller's own limits leave of the speed, 0 ... 1
+    speed_scaling: float  #: reduction by the controller's own limits, 0 ... 1
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What was decided when a move began; the speed slider and the robot's own limits may slow it down further.
+    """Values computed at the start of a move. The speed slider and the robot's own limits may reduce the speed further.
 
-    duration: from standstill to standstill, at a slider of 100 % [s]. speed: move_j: of the leading joint [rad/s]; move_l:
-    of the TCP [m/s]. limiter: what keeps it below the speed asked for: "TcpSpeed" or "ElbowSpeed" (the speed cap),
-    "RotationSpeed"; "None": nothing. scale: how much of the speed asked for that leaves, 0 ... 1.
+    duration: from standstill to standstill, with the speed slider at 100 % [s]. speed: move_j: of the leading joint
+    [rad/s]; move_l: of the TCP [m/s]. limiter: the limit that reduces the requested speed: "TcpSpeed" or "ElbowSpeed"
+    (the speed cap), "RotationSpeed"; "None": no limit. scale: factor applied to the requested speed, 0 ... 1.
     """
 
-    duration: float  #: from standstill to standstill, at a slider of 100 % [s]
+    duration: float  #: from standstill to standstill, with the speed slider at 100 % [s]
     speed: float  #: move_j: of the leading joint [rad/s]; move_l: of the TCP [m/s]
-    limiter: str  #: what keeps it below the speed asked for: "TcpSpeed", "ElbowSpeed", "RotationSpeed"; "None"
-    scale: float  #: how much of the speed asked for that leaves, 0 ... 1
+    limiter: str  #: limit that reduces the requested speed: "TcpSpeed", "ElbowSpeed", "RotationSpeed"; "None"
+    scale: float  #: factor applied to the requested speed, 0 ... 1
 
 
 class Move:
-    """A motion under way. `move.wait()` or `await move` returns at its end and raises when it was stopped.
+    """An active motion. `move.wait()` or `await move` returns at its end and raises if it was stopped.
 
-    The motion does not depend on this object: `robot.move_j(q)` alone runs to its target too. The arm brakes on cancel(),
-    Robot.stop(), the next motion, Robot.close() or the end of the robot's `with` block, on Ctrl-C or any other exception
-    in wait(), when the task that awaits it is cancelled, on an exception that nothing catches (in a script, a thread, an
+    The motion does not depend on this object: `robot.move_j(q)` alone also moves to its target. The arm stops on
+    cancel(), Robot.stop(), the next motion, Robot.close() or the end of the robot's `with` block, on Ctrl-C or any
+    other exception in wait(), when a task awaiting it is cancelled, on an uncaught exception (in a script, a thread, an
     interactive session or a notebook cell), and when the process ends.
     """
 
@@ -66,10 +67,10 @@ class Move:
         self._waiting = waiting
 
     def wait(self, timeout: float | None = None) -> None:
-        """Returns when the target is reached. timeout [s]; None: as long as it takes.
+        """Waits until the target is reached. timeout [s]; None: no limit.
 
-        Raises Timeout (the motion goes on), Stopped (naming the cause), NoSolution, UnsafeState, LinkLost, NotInControl,
-        ScriptError. On Ctrl-C the arm brakes and KeyboardInterrupt is raised.
+        Raises Timeout (the motion continues), Stopped (with the cause), NoSolution, UnsafeState, LinkLost,
+        NotInControl, ScriptError. On Ctrl-C the arm stops and KeyboardInterrupt is raised.
         """
         try:
             with self._waiting():
@@ -94,36 +95,36 @@ class Move:
         self._native.wait(1.0)
 
     def cancel(self) -> bool:
-        """Brakes the arm and returns at once. Returns False when the motion had ended already; a motion that took its
-        place goes on."""
+        """Ends the motion with a deceleration, without waiting. Returns False if it has already ended; a motion that
+        has replaced it is not affected."""
         return self._native.cancel()
 
     @property
     def active(self) -> bool:
-        """Whether the motion has not ended."""
+        """True until the motion has ended."""
         return self._native.is_active()
 
     @property
     def cause(self) -> str:
-        """Why it ended, in a word; "None" while it is active.
+        """The cause of the end; "None" while the motion is active.
 
-        "Completed"; "ApiCall" (cancelled, or its `with` block ended); "Superseded" (by a newer command); "EventLoopStalled"
-        (nobody refreshed it in time); "LimitReached"; "Contact"; "Unreachable" or "TargetTooFar" (a target of a stream);
-        "UnsafeMode" (a protective stop and the like); "ControlLost" (the control program ended or was paused);
-        "LinkLost"; "DataStale" (the robot's data came too late).
+        "Completed"; "ApiCall" (cancelled, or its `with` block ended); "Superseded" (by a newer command);
+        "EventLoopStalled" (not refreshed in time); "LimitReached"; "Contact"; "Unreachable" or "TargetTooFar" (a target
+        of a stream); "UnsafeMode" (e.g. a protective stop); "ControlLost" (the control program ended or was paused);
+        "LinkLost"; "DataStale" (the robot's data arrived too late).
         """
         return self._native.cause()
 
     @property
     def progress(self) -> Progress:
-        """How far it is."""
+        """Progress of the motion."""
         return Progress(**self._native.progress())
 
     @property
     def plan(self) -> Plan | None:
-        """How long it takes and what slows it down; None for paths and what has no known end."""
-        told = self._native.plan()
-        return None if told is None else Plan(**told)
+        """Duration of the move and the limit that slows it down; None for paths and motions without a known end."""
+        plan = self._native.plan()
+        return None if plan is None else Plan(**plan)
 
     def __repr__(self) -> str:
         state = "active" if self.active else f"ended: {self.cause}"
@@ -140,7 +141,7 @@ def _at_standstill(native: NativeStream | _native.Jog, waiting: Waiting) -> None
 
 
 def _leave(native: NativeStream | _native.Jog, waiting: Waiting, error: BaseException | None) -> None:
-    """The end of a `with` block; an exception on its way out of the block is never replaced."""
+    """Ends a `with` block; an exception that leaves the block is never replaced."""
     if error is None:
         _at_standstill(native, waiting)
         return
@@ -150,12 +151,12 @@ def _leave(native: NativeStream | _native.Jog, waiting: Waiting, error: BaseExce
 
 
 class Stream:
-    """A stream of targets: send() a new one at least every 100 ms, or the arm brakes and the stream ends.
+    """A stream of targets: call send() at least every 100 ms, otherwise the arm stops and the stream ends.
 
-    It does not keep time for you: send one target, wait for the next control period (`for sample in robot.samples():`
-    gives you one each), send the next. Robot.packet_loop() does that by itself, in step with the robot.
-    Use it in a `with` block: whatever happens in the block, the arm brakes at its end and is at standstill afterwards.
-    The stream also ends when this object is dropped.
+    The stream does not provide timing: send one target, wait for the next control period (e.g. with `for sample in
+    robot.samples():`), send the next. Robot.packet_loop() does this automatically, synchronized with the robot.
+    Use it in a `with` block: in all cases the arm stops at the end of the block and is at standstill afterwards. The
+    stream also ends when this object is deleted.
     """
 
     def __init__(self, native: NativeStream, waiting: Waiting, check: Callable[[Floats, str], list[float]]) -> None:
@@ -164,27 +165,27 @@ class Stream:
         self._check = check
 
     def send(self, target: Floats) -> None:
-        """The next target. Returns at once and keeps only the newest: targets sent faster than one a period are never
-        seen. Raises Stopped when the stream has ended, LimitExceeded for a target too far from the one
-        before; a target that is refused has not been sent."""
+        """Sends the next target. Returns immediately and keeps only the newest target: if several are sent within a
+        period, only the last one is used. Raises Stopped if the stream has ended, LimitExceeded for a target too far
+        from the previous one; a refused target is not sent."""
         self._native.send(self._check(target, "target"))
 
     def stop(self) -> None:
-        """Brakes the arm and returns when it is at standstill; at once when another motion has taken over.
+        """Stops the arm and waits for standstill; returns immediately if another motion has replaced the stream.
 
-        Raises Timeout when the arm still moves after 5 s, NotInControl when control was lost and standstill is not
-        confirmed: then the robot brakes by itself.
+        Raises Timeout if the arm still moves after 5 s, NotInControl if control was lost and standstill is not
+        confirmed: the robot then decelerates by itself.
         """
         _at_standstill(self._native, self._waiting)
 
     @property
     def active(self) -> bool:
-        """Whether the stream has not ended."""
+        """True until the stream has ended."""
         return self._native.is_active()
 
     @property
     def cause(self) -> str:
-        """Why it ended; "None" while it is active."""
+        """The cause of the end; "None" while it is active."""
         return self._native.cause()
 
     def __enter__(self) -> Stream:
@@ -199,10 +200,10 @@ class Stream:
 
 
 class Jog:
-    """A velocity the arm has while this is refreshed: at least every 100 ms, or the arm brakes and the jog ends.
+    """A velocity of the arm that must be refreshed at least every 100 ms, otherwise the arm stops and the jog ends.
 
-    Use it in a `with` block: whatever happens in the block, the arm brakes at its end and is at standstill afterwards.
-    The jog also ends when this object is dropped. A jog that has ended cannot be refreshed: begin a new one.
+    Use it in a `with` block: in all cases the arm stops at the end of the block and is at standstill afterwards. The
+    jog also ends when this object is deleted. A jog that has ended cannot be refreshed: start a new one.
     """
 
     def __init__(self, native: _native.Jog, frame: str, custom_frame: list[float], contact_force: float,
@@ -214,23 +215,23 @@ class Jog:
         self._waiting = waiting
 
     def refresh(self, velocity: Floats | None = None) -> bool:
-        """Keeps the jog alive, with another velocity if one is given. Returns False when it has ended."""
+        """Keeps the jog active, optionally with another velocity. Returns False if it has ended."""
         if velocity is None:
             return self._native.refresh()
         return self._native.change(self._frame, floats(velocity, "velocity"), self._custom_frame, self._contact_force)
 
     def stop(self) -> None:
-        """Brakes the arm and returns when it is at standstill, as Stream.stop()."""
+        """Stops the arm and waits for standstill, as Stream.stop()."""
         _at_standstill(self._native, self._waiting)
 
     @property
     def active(self) -> bool:
-        """Whether the jog has not ended."""
+        """True until the jog has ended."""
         return self._native.is_active()
 
     @property
     def cause(self) -> str:
-        """Why it ended, as Move.cause; "None" while it is active. "EventLoopStalled": it was not refreshed in time."""
+        """The cause of the end, as Move.cause; "None" while it is active. "EventLoopStalled": not refreshed in time."""
         return self._native.cause()
 
     def __enter__(self) -> Jog:
@@ -245,12 +246,12 @@ class Jog:
 
 
 class ForceMode:
-    """Force mode, on since Robot.force_mode() returned: motions may run meanwhile.
+    """Force mode, active since Robot.force_mode() returned: motions are possible meanwhile.
 
-    In a `with` block it ends with the block, whatever happens in the block; a block inside another one restores the
-    settings of the outer block at its end. Without `with` it lasts until stop(), Robot.end_force_mode(), Robot.stop(),
-    Robot.close(), other settings or 100 ms without a connection, also when this object is dropped. What a stop has ended
-    does not begin again at the end of a block.
+    In a `with` block it always ends with the block; a nested block restores the settings of the outer block at its end.
+    Without `with` it lasts until stop(), Robot.end_force_mode(), Robot.stop(), Robot.close(), other settings or 100 ms
+    without a connection, even if this object is deleted. Settings ended by a stop are not restored at the end of a
+    block.
     """
 
     def __init__(self, blocks: list[ForceMode], stops: Callable[[], int], begin: Callable[[int], None],
@@ -264,9 +265,9 @@ class ForceMode:
         begin(self._begun_at)
 
     def stop(self) -> None:
-        """Ends force mode, or restores the settings of the enclosing `with` block. Harmless when it has ended.
+        """Ends force mode, or restores the settings of the enclosing `with` block. No effect if it has ended.
 
-        Raises NotInControl, LinkLost or Timeout when the robot does not confirm it; force mode does not outlive control.
+        Raises NotInControl, LinkLost or Timeout if the robot does not confirm; force mode also ends with control.
         """
         if self._ended:
             return
@@ -301,26 +302,26 @@ PATH_KINDS = ("j", "l", "p", "c")
 class PathMove:
     """One move of a path.
 
-    target, via: Joints [rad] or a Pose in the base frame [m, rad]. Six plain numbers are joint positions for kind "j" and
-    a pose for all other kinds; `pose` says otherwise: True for a pose, False for joint positions.
-    Raises InvalidArgument for an unknown kind, for a `pose` that contradicts the type of target or via, and for what is
-    not six numbers.
+    target, via: Joints [rad] or a Pose in the base frame [m, rad]. Six plain numbers are joint positions for kind "j"
+    and a pose for all other kinds, unless `pose` is True (pose) or False (joint positions).
+    Raises InvalidArgument for an unknown kind, for a `pose` that contradicts the type of target or via, and for values
+    other than six numbers.
     """
 
     target: Floats
     kind: str = "j"  #: "j" in joint space, "l" a line, "p" a line at constant speed, "c" an arc through `via`
-    pose: bool | None = None  #: what target and via are; None: by their type, or by the kind
-    via: Floats | None = None  #: "c": a point on the arc; only its position counts
-    speed: float | None = None  #: "j" [rad/s], others [m/s]; None: 1.05 and 0.25, or the speed cap where that is lower
+    pose: bool | None = None  #: type of target and via; None: from their class, or from the kind
+    via: Floats | None = None  #: "c": a point on the arc (orientation ignored)
+    speed: float | None = None  #: "j" [rad/s], others [m/s]; None: 1.05 and 0.25, or the speed cap if lower
     acceleration: float | None = None  #: "j" [rad/s2], others [m/s2]; None: 1.4 and 1.2
-    blend: float = 0.0  #: radius around the target [m]
+    blend: float = 0.0  #: blend radius at the target [m]
 
     def __post_init__(self) -> None:
         one_of(self.kind, "kind", PATH_KINDS)
         self.row()
 
     def _place(self, values: Floats, name: str) -> tuple[bool, list[float]]:
-        """(whether it is a pose, the numbers)"""
+        """Returns (whether it is a pose, the numbers)."""
         pose = self.pose
         if pose is None:
             pose = isinstance(values, Pose) or (self.kind != "j" and not isinstance(values, Joints))
@@ -329,6 +330,6 @@ class PathMove:
         return pose, pose_numbers(values, name) if pose else joint_positions(values, name)
 
     def row(self) -> _native.PathRow:
-        """As the C++ library takes it."""
+        """The argument for the C++ library."""
         via = None if self.via is None else self._place(self.via, "via")
         return (self.kind, self._place(self.target, "target"), via, self.speed, self.acceleration, self.blend)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the robot sends: samples with names, arrays, and recordings."""
+"""Data of the robot: samples with named fields, arrays, and recordings."""
 from __future__ import annotations
 
 import os
@@ -30,20 +30,20 @@ DIGITAL_PINS = range(18)
 
 
 class Sample:
-    """All values of one data packet. What the robot does not send is NaN: no data is never a number.
+    """All values of one data packet. Values that the robot does not send are NaN.
 
-    sample["actual_q"] gives any field by its RTDE name: an array of its numbers, a float where it has one; Joints and
-    Pose for joint positions and TCP poses.
+    sample["actual_q"] returns any field by its RTDE name: an array, or a float for a scalar field; Joints and Pose for
+    joint positions and TCP poses.
     """
 
     __slots__ = ("sequence", "host_time", "connection", "lost_before", "values", "_layout")
 
     def __init__(self, parts: tuple[int, int, int, int, Array], layout: Layout) -> None:
         self.sequence = parts[0]  #: 1 for the first packet; 0: no data yet
-        self.host_time = parts[1] * 1e-9  #: when it came, on this machine's monotonic clock [s]
+        self.host_time = parts[1] * 1e-9  #: time of arrival on this machine's monotonic clock [s]
         self.connection = parts[2]  #: a change means that the stream was interrupted
-        self.lost_before = parts[3]  #: packets missing just before this one
-        self.values = parts[4]  #: all numbers, in the order of the fields
+        self.lost_before = parts[3]  #: packets missing before this one
+        self.values = parts[4]  #: all numbers in the order of the fields
         self._layout = layout
 
     def __getitem__(self, field: str) -> Any:
@@ -60,7 +60,7 @@ class Sample:
         return place is not None and not np.isnan(self.values[place[0]])
 
     def fields(self) -> list[str]:
-        """Names of the fields that are followed."""
+        """Names of the received fields."""
         return list(self._layout)
 
     def as_dict(self) -> dict[str, Any]:
@@ -81,7 +81,7 @@ class Sample:
 
     @property
     def time(self) -> float:
-        """Time since the controller was started [s]."""
+        """Time since the start of the controller [s]."""
         return self._number("timestamp")
 
     @property
@@ -126,27 +126,27 @@ class Sample:
 
     @property
     def robot_mode(self) -> str:
-        """The controller's word: "RUNNING"; "DISCONNECTED" when it is not known."""
+        """Robot mode in the controller's spelling, e.g. "RUNNING"; "DISCONNECTED" if unknown."""
         return self._name("robot_mode", ROBOT_MODES, "DISCONNECTED")
 
     @property
     def safety_mode(self) -> str:
-        """The controller's word: "NORMAL"; "UNDEFINED_SAFETY_MODE" when it is not known."""
+        """Safety mode in the controller's spelling, e.g. "NORMAL"; "UNDEFINED_SAFETY_MODE" if unknown."""
         return self._name("safety_mode", SAFETY_MODES, "UNDEFINED_SAFETY_MODE")
 
     @property
     def runtime_state(self) -> str:
-        """The controller's word: "PLAYING"; "STOPPED" when it is not known."""
+        """Runtime state in the controller's spelling, e.g. "PLAYING"; "STOPPED" if unknown."""
         return self._name("runtime_state", RUNTIME_STATES, "STOPPED")
 
     def digital_input(self, number: int) -> bool | None:
-        """One digital input: 0-7 standard, 8-15 configurable, 16-17 tool; None when it is not known. Raises
-        InvalidArgument for another number."""
+        """One digital input: 0-7 standard, 8-15 configurable, 16-17 tool; None if unknown. Raises InvalidArgument for
+        another number."""
         return self._bit("actual_digital_input_bits", number)
 
     def digital_output(self, number: int) -> bool | None:
-        """One digital output: 0-7 standard, 8-15 configurable, 16-17 tool; None when it is not known. Raises
-        InvalidArgument for another number."""
+        """One digital output: 0-7 standard, 8-15 configurable, 16-17 tool; None if unknown. Raises InvalidArgument for
+        another number."""
         return self._bit("actual_digital_output_bits", number)
 
     def _bit(self, field: str, number: int) -> bool | None:
@@ -159,9 +159,10 @@ class Sample:
 
 
 class Samples(Iterator[Sample]):
-    """Every packet once, from now on: `for sample in robot.samples():`.
+    """Iterates over all packets from now on: `for sample in robot.samples():`.
 
-    A slow reader loses the oldest packets, which `lost` counts; 8 s at 500 Hz are kept. Ends when the robot is closed.
+    A slow reader loses the oldest packets, which are counted in `lost`; the buffer holds 8 s at 500 Hz. Ends when the
+    robot is closed.
     """
 
     def __init__(self, native: _native.Subscription, layout: Layout, timeout: float | None,
@@ -186,24 +187,24 @@ class Samples(Iterator[Sample]):
 
     @property
     def lost(self) -> int:
-        """Packets that were overwritten because nobody fetched them."""
+        """Packets that were overwritten before they were read."""
         return self._native.lost()
 
     @property
     def pending(self) -> int:
-        """Packets that wait to be fetched."""
+        """Packets not yet read."""
         return self._native.pending()
 
 
 class Recording:
-    """A file that grows by one row for each packet until stop(); ends with its `with` block too, and with the program."""
+    """A recording with one row per packet, until stop(), the end of its `with` block, or the end of the program."""
 
     def __init__(self, native: _native.Recorder, path: str) -> None:
         self._native = native
         self.path = path
 
     def stop(self) -> None:
-        """Writes what is left and closes the file. Raises DiskFull or FileNotWritable when writing failed."""
+        """Writes the remaining rows and closes the file. Raises DiskFull or FileNotWritable if writing failed."""
         self._native.stop()
 
     @property
@@ -232,10 +233,11 @@ class Recording:
 
 
 def read_recording(path: str | os.PathLike[str]) -> pandas.DataFrame:
-    """A recording (CSV, MCAP or HDF5, by its first bytes) as a pandas frame, one row a packet: a column for each number
-    (timestamp, actual_q_0 ...), and in CSV recordings packages_lost, how many are missing before the row.
+    """Reads a recording (CSV, MCAP or HDF5, detected from its first bytes) as a pandas frame with one row per packet
+    and one column per number (timestamp, actual_q_0 ...); in CSV recordings also packages_lost, the number of
+    packets missing before the row.
 
-    Raises OSError (FileNotReadable is one) and FileCorrupt.
+    Raises OSError (including FileNotReadable) and FileCorrupt.
     """
     import pandas
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One robot: what it sends, and everything that can be asked of it."""
+"""A connection to one robot: its data, its motions and its services."""
 from __future__ import annotations
 
 import atexit
@@ -35,7 +35,7 @@ _recordings: weakref.WeakSet[Recording] = weakref.WeakSet()
 
 @atexit.register
 def _end_of_process() -> None:
-    """Other threads that run until now are daemons: the interpreter is about to go, so none may return into it."""
+    """The remaining threads are daemons: the interpreter is shutting down, and they must not enter it again."""
     _native.park_other_threads()
     for recording in list(_recordings):
         with contextlib.suppress(Error):
@@ -46,7 +46,7 @@ def _end_of_process() -> None:
 
 
 def _in_forked_child() -> None:
-    """Threads and connections belong to the parent process: this one forgets them and touches none."""
+    """Threads and connections belong to the parent process: the child discards them without touching them."""
     _native.forget_parent()
     for robot in list(_open):
         robot._links = None
@@ -68,7 +68,7 @@ def _brake_all() -> None:
 
 @functools.lru_cache(maxsize=None)
 def _watch_exceptions() -> None:
-    """An exception that nothing catches ends what moves, at once: in the main thread, in others, in a notebook cell."""
+    """An uncaught exception stops the arm immediately: in the main thread, in other threads, and in a notebook cell."""
     earlier, earlier_in_threads = sys.excepthook, threading.excepthook
 
     def uncaught(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
@@ -81,7 +81,7 @@ def _watch_exceptions() -> None:
         earlier_in_threads(arguments)
 
     sys.excepthook, threading.excepthook = uncaught, uncaught_in_thread
-    # IPython and Jupyter call no hook.
+    # IPython and Jupyter do not call these hooks.
     shell = getattr(builtins, "get_ipython", lambda: None)()
     if shell is not None:
         def after_cell(result: Any) -> None:
@@ -93,24 +93,24 @@ def _watch_exceptions() -> None:
 
 @dataclass(frozen=True)
 class LoopReport:
-    """How a packet loop went.
+    """Statistics of a packet loop.
 
-    cycles: calls of the callback. missed: control periods without one. stale: cycles that ran in time but whose packet did
-    not come; the callback saw the values before. late: cycles that began more than half a period late. overruns: calls
-    that took longer than a period. longest_call [s]. longest_wait: the longest that a call waited for other Python threads
-    (the interpreter lock), part of its time [s]. fast_wake_ups: the system kept its
-    processors from deep sleep meanwhile. A few stale or late ones are a busy machine's; many missed ones make
-    the motion rough.
+    cycles: calls of the callback. missed: control periods without a call. stale: cycles that ran in time but without a
+    new packet; the callback received the previous values. late: cycles that began more than half a period late.
+    overruns: calls that took longer than a period. longest_call [s]. longest_wait: the longest time that a call waited
+    for other Python threads (the interpreter lock), included in its duration [s]. fast_wake_ups: the system kept its
+    processors out of deep sleep. A few stale or late cycles are normal on a busy machine; many missed cycles make the
+    motion rough.
     """
 
     cycles: int
     missed: int  #: control periods without a cycle
-    stale: int  #: cycles that ran in time, whose packet did not come
+    stale: int  #: cycles that ran in time without a new packet
     late: int  #: cycles that began more than half a period late
     overruns: int  #: calls that took longer than a period
     longest_call: float  #: [s]
     longest_wait: float = 0.0  #: for the interpreter lock [s]
-    fast_wake_ups: bool = False  #: the system kept its processors from deep sleep meanwhile
+    fast_wake_ups: bool = False  #: the system kept its processors out of deep sleep
 
 
 class Robot:
@@ -121,16 +121,14 @@ class Robot:
             robot.take_control()
             robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
 
-    Data come at once; control is taken by take_control(). address: of the controller. fields: RTDE outputs to follow,
-    None: what most programs want. frequency: packets a second [Hz]; 0: as many as the controller gives. speed_cap: no
-    command makes TCP or elbow faster than this [m/s]; it binds moves too. timeout: for the first packet [s].
-    upper_registers: talk through registers 24-47 rather than 0-23. priority: of the threads that receive and control, 0
-    for none.
-    Every method may be called from any thread and lets other Python threads run while it waits; Ctrl-C ends every wait.
-    Only in a callback of packet_loop() calls that wait are refused. An exception that nothing catches stops the arm.
-    A Robot that neither a name nor a handle refers to ends like a closed one. One made before fork() is closed in the
-    child process.
-    Raises ConnectionRefused, HostUnreachable, AddressInvalid, FieldUnknown (naming the field) or Timeout.
+    Data are received immediately; take_control() takes control. address: of the controller. fields: RTDE outputs to
+    receive; None: a selection for most programs. frequency: packets per second [Hz]; 0: maximum of the controller.
+    speed_cap: speed limit of TCP and elbow for all commands, including moves [m/s]. timeout: for the first packet [s].
+    upper_registers: use registers 24-47 instead of 0-23. priority: of the receive and control threads, 0 for none.
+    All methods may be called from any thread and let other Python threads run while they wait; Ctrl-C ends every wait.
+    Only in a callback of packet_loop() waiting calls are refused. An uncaught exception stops the arm. A Robot without
+    any reference from a name or handle is closed. A Robot created before fork() is closed in the child process.
+    Raises ConnectionRefused, HostUnreachable, AddressInvalid, FieldUnknown (with the field) or Timeout.
     """
 
     def __init__(self, address: str, *, fields: Sequence[str] | None = None, frequency: float = 0.0,
@@ -140,7 +138,7 @@ class Robot:
         self._port_offset = port_offset
         self._upper_registers = upper_registers
         self._why_closed = "the robot was closed: make another Robot"
-        # No method of this object: a cycle of references would keep connection and registers alive.
+        # Not a bound method: a reference cycle would keep connection and registers alive.
         self._waiting: Callable[[], AbstractContextManager[Any]] = contextlib.nullcontext
         if simulator is not None:
             self._waiting = simulator.flowing
@@ -184,13 +182,13 @@ class Robot:
         return links
 
     def close(self) -> None:
-        """Brakes what moves, gives control back, ends the connection and frees its registers and memory.
+        """Stops the arm, releases control, closes the connection and frees its registers and memory.
 
-        Harmless when it is closed. Afterwards `state` is the last packet, and everything that needs the robot raises
-        NotConnected: connect again with another Robot.
+        No effect if already closed. Afterwards `state` is the last packet, and everything that needs the robot raises
+        NotConnected: create another Robot to connect again.
         """
         if (links := self._links) is not None:
-            links[1].release()  # refused in a callback of packet_loop(): then nothing has changed
+            links[1].release()  # raises in a callback of packet_loop(), without changes
         links, self._links = self._links, None
         _open.discard(self)
         if links is None:
@@ -216,44 +214,46 @@ class Robot:
         control = "in control" if self.in_control else "not in control"
         return f"<tiller.Robot {self.address}, {links[0].state().lower()}, {control}>"
 
-    # ---- what it sends
+    # ---- data
 
     @property
     def state(self) -> Sample:
-        """The newest packet; the last one when the robot is closed. Its values are NaN where the robot does not send them;
-        see wait_for_data()."""
+        """The newest packet; after close(), the last one. Values that the robot does not send are NaN; see
+        wait_for_data()."""
         links, last = self._links, self._last
         return last if links is None and last is not None else Sample(self._receiver.latest(), self._layout)
 
     @property
     def data_age(self) -> float:
-        """Age of the newest packet [s]; enormous when there is none, infinite when the robot is closed."""
+        """Age of the newest packet [s]; very large if there is none, infinite after close()."""
         links = self._links
         return float("inf") if links is None else links[0].age()
 
     def wait_for_data(self, timeout: float | None = 5.0) -> Sample:
-        """The newest packet, as soon as there is one that is not older than 100 ms. Raises why there is none."""
+        """Waits for a packet that is at most 100 ms old. Raises the reason if there is none."""
         with self._waiting():
             return Sample(self._receiver.wait_for_data(timeout), self._layout)
 
     def samples(self, timeout: float | None = 2.5) -> Samples:
-        """Every packet once, from now on: `for sample in robot.samples():`. timeout: for each [s], raises Timeout.
+        """Returns every packet once, from now on: `for sample in robot.samples():`. timeout: for each packet [s];
+        raises Timeout.
 
-        At 500 Hz that costs a few percent of a core.
+        At 500 Hz this costs a few percent of a CPU core.
         """
         return Samples(self._receiver.subscribe(), self._layout, timeout, self._waiting)
 
     def snapshot(self, *fields: str) -> tuple[Any, ...]:
-        """Several fields of one packet: `q, pose = robot.snapshot("actual_q", "actual_TCP_pose")`."""
+        """Returns several fields of one packet: `q, pose = robot.snapshot("actual_q", "actual_TCP_pose")`."""
         sample = self.state
         return tuple(sample[field] for field in fields)
 
     def record(self, path: str | os.PathLike[str], fields: Sequence[str] = ()) -> Recording:
-        """Writes one row for each packet from now on; see Recording. The end of the name chooses the format: .csv or .mcap.
-        A file of that name is replaced. fields: which of those that are followed; none named: all.
+        """Records every packet from now on, one row per packet; see Recording. The extension of the name selects the
+        format: .csv or .mcap. An existing file is replaced. fields: a selection of the received fields; empty: all.
 
-        Raises InvalidArgument for another end of the name, FieldUnknown naming each field that is not followed,
-        FileNotWritable (also for a file that another recording is writing), DiskFull."""
+        Raises InvalidArgument for another extension, FieldUnknown with all fields that are not received,
+        FileNotWritable (also for a file in use by another recording), DiskFull.
+        """
         name = os.fspath(path)
         recording = Recording(_native.Recorder(self._receiver, name, list(fields or self._layout)), name)
         _recordings.add(recording)
@@ -261,22 +261,23 @@ class Robot:
 
     @property
     def version(self) -> tuple[int, int, int, int]:
-        """Of the controller's software."""
+        """Version of the controller software."""
         return self._receiver.version()
 
     @property
     def link(self) -> Mapping[str, Any]:
-        """A dict: counts of packets, late and lost ones and reconnects, and the rate [Hz]."""
+        """A dict with the numbers of packets, late and lost packets and reconnects, and the rate [Hz]."""
         return self._receiver.counters()
 
     # ---- control
 
     def take_control(self, timeout: float | None = 10.0) -> Robot:
-        """Uploads the control program; ends the program that runs on the robot. Does nothing when in control.
+        """Uploads the control program, which ends a program running on the robot. Returns immediately if already in
+        control.
 
-        An earlier Robot object of this program that controls the same robot and moves nothing gives control up, as when a
-        notebook cell runs again. Raises RegisterInUse when that one has a motion or force mode under way;
-        RemoteControlRequired, UnsafeState, NotConnected (after close()) and the like, each with what to do.
+        An earlier Robot object in this process that controls the same robot without a motion releases control, e.g.
+        when a notebook cell is run again. Raises RegisterInUse if it has an active motion or force mode;
+        RemoteControlRequired, UnsafeState, NotConnected (after close()) and others, each with a suggested action.
         """
         controller = self._controller
         for other in list(_open):
@@ -296,25 +297,26 @@ class Robot:
                                                                            other._upper_registers)
 
     def release(self) -> None:
-        """Brakes what moves and gives control back; data go on coming."""
+        """Stops the arm and releases control; data continue to arrive."""
         self._controller.release()
 
     @property
     def in_control(self) -> bool:
-        """Whether motions can be commanded; False when the robot is closed."""
+        """True if motions can be commanded; False after close()."""
         links = self._links
         return links is not None and bool(links[1].status()["in_control"])
 
     @property
     def status(self) -> Mapping[str, Any]:
-        """What control knows, a dict: "in_control", "loss" (why not), "moving", "executing", "limiter" (what holds the speed
-        down), "last_cause" (why the last motion ended, as Move.cause), "last_stop_ms" and "last_stop_mm", "round_trip_ms",
-        "robot_mode", "safety_mode", "speed_fraction", "speed_scaling" and more."""
+        """The state of control as a dict: "in_control", "loss" (the reason if not in control), "moving", "executing",
+        "limiter" (the limit that reduces the speed), "last_cause" (cause of the end of the last motion, as
+        Move.cause), "last_stop_ms" and "last_stop_mm", "round_trip_ms", "robot_mode", "safety_mode",
+        "speed_fraction", "speed_scaling" and more."""
         return self._controller.status()
 
     @property
     def speed_cap(self) -> float:
-        """No command makes TCP or elbow faster than this [m/s]. Setting it ends what moves."""
+        """Speed limit of TCP and elbow for all commands [m/s]. Changing it ends the active motion."""
         return self._controller.speed_cap()
 
     @speed_cap.setter
@@ -322,93 +324,97 @@ class Robot:
         self._controller.set_speed_cap(metres_per_second)
 
     def stop(self) -> None:
-        """Ends whatever moves, at once; nothing commanded before moves the arm after it. Not an emergency stop."""
+        """Ends the active motion immediately; no earlier command can move the arm afterwards. Not an emergency stop."""
         self._controller.stop()
 
-    # ---- moves: they go on without their handles
-    # All raise at once: InvalidArgument, LimitExceeded, NoSolution (out of reach), NotInControl, UnsafeState, LinkLost,
-    # Stopped; what goes wrong on the way is raised by Move.wait().
+    # ---- moves: they continue without their handles
+    # All raise immediately: InvalidArgument, LimitExceeded, NoSolution (unreachable), NotInControl, UnsafeState,
+    # LinkLost, Stopped; later errors are raised by Move.wait().
 
     def move_j(self, q: Floats, speed: float = 1.05, acceleration: float = 1.4, silence: float = 0.1) -> Move:
-        """Linear in joint space to joint positions [rad]; speed [rad/s], acceleration [rad/s2] of the leading joint. The
-        speed cap binds it too: Move.plan says what speed is left and how long the move takes. A Pose is refused.
+        """Moves linearly in joint space to joint positions [rad]; speed [rad/s] and acceleration [rad/s2] of the
+        leading joint. The speed cap applies as well: Move.plan contains the resulting speed and the duration. A Pose
+        is refused.
 
-        Returns at once; the arm moves to its target whether or not the handle is kept. See Move for what ends it.
-        silence: 0.1 ... 4 [s]; the move goes on when this computer falls silent for no longer than that (a busy machine, a
-        cable plugged in again). For that time the arm moves unattended; after it the robot ends the move by itself.
+        Returns immediately; the arm moves to its target even if the handle is discarded. See Move for the ends of a
+        motion.
+        silence: 0.1 ... 4 [s]; the move continues without a heartbeat of this computer for this time (e.g. while the
+        machine is busy or a cable is replugged). During this time the arm moves unattended; then the robot ends the
+        move.
         """
         return self._move(self._controller.move_j(joint_positions(q, "q", "move_j_to_pose()"), speed, acceleration, silence))
 
     def move_j_to_pose(self, pose: Floats, speed: float = 1.05, acceleration: float = 1.4, silence: float = 0.1) -> Move:
-        """Linear in joint space to a pose of the TCP in the base frame [m, rad]; speed [rad/s], acceleration [rad/s2];
-        silence as in move_j(). Joints are refused."""
+        """Moves linearly in joint space to a pose of the TCP in the base frame [m, rad]; speed [rad/s], acceleration
+        [rad/s2]; silence as in move_j(). Joints are refused."""
         return self._move(self._controller.move_j_to_pose(pose_numbers(pose, "pose", "move_j()"), speed, acceleration,
                                                           silence))
 
     def move_l(self, pose: Floats, speed: float | None = None, acceleration: float = 1.2, silence: float = 0.1) -> Move:
-        """A straight line of the TCP to a pose in the base frame [m, rad]; speed [m/s], None: 0.25, or the cap where that
-        is lower; acceleration [m/s2]; silence as in move_j(). Joints are refused. Raises NoSolution when the arm cannot
-        reach it, LimitExceeded for a speed above the cap."""
+        """Moves the TCP on a straight line to a pose in the base frame [m, rad]; speed [m/s], None: 0.25, or the cap if
+        lower; acceleration [m/s2]; silence as in move_j(). Joints are refused. Raises NoSolution if the pose is
+        unreachable, LimitExceeded for a speed above the cap."""
         return self._move(self._controller.move_l(pose_numbers(pose, "pose", "move_l_to_joints()"), speed, acceleration,
                                                   silence))
 
     def move_l_to_joints(self, q: Floats, speed: float | None = None, acceleration: float = 1.2,
                          silence: float = 0.1) -> Move:
-        """A straight line of the TCP to the pose that joint positions [rad] give; otherwise as move_l()."""
+        """Moves the TCP on a straight line to the pose of these joint positions [rad]; otherwise as move_l()."""
         return self._move(self._controller.move_l_to_joints(joint_positions(q, "q", "move_l()"), speed, acceleration, silence))
 
     def move_path(self, path: Sequence[PathMove], timeout: float | None = 5.0, silence: float = 0.1) -> Move:
-        """Follows moves one after the other; timeout: for the start [s]; silence as in move_j(). The arm must not
-        be moving."""
+        """Executes moves as one path; timeout: for the start [s]; silence as in move_j(). The arm must be at
+        standstill."""
         with self._waiting():
             return self._move(self._controller.move_path([move.row() for move in path], timeout, silence))
 
     def move_until_contact(self, velocity: Floats, direction: Floats = ZEROS, acceleration: float = 0.5,
                            timeout: float | None = 5.0) -> Move:
-        """Moves the tool [m/s, rad/s] until it touches something, then back to where the contact began.
+        """Moves the tool [m/s, rad/s] until contact, then back to the pose at the first contact.
 
-        direction: from which contact is looked for, in the base frame; zeros: any. timeout: for the start [s].
+        direction: of the contact in the base frame; zeros: any. timeout: for the start [s].
         """
         with self._waiting():
             return self._move(self._controller.move_until_contact(floats(velocity, "velocity"),
                                                                   floats(direction, "direction"), acceleration, timeout))
 
     def stop_j(self, deceleration: float = 4.0) -> Move:
-        """Brakes with this deceleration of the leading joint [rad/s2]; wait() returns when the arm is at standstill."""
+        """Stops with this deceleration of the leading joint [rad/s2]; wait() returns at standstill."""
         return self._move(self._controller.stop_j(deceleration))
 
     def stop_l(self, deceleration: float = 2.0) -> Move:
-        """Brakes with this deceleration of the tool [m/s2]; wait() returns when the arm is at standstill."""
+        """Stops with this deceleration of the tool [m/s2]; wait() returns at standstill."""
         return self._move(self._controller.stop_l(deceleration))
 
     def freedrive(self) -> Move:
-        """The arm follows the hand until the handle is cancelled, the robot is stopped or another motion begins."""
+        """The arm can be moved by hand until the handle is cancelled, the robot is stopped or another motion starts."""
         return self._move(self._controller.freedrive())
 
     def run_function(self, body: str, name: str = "function", timeout: float | None = 5.0) -> Move:
-        """Runs lines of URScript, without def and end, under the control program: stops hold for it too.
+        """Runs lines of URScript, without def and end, inside the control program, with the same stop functions.
 
-        Raises InvalidArgument for an `end` that closes no block of the body, ScriptError with line and text. timeout: for the
-        start [s]; the handle is done when the function returns.
+        Raises InvalidArgument for an `end` that closes no block of the body, ScriptError with line and text. timeout:
+        for the start [s]; the handle completes when the function returns.
         """
         with self._waiting():
             return self._move(self._controller.start_function(name, body, timeout))
 
     def run_script(self, program: str, timeout: float | None = None, *, unattended: bool = False) -> None:
-        """Runs a whole URScript program in place of the control program, waits for its end [s] and takes control again.
+        """Runs a complete URScript program instead of the control program, waits for its end [s] and takes control
+        again.
 
-        program: `def ... end`, or lines, which run one after the other; names beginning with tiller_heartbeat are reserved.
-        A watchdog thread, sent in the program, ends it and brakes the arm when this process ends, is killed or loses the
-        link for 100 ms. unattended: True sends the program as it is. Then the arm moves on after this process has ended,
-        until the program is done, and only the pendant or another client can stop it.
+        program: `def ... end`, or a sequence of lines; names starting with tiller_heartbeat are reserved. An inserted
+        watchdog thread ends the program and stops the arm if this process ends, is killed or loses the connection for
+        100 ms. unattended: True sends the program unchanged. The arm then continues to move after the end of this
+        process until the program is complete, and only the pendant or another client can stop it.
         Raises ScriptError with line and text.
         """
         with self._waiting():
             self._controller.run_script(program, timeout, unattended)
 
     def _handle_waits(self) -> AbstractContextManager[Any]:
-        """For handles. This method keeps the Robot open while they exist, so that an uncaught exception and take_control()
-        of another Robot find what moves."""
+        """For handles. The bound method keeps the Robot alive, so that an uncaught exception and take_control() of
+        another Robot find the active motion."""
         return self._waiting()
 
     def _move(self, native: _native.Motion) -> Move:
@@ -417,29 +423,29 @@ class Robot:
     # ---- streams, jogs, loops
 
     def servo_j(self, lookahead: float = 0.1, gain: float = 300.0) -> Stream:
-        """A stream of joint positions [rad], sent one a cycle. lookahead 0.03 ... 0.2 [s], gain 100 ... 2000."""
+        """Starts a stream of joint positions [rad], one per cycle. lookahead 0.03 ... 0.2 [s], gain 100 ... 2000."""
         return Stream(self._controller.servo_j(lookahead, gain), self._handle_waits, joint_positions)
 
     def servo_l(self, lookahead: float = 0.1, gain: float = 300.0) -> Stream:
-        """A stream of TCP poses in the base frame [m, rad], sent one a cycle."""
+        """Starts a stream of TCP poses in the base frame [m, rad], one per cycle."""
         return Stream(self._controller.servo_l(lookahead, gain), self._handle_waits, pose_numbers)
 
     def speed_j(self, acceleration: float = 0.5) -> Stream:
-        """A stream of joint velocities [rad/s]; acceleration [rad/s2]."""
+        """Starts a stream of joint velocities [rad/s]; acceleration [rad/s2]."""
         return Stream(self._controller.speed_j(acceleration), self._handle_waits, floats)
 
     def speed_l(self, acceleration: float = 0.5) -> Stream:
-        """A stream of tool speeds in the base frame [m/s, rad/s]; acceleration [m/s2]."""
+        """Starts a stream of tool velocities in the base frame [m/s, rad/s]; acceleration [m/s2]."""
         return Stream(self._controller.speed_l(acceleration), self._handle_waits, floats)
 
     def torque(self, viscous_scale: Floats | None = None, coulomb_scale: Floats | None = None) -> Stream:
-        """A stream of joint torques [Nm], sent one a cycle; gravity is not part of them, the controller holds the arm.
+        """Starts a stream of joint torques [Nm], one per cycle, without gravity, which the controller compensates.
 
-        viscous_scale, coulomb_scale: how much of each joint's friction the controller makes up for, 0 ... 1; None: as it
-        has it. Until the first torques are sent the arm holds its place. The stream ends with the cause "LimitReached"
-        when TCP or elbow get faster than the cap on their speed: a torque cannot be slowed down. However it ends, torques
-        against the motion slow the arm down first, for 0.1 s at most. Raises VersionUnsupported before PolyScope 5.25.1
-        and 10.12.1, and send() LimitExceeded above what a joint can give.
+        viscous_scale, coulomb_scale: friction compensation per joint, 0 ... 1; None: settings of the controller. Until
+        the first torques are sent the arm holds its position. The stream ends with the cause "LimitReached" if TCP or
+        elbow exceed the speed cap, because a torque stream cannot be slowed down. At its end, the arm is first
+        decelerated by torques for 0.1 s at most. Raises VersionUnsupported before PolyScope 5.25.1 and 10.12.1; send()
+        raises LimitExceeded for torques above the limits of the joints.
         """
         viscous = None if viscous_scale is None else floats(viscous_scale, "viscous_scale")
         coulomb = None if coulomb_scale is None else floats(coulomb_scale, "coulomb_scale")
@@ -447,10 +453,11 @@ class Robot:
 
     def jog(self, velocity: Floats, frame: str = "base", *, custom_frame: Floats = ZEROS,
             contact_force: float = 0.0) -> Jog:
-        """Jogs with a tool velocity [m/s, rad/s], in frame "joints" with joint velocities [rad/s].
+        """Jogs with a tool velocity [m/s, rad/s], or with joint velocities [rad/s] in frame "joints".
 
-        frame: "base", "tool", "custom" (axes of custom_frame, a pose in the base frame) or "joints". contact_force: above
-        0: ends when the force on the TCP has changed by more than this [N]. Refresh it at least every 100 ms.
+        frame: "base", "tool", "custom" (axes of custom_frame, a pose in the base frame) or "joints". contact_force:
+        above 0: ends when the force at the TCP has changed by more than this value [N]. Refresh the jog at least every
+        100 ms.
         """
         one_of(frame, "frame", JOG_FRAMES)
         axes = pose_numbers(custom_frame, "custom_frame")
@@ -458,10 +465,10 @@ class Robot:
         return Jog(native, frame, axes, contact_force, self._handle_waits)
 
     def jog_while(self, callback: Callable[[Sample], Floats | None], frame: str = "base", period: float = 0.02) -> None:
-        """Jogs with the velocity the callback returns, asked every `period` [s], until it returns None.
+        """Jogs with the velocity returned by the callback, which is called every `period` [s] until it returns None.
 
-        An exception in the callback brakes the arm and is raised here. Each call costs some 50 us and needs the
-        interpreter: a callback that keeps it for 100 ms, or a thread that does, ends the jog.
+        An exception in the callback stops the arm and is raised here. Each call takes about 50 us and needs the
+        interpreter: a callback or thread that occupies it for 100 ms ends the jog.
         """
         first = callback(self.state)
         if first is None:
@@ -472,21 +479,22 @@ class Robot:
 
     def packet_loop(self, kind: str, callback: Callable[[Mapping[str, Any]], Floats | None], *,
                     timeout: float | None = None, at_once: bool = False) -> LoopReport:
-        """Calls back once for each packet, in step with the robot; what the callback returns goes out with the answer to
-        that very packet. None ends the loop: the arm brakes, and may still do so for some 0.1 s when this returns. The
-        choice for everything that has to be on time; servo_j() and its like are for targets that come when they come.
+        """Calls the callback once per packet, synchronized with the robot; its result is sent in the answer to the same
+        packet. None ends the loop: the arm stops, which may take about 0.1 s longer than this call. Use this for
+        targets with precise timing; servo_j() and similar functions are for targets at irregular times.
 
-        kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s], "speed_l" [m/s, rad/s]
-        or "torque" [Nm]. The callback gets a dict: cycle (from 0), time since the loop began [s], period [s], age (of the
-        values when the call began, by the robot's time stamps [s]), fresh (False: the packet did not come and the values
-        are the last ones, or age is above two periods), missed (periods without a call since the loop began), q, qd,
-        tcp_pose, tcp_speed, speed_fraction, speed_scaling. timeout: of the whole loop [s], raises Timeout. at_once: send
-        each target as soon as it is there rather than at even distances.
-        Each call takes some 30 us besides the callback's own time, and waits for the interpreter: other Python threads
-        hold it for up to 5 ms at a time (sys.setswitchinterval). After a call that took longer than a period the next one
-        gets the newest packet. While a call runs no heartbeat is sent: one that takes 100 ms stops the arm and raises
-        Stopped with the measured time. An exception in it brakes the arm and is raised here; so does Ctrl-C. A blocking
-        call inside the callback, another packet_loop() included, raises InvalidArgument: nothing could end its wait.
+        kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s], "speed_l" [m/s,
+        rad/s] or "torque" [Nm]. The callback receives a dict: cycle (from 0), time since the start of the loop [s],
+        period [s], age (of the values at the start of the call, by the robot's time stamps [s]), fresh (False: the
+        packet did not arrive and the values are those of the previous one, or age exceeds two periods), missed (periods
+        without a call since the start), q, qd, tcp_pose, tcp_speed, speed_fraction, speed_scaling. timeout: of the
+        whole loop [s]; raises Timeout. at_once: send each target as soon as possible instead of at regular intervals.
+        Each call takes about 30 us in addition to the callback, and waits for the interpreter: other Python threads
+        hold it for up to 5 ms at a time (sys.setswitchinterval). After a call longer than a period, the next call gets
+        the newest packet. No heartbeat is sent during a call: a call of 100 ms stops the arm and raises Stopped with
+        the measured time. An exception in the callback or Ctrl-C stops the arm and is raised here. A blocking call
+        inside the callback, including another packet_loop(), raises InvalidArgument, because nothing could end its
+        wait.
         """
         one_of(kind, "kind", _LOOP_TARGETS)
         check, meaning = _LOOP_TARGETS[kind]
@@ -500,43 +508,44 @@ class Robot:
         with self._waiting():
             return LoopReport(**self._controller.packet_loop(kind, checked, at_once, timeout))
 
-    # ---- questions and settings
+    # ---- queries and settings
 
     def inverse_kinematics(self, pose: Floats, near: Floats | None = None, timeout: float | None = 1.0) -> Joints:
-        """Joint positions [rad] for a pose of the TCP [m, rad], by the robot's own calibration. Raises NoSolution."""
+        """Joint positions [rad] for a pose of the TCP [m, rad], with the calibration of the robot. Raises NoSolution."""
         with self._waiting():
             return Joints(self._controller.inverse_kinematics(pose_numbers(pose, "pose"), None if near is None
                                                               else joint_positions(near, "near"), timeout))
 
     def forward_kinematics(self, q: Floats, timeout: float | None = 1.0) -> Pose:
-        """Pose of the TCP [m, rad] for joint positions [rad], by the robot's own calibration."""
+        """Pose of the TCP [m, rad] for joint positions [rad], with the calibration of the robot."""
         with self._waiting():
             return Pose(self._controller.forward_kinematics(joint_positions(q, "q"), timeout))
 
     def set_payload(self, mass: float, centre_of_gravity: Floats | None = None, timeout: float | None = 1.0) -> None:
-        """Mass [kg] and centre of gravity from the flange [m]; without one it stays as it is."""
+        """Sets mass [kg] and centre of gravity from the flange [m]; without the latter it is unchanged."""
         cog = None if centre_of_gravity is None else floats(centre_of_gravity, "centre_of_gravity", 3)
         with self._waiting():
             self._controller.set_payload(mass, cog, timeout)
 
     def set_tcp(self, tcp: Floats, timeout: float | None = 1.0) -> None:
-        """The TCP as a pose in the flange frame [m, rad]."""
+        """Sets the TCP as a pose in the flange frame [m, rad]."""
         with self._waiting():
             self._controller.set_tcp(pose_numbers(tcp, "tcp"), timeout)
 
     def zero_force_sensor(self, timeout: float | None = 1.0) -> None:
-        """Takes what the force sensor measures now as zero."""
+        """Sets the current reading of the force sensor to zero."""
         with self._waiting():
             self._controller.zero_force_sensor(timeout)
 
     def force_mode(self, compliant: Sequence[bool], wrench: Floats, limits: Floats, *, frame: Floats = ZEROS,
                    kind: int = 2, timeout: float | None = 1.0) -> ForceMode:
-        """Makes the arm compliant from now on; motions may run meanwhile. Use it in a `with` block, or see ForceMode for
-        what else ends it.
+        """Makes the arm compliant from now on; motions are possible meanwhile. Use it in a `with` block; see ForceMode
+        for other ends.
 
-        compliant: per axis of the frame. wrench: wanted on those [N, Nm]. limits: highest speeds of compliant axes [m/s,
-        rad/s], largest deviation of the others [m, rad]. frame: a pose in the base frame. kind: 1, 2 or 3, how the force
-        frame follows from it. timeout: for the robot's confirmation, at the beginning and at the end [s].
+        compliant: per axis of the frame. wrench: target on these axes [N, Nm]. limits: maximum speeds of compliant axes
+        [m/s, rad/s], maximum deviation of the others [m, rad]. frame: a pose in the base frame. kind: 1, 2 or 3, the
+        definition of the force frame relative to it. timeout: for the robot's confirmation, at the start and at the end
+        [s].
         """
         axes = [bool(one_of(axis, "compliant", (0.0, 1.0))) for axis in floats(compliant, "compliant")]
         numbers, largest, task = floats(wrench, "wrench"), floats(limits, "limits"), pose_numbers(frame, "frame")
@@ -554,13 +563,13 @@ class Robot:
         return ForceMode(self._force_blocks, controller.stops, begin, end)
 
     def end_force_mode(self, timeout: float | None = 1.0) -> None:
-        """Ends force mode, whichever call began it. Harmless when it is off."""
+        """Ends force mode, independent of the call that started it. No effect if it is off."""
         with self._waiting():
             self._controller.end_force_mode(timeout)
 
     @property
     def outputs(self) -> services.Outputs:
-        """Digital and analog outputs and the speed slider, through a connection of their own."""
+        """Digital and analog outputs and the speed slider, on a separate connection."""
         receiver = self._receiver
         if self._outputs is None:
             native = _native.Outputs(receiver, self.address, 30004 + self._port_offset)
@@ -569,18 +578,18 @@ class Robot:
 
     def registers(self, ints: Sequence[int] = (), doubles: Sequence[int] = (), bits: Sequence[int] = (),
                   timeout: float | None = 3.0) -> services.Registers:
-        """Input registers this program wants to write, by number: integers and doubles 0-47, bits 64-127; the control
-        program uses integers 24-33 and doubles 24-41. Raises InvalidArgument for other numbers; RegisterInUse when another
-        client or a fieldbus owns one."""
+        """Opens a connection that writes these input registers: integers and doubles 0-47, bits 64-127; the control
+        program uses integers 24-33 and doubles 24-41. Raises InvalidArgument for other numbers; RegisterInUse if
+        another client or a fieldbus uses one of them."""
         self._opened()
         return services.registers(self.address, 30004 + self._port_offset, ints, doubles, bits, timeout, self._waiting)
 
     def recover(self, consent: services.Consent, timeout: float | None = 60.0,
                 progress: Callable[[str], None] | None = None) -> None:
-        """Leads the robot back to RUNNING in NORMAL, one step after the other, as far as a person consented.
+        """Brings the robot to RUNNING in NORMAL step by step, within the consents given.
 
-        progress: called with the name of each step. Raises Rejected with what is missing when a step needs a consent that
-        was not given, or a person at the robot.
+        progress: called with the name of each step. Raises Rejected with the reason if a step needs a missing consent,
+        or an action at the robot.
         """
         self._opened()
         with self._waiting():

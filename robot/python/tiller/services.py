@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Outputs, registers, and what a person does at the pendant: power, programs, recovery."""
+"""Outputs, registers, and functions of the pendant: power, programs, recovery."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
@@ -15,8 +15,8 @@ TIMEOUT = 3.0
 
 
 class Outputs:
-    """Sets outputs and the speed slider, whether or not a program runs. Each call returns when the robot reports the
-    new value and raises Timeout when it does not, RegisterInUse when another client or a fieldbus owns the input."""
+    """Sets outputs and the speed slider, with or without a running program. Each call returns when the robot reports
+    the new value. Raises Timeout if it does not, RegisterInUse if another client or a fieldbus uses the input."""
 
     def __init__(self, native: _native.Outputs, waiting: Waiting) -> None:
         self._native = native
@@ -38,7 +38,7 @@ class Outputs:
             self._native.set_analog(output, False, (amperes - 0.004) / 0.016, timeout)
 
     def set_speed_slider(self, fraction: float, timeout: float | None = TIMEOUT) -> None:
-        """The speed slider, 0.02 ... 1; less is refused, for a robot at zero has stopped itself for it."""
+        """Sets the speed slider, 0.02 ... 1. Lower values are refused, because they have caused protective stops."""
         with self._waiting():
             self._native.set_speed_slider(fraction, timeout)
 
@@ -51,29 +51,29 @@ class Registers:
         self._waiting = waiting
 
     def set_int(self, number: int, value: int, timeout: float | None = TIMEOUT) -> None:
-        """Writes an integer register that Robot.registers() was asked for."""
+        """Writes an integer register listed in Robot.registers()."""
         with self._waiting():
             self._native.set_int(number, value, timeout)
 
     def set_double(self, number: int, value: float, timeout: float | None = TIMEOUT) -> None:
-        """Writes a double register that Robot.registers() was asked for."""
+        """Writes a double register listed in Robot.registers()."""
         with self._waiting():
             self._native.set_double(number, value, timeout)
 
     def set_bit(self, number: int, value: bool, timeout: float | None = TIMEOUT) -> None:
-        """Writes a bit register, 64-127, that Robot.registers() was asked for."""
+        """Writes a bit register, 64-127, listed in Robot.registers()."""
         with self._waiting():
             self._native.set_bit(number, value, timeout)
 
 
 @dataclass(frozen=True)
 class Service:
-    """What RTDE does not tell."""
+    """Values that RTDE does not report."""
 
     kind: str  #: "Dashboard" or "RobotApi"
-    remote_control: bool | None  #: None where the software does not say
-    operational_mode: str  #: "MANUAL", "AUTOMATIC"; empty: none set, or not said
-    program: str  #: loaded on the robot; empty: none, or not said
+    remote_control: bool | None  #: None if the software does not report it
+    operational_mode: str  #: "MANUAL", "AUTOMATIC"; empty: not set or not reported
+    program: str  #: loaded on the robot; empty: none or not reported
 
 
 class Dashboard:
@@ -129,7 +129,8 @@ class Dashboard:
             self._open(timeout).load_program(name, timeout)
 
     def unlock_protective_stop(self, timeout: float | None = TIMEOUT) -> None:
-        """Only ever on a person's explicit word, after the cause was inspected: see Robot.recover()."""
+        """Unlocks a protective stop. Requires an explicit confirmation by a person who has inspected the cause: see
+        Robot.recover()."""
         with self._waiting():
             self._open(timeout).unlock_protective_stop(timeout)
 
@@ -141,18 +142,18 @@ class Dashboard:
 
 @dataclass(frozen=True)
 class Consent:
-    """What a person takes upon himself for one recovery. The default permits nothing: no robot is ever unlocked
-    because a program ran into an exception."""
+    """Explicit consents of a person for one recovery. The default permits nothing, so that no robot is unlocked by
+    error handling alone."""
 
-    cause_inspected: bool = False  #: "I have seen why it stopped": the unlock of a protective stop
-    restart_safety: bool = False  #: violation or fault: the arm loses power
-    power_on: bool = False  #: the arm gets power
-    release_brakes: bool = False  #: the arm may move a little
+    cause_inspected: bool = False  #: the cause was inspected: required to unlock a protective stop
+    restart_safety: bool = False  #: after a violation or fault: the arm loses power
+    power_on: bool = False  #: the arm is powered
+    release_brakes: bool = False  #: the arm may move slightly
 
 
 def registers(host: str, port: int, ints: Sequence[int], doubles: Sequence[int], bits: Sequence[int],
               timeout: float | None, waiting: Waiting) -> Registers:
-    """A connection that owns these input registers."""
+    """Opens a connection that uses these input registers."""
     if not (ints or doubles or bits):
         raise InvalidArgument("registers", "name the registers to write")
     with waiting():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The simulated controller in this process: real protocols on a loopback address of its own, real URScript."""
+"""A simulated controller in this process, with real protocols on a separate loopback address and real URScript."""
 from __future__ import annotations
 
 import contextlib
@@ -23,7 +23,7 @@ _simulators: weakref.WeakSet[Simulator] = weakref.WeakSet()
 
 
 def stop_all() -> None:
-    """For the end of the process, where no other thread runs Python any more."""
+    """For the end of the process, when no other thread runs Python code any more."""
     for simulator in list(_simulators):
         simulator._forget_threads()
         simulator.stop()
@@ -37,7 +37,7 @@ def forget_all() -> None:
 
 
 def _own_address() -> str:
-    """A loopback address nobody else on this machine has, so that simulators run side by side with standard ports."""
+    """A loopback address that is unique on this machine, so that simulators with standard ports can run in parallel."""
     pid = os.getpid()
     return f"127.{10 + pid % 200}.{pid // 200 % 250}.{next(_numbers) % 250 + 2}"
 
@@ -48,12 +48,12 @@ class Simulator:
         with tiller.Simulator() as simulator:
             robot = tiller.Robot(simulator.address)
 
-    model: "UR5e" ...; software: "5.22.1"; address: where it listens, None: a loopback address of its own, which is in
-    `simulator.address` from the beginning. start: joint positions [rad]. programs: folder of the programs that the
-    dashboard loads. priority: of its thread in real time, SCHED_FIFO where permitted, 0 for none: a controller waits for
-    nobody, so it goes before the threads that talk to it.
-    virtual: time goes on only while a call of its robots waits, and in step(): as fast as the machine can, and with the
-    same result on every machine. Its robots are made by simulator.robot().
+    model: e.g. "UR5e"; software: e.g. "5.22.1"; address: to listen on, None: a separate loopback address, available as
+    `simulator.address` immediately. start: joint positions [rad]. programs: folder of the programs for the dashboard.
+    priority: of its thread in real time, SCHED_FIFO if permitted, 0 for none: a real controller does not wait for
+    clients, so this thread has precedence over theirs.
+    virtual: time advances only while a call of its robots waits, and in step(): as fast as the machine allows, with the
+    same result on every machine. Create its robots by simulator.robot().
     """
 
     def __init__(self, model: str = "UR5e", *, software: str = "", address: str | None = None, virtual: bool = False,
@@ -69,19 +69,19 @@ class Simulator:
         _simulators.add(self)
 
     def _forget_threads(self) -> None:
-        """Locks as new: threads that have gone cannot give theirs back."""
+        """Replaces all locks: threads that no longer exist cannot release theirs."""
         self._lock = threading.Lock()
         self._stepping = threading.Lock()
         self._wanted = 0
         self._thread = None
 
     def start(self) -> Simulator:
-        """Opens the ports. Raises Rejected when one is in use, naming it and what to do."""
+        """Opens the ports. Raises Rejected with the port and a suggested action if one is in use."""
         self._native.start()
         return self
 
     def stop(self) -> None:
-        """Ends the simulator and every connection. Harmless when it does not run."""
+        """Ends the simulator and all connections. No effect if it is not running."""
         with self._lock:
             self._wanted = 0
             thread = self._thread
@@ -91,17 +91,17 @@ class Simulator:
 
     @property
     def running(self) -> bool:
-        """Whether it runs."""
+        """True if it is running."""
         return self._native.is_running()
 
     def robot(self, **options: Any) -> Robot:
-        """A Robot connected to it; options as Robot takes them. In virtual time it lives by the simulator's clock."""
+        """Returns a Robot connected to it; options as for Robot. In virtual time it uses the simulator's clock."""
         from .robot import Robot
 
         return Robot(self.address, simulator=self if self.virtual else None, **options)
 
     def step(self, seconds: float) -> None:
-        """Moves virtual time on [s], by whole control periods; every client of robot() follows each of them."""
+        """Advances virtual time [s] by whole control periods; all clients of robot() process each of them."""
         if not self.virtual:
             raise ValueError("step() is for Simulator(virtual=True): here time goes on by itself")
         with self._stepping:
@@ -109,7 +109,7 @@ class Simulator:
 
     @contextlib.contextmanager
     def flowing(self) -> Iterator[None]:
-        """Virtual time goes on in the background while the block runs."""
+        """Virtual time advances in the background while the block runs."""
         if not self.virtual:
             yield
             return
@@ -137,27 +137,27 @@ class Simulator:
                 self._native.tick()
 
     def fault(self, words: str) -> str:
-        """Makes something go wrong, by its words: "protective-stop", "delay 20 5"; "help" lists all."""
+        """Triggers a fault by its name: "protective-stop", "delay 20 5"; "help" lists all."""
         return self._native.inject(words)
 
     def set_digital_input(self, number: int, on: bool) -> None:
-        """0-7 standard, 8-15 configurable, 16-17 tool. Raises InvalidArgument for another number."""
+        """Sets a digital input: 0-7 standard, 8-15 configurable, 16-17 tool. Raises InvalidArgument for another number."""
         one_of(number, "number", DIGITAL_PINS)
         self._native.set_digital_input(number, on)
 
     def set_analog_input(self, number: int, value: float) -> None:
-        """0, 1 [A or V]; 2, 3 are the tool's. Raises InvalidArgument for another number."""
+        """Sets an analog input: 0, 1 [A or V]; 2, 3 of the tool. Raises InvalidArgument for another number."""
         one_of(number, "number", range(4))
         self._native.set_analog_input(number, value)
 
     def press_hand(self, wrench: Floats) -> None:
-        """A hand on the tool [N, Nm] at the TCP, in the base frame; zeros let go."""
+        """Applies an external wrench to the tool [N, Nm] at the TCP, in the base frame; zeros remove it."""
         self._native.press_hand(floats(wrench, "wrench"))
 
     @property
     def truth(self) -> dict[str, Any]:
-        """What the arm is really doing: timestamp [s], robot_mode, safety_mode, q [rad], qd [rad/s], tcp_pose [m, rad],
-        tcp_speed [m/s, rad/s], speed_slider, digital_outputs."""
+        """The actual state of the simulated arm: timestamp [s], robot_mode, safety_mode, q [rad], qd [rad/s], tcp_pose
+        [m, rad], tcp_speed [m/s, rad/s], speed_slider, digital_outputs."""
         return self._native.truth()
 
     def __enter__(self) -> Simulator:

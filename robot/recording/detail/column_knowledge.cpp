@@ -13,7 +13,7 @@ std::string unitOf(std::string_view name, std::size_t component) {
     if (comma == std::string_view::npos) {
         return std::string(unit);
     }
-    // Two units: those of the three places and of the three angles.
+    // A pose has two units: for its three positions and three angles.
     constexpr std::size_t kPlaces = 3;
     return std::string(component < kPlaces ? unit.substr(0, comma) : unit.substr(comma + 2));
 }

@@ -5,10 +5,10 @@
 
 namespace tiller::recording {
 
-/// What the catalogue of RTDE fields knows of a column, by its name: its unit and whether it is whole. A unit that is
-/// there stays.
+/// Adds the unit and the integer flag from the catalogue of RTDE fields, by the name of the column. An existing
+/// unit is kept.
 void addKnowledge(RecordedColumn& column);
-/// Unit of one number of a field: "m" of the first three numbers of a pose, "rad" of the others.
+/// Unit of one component of a field: "m" for the first three numbers of a pose, "rad" for the others.
 std::string unitOf(std::string_view field, std::size_t component);
 
 }  // namespace tiller::recording

@@ -11,7 +11,7 @@ namespace tiller::recording {
 
 namespace {
 
-/// The shortest text that reads back as the same number, in the "C" locale always.
+/// The shortest text that reads back as the same number, independent of the locale.
 template <class Number>
 void appendNumber(std::string& out, Number value) {
     char text[32];

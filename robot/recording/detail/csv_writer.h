@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Turns samples into lines of text. Private to this room.
+// Converts samples to lines of text. Private to robot/recording.
 
 #include <cstdint>
 #include <string>
@@ -14,15 +14,15 @@ namespace tiller::recording {
 /// Threads  one
 class CsvWriter {
 public:
-    /// fields  those the layout does not have are left out; timestamp is put first, the packages lost last
-    /// asGiven  neither of the two is added
+    /// fields   fields not in the layout are omitted; timestamp is added first, and the lost packages last
+    /// asGiven  neither is added
     CsvWriter(const receive::SampleLayout& layout, const std::vector<std::string>& fields,
               bool asGiven = false);
 
-    /// Numbers per row without the last column.
+    /// Numbers per row, not counting the last column.
     std::size_t columns() const { return indices_.size(); }
     const std::string& header() const { return header_; }
-    /// Appends one row with its line end.
+    /// Appends one row including the line end.
     void append(std::string& out, const receive::Sample& sample, std::uint64_t lost) const;
 
 private:

@@ -7,7 +7,7 @@
 
 namespace tiller::recording {
 
-/// The part of a range that exists.
+/// Limits a range to the existing rows.
 inline RowRange within(RowRange range, std::uint64_t rows) {
     const std::uint64_t first = std::min(range.first, rows);
     return {first, std::min(range.count, rows - first)};

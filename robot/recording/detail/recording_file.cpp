@@ -25,7 +25,7 @@ Error fileError(const QFile& file, int systemError, const QString& words) {
             QStringLiteral("record to %1").arg(QDir::toNativeSeparators(file.fileName())), words};
 }
 
-/// A device, a pipe and some file systems have nothing to write back.
+/// Devices, pipes and some file systems do not support syncing.
 bool isMeaningless(int systemError) {
     return systemError == EINVAL || systemError == ENOTSUP || systemError == EROFS;
 }
@@ -45,7 +45,7 @@ public:
     Result<void> open(const QString& path) override {
         file_.setFileName(path);
         errno = 0;
-        // Emptied only once it is ours.
+        // Truncate only after taking the lock.
         if (!file_.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered)) {
             return fileError(file_, errno, file_.errorString());
         }
@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    /// False when another recording, of this or another process, has the file. Ends with the file.
+    /// Locks the file until it is closed. Returns false if another recording of this or another process uses it.
     bool claim() {
 #ifdef _WIN32
         return true;
@@ -103,13 +103,13 @@ private:
 #endif
     }
 
-    /// Without this a power failure can leave the rows on the disk and no name to find them by.
+    /// Without this, a power failure can leave the rows on the disk without a directory entry.
     Result<void> syncFolder() {
 #ifndef _WIN32
         const QByteArray folder = QFile::encodeName(QFileInfo(file_.fileName()).absolutePath());
         const int descriptor = ::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         if (descriptor < 0) {
-            return {};  // one that may be written to, but not read
+            return {};  // a folder with write permission only
         }
         errno = 0;
         const bool failed = ::fsync(descriptor) != 0 && !isMeaningless(errno);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The file a recording goes to, as the recorder needs it: every step that can fail says so, writing back and
-// closing included, because a disk or a network share may take bytes and lose them only then. Private to this
-// room.
+// File access of the recorder: every step that can fail reports errors, including syncing and closing, because a
+// disk or network share may accept data and lose it later. Private to robot/recording.
 
 #include <QString>
 #include <cstddef>
@@ -17,27 +16,27 @@
 namespace tiller::recording {
 
 /// Threads  one at a time
-/// Errors   of every call: DiskFull, FileNotWritable; the context names the file, controllerMessage is what
-/// the
-///          system says
+/// Errors   of every call: DiskFull, FileNotWritable; the context contains the file name, controllerMessage the
+///          message of the system
 class RecordingFile {
 public:
     virtual ~RecordingFile() = default;
 
-    /// Makes the file, or empties the one there is, and has its name on the disk before it returns.
+    /// Creates or truncates the file, and syncs its directory entry before returning.
     virtual Result<void> open(const QString& path) = 0;
-    /// Appends; written  how much of it got through, also where it failed
+    /// Appends a text.
+    /// written  number of bytes written, also on failure
     virtual Result<void> write(std::string_view text, std::size_t& written) = 0;
-    /// What was written is on the disk afterwards.
+    /// Syncs all written data to the disk.
     virtual Result<void> sync() = 0;
-    /// Cuts the file to so many bytes, as well as it can be done.
+    /// Truncates the file to this size, if possible.
     virtual void cut(std::int64_t bytes) = 0;
     virtual Result<void> close() = 0;
 };
 
 using RecordingFileFactory = std::function<std::unique_ptr<RecordingFile>()>;
 
-/// A file of the system.
+/// A file of the operating system.
 std::unique_ptr<RecordingFile> systemFile();
 
 }  // namespace tiller::recording

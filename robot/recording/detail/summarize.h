@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Least, greatest and mean value of every so many rows. Private to recordings.
+// Minimum, maximum and mean of groups of rows. Private to robot/recording.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace tiller::recording {
 
-/// What is known of some rows of one column; numbers that are none do not count.
+/// Statistics of some rows of one column; NaN values are ignored.
 struct Extent {
     double min = std::numeric_limits<double>::quiet_NaN();
     double max = std::numeric_limits<double>::quiet_NaN();
@@ -42,7 +42,7 @@ struct Extent {
     }
 };
 
-/// Takes the rows of a column in order, in parts of any length.
+/// Processes the rows of a column in order, in parts of any length.
 class Summarizer {
 public:
     Summarizer(std::uint64_t firstRow, std::uint64_t rowsEach) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One door to recordings of every format.
+// Opens recordings of all formats.
 
 #include <memory>
 
@@ -10,9 +10,9 @@
 
 namespace tiller::recording {
 
-/// What it is, the first bytes tell, not the name.
-/// Errors   FileNotReadable; FileCorrupt, saying what is wrong with it
-/// Threads  any. Blocks: as opening that format does
+/// The format is detected from the first bytes, not from the name.
+/// Errors   FileNotReadable; FileCorrupt with the reason
+/// Threads  any. Blocks: depends on the format
 Result<std::unique_ptr<Recording>> openRecording(const Text& path);
 
 }  // namespace tiller::recording

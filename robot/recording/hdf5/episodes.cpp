@@ -17,12 +17,12 @@ namespace {
 
 using namespace hdf5;
 
-// Of runtime_state. Source: RTDE guide
+// Value of runtime_state. Source: RTDE guide
 constexpr double kPlaying = 2;
 constexpr double kResuming = 5;
 constexpr std::uint64_t kRowsPerLook = 65536;
 
-/// rows x numbers, row by row.
+/// rows x numbers, in row-major order.
 bool putTable(hid_t group, const std::string& name, const std::vector<double>& values, std::size_t rows,
               std::size_t numbers, bool flat) {
     const hsize_t extent[2] = {rows, numbers};
@@ -37,7 +37,7 @@ Handle makeGroup(hid_t parent, const std::string& name) {
     return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose};
 }
 
-/// The rows of an episode that are kept, `rate` of them a second.
+/// The rows of an episode, reduced to `rate` rows per second.
 Result<std::vector<std::uint64_t>> thinned(const Recording& recording, RowRange range, double rate) {
     const auto times = recording.times(range);
     if (!times) {
@@ -45,7 +45,7 @@ Result<std::vector<std::uint64_t>> thinned(const Recording& recording, RowRange 
     }
     std::vector<std::uint64_t> kept;
     double due = -std::numeric_limits<double>::infinity();
-    // Half a period of grace, so that 500 Hz by 20 gives each 25th and no 26th.
+    // A tolerance of half a period, so that reducing 500 Hz to 20 Hz selects every 25th row.
     const double grace = recording.period() / 2;
     for (std::size_t i = 0; i < times.value().size(); ++i) {
         const double time = times.value()[i];
@@ -63,7 +63,7 @@ struct Table {
     std::size_t numbers = 0;
 };
 
-/// The numbers of a field in the rows that are kept.
+/// The components of a field in the selected rows.
 Result<Table> tableOf(const Recording& recording, const std::string& field, RowRange range,
                       const std::vector<std::uint64_t>& kept) {
     const auto columns = chooseColumns(recording, {field});
@@ -85,7 +85,7 @@ Result<Table> tableOf(const Recording& recording, const std::string& field, RowR
     return table;
 }
 
-/// One row further, the last one twice.
+/// Shifted by one row; the last row is repeated.
 std::vector<double> shifted(const Table& table) {
     std::vector<double> next(table.values.begin() + static_cast<std::ptrdiff_t>(table.numbers),
                              table.values.end());
@@ -94,7 +94,7 @@ std::vector<double> shifted(const Table& table) {
     return next;
 }
 
-/// Returns  the rows written; 0: HDF5 could not
+/// Returns  the number of rows written; 0: HDF5 error
 Result<std::uint64_t> writeDemo(hid_t data, int number, const Recording& recording, const Episode& episode,
                                 const EpisodeChoice& choice) {
     const auto kept = thinned(recording, episode.rows, choice.rate);
@@ -155,8 +155,9 @@ Result<std::vector<Episode>> findEpisodes(const Recording& recording, EpisodeCho
     }
     const auto column = recording.indexOf("runtime_state");
     if (!column) {
-        return Error{ErrorCode::FieldUnknown, QStringLiteral("cut %1").arg(recording.path()),
-                     QStringLiteral("runtime_state was not recorded, which tells when a program runs")};
+        return Error{
+            ErrorCode::FieldUnknown, QStringLiteral("cut %1").arg(recording.path()),
+            QStringLiteral("runtime_state, which shows when a program is running, was not recorded")};
     }
     const std::vector<std::size_t> wanted{*column};
     bool runs = false;

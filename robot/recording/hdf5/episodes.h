@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Demonstrations as training data: recordings are cut into episodes and written as one HDF5 file in the layout that
-// robomimic and tools like it read: /data/demo_N with obs/, next_obs/, actions, rewards, dones. Source: robomimic's
-// documentation of its datasets.
+// Exports demonstrations as training data: recordings are split into episodes and written to one HDF5 file in the
+// layout of robomimic and similar tools: /data/demo_N with obs/, next_obs/, actions, rewards, dones. Source:
+// robomimic's documentation of its datasets.
 
 #include <functional>
 #include <limits>
@@ -16,24 +16,24 @@
 
 namespace tiller::recording {
 
-/// A part of a recording.
+/// A section of a recording.
 struct Episode {
     RowRange rows;
-    QString name{};  ///< what it was cut by: "program", or the text of a note
+    QString name{};  ///< origin: "program", or the text of a note
 };
 
 struct EpisodeChoice {
     enum class Cut {
-        Program,  ///< from a start of a program to its stop, by runtime_state
-        Notes,    ///< from one note of the operator to the next, the last one to the end
-        Whole,    ///< the recording is one
+        Program,  ///< from the start to the stop of a program, according to runtime_state
+        Notes,    ///< from one operator note to the next or to the end
+        Whole,    ///< the whole recording
     };
     Cut cut = Cut::Program;
-    double rate = 20;       ///< rows a second in the episodes, by the nearest row before; 0: all
-    double shortest = 0.5;  ///< shorter ones are left out [s]
-    /// Fields that become observations; those that no recording has are refused.
+    double rate = 20;       ///< rows per second in the episodes (nearest preceding row); 0: all rows
+    double shortest = 0.5;  ///< minimum duration [s]; shorter episodes are skipped
+    /// Fields used as observations; a field that is in no recording is an error.
     std::vector<std::string> observations = {"actual_q", "actual_qd", "actual_TCP_pose", "actual_TCP_force"};
-    /// What was commanded, as the action; the next row's value of a measured field does as well.
+    /// The commanded value used as the action; the next row's value of a measured field is also possible.
     std::string action = "target_q";
 };
 
@@ -43,12 +43,13 @@ struct EpisodeReport {
     int tooShort = 0;
 };
 
-/// Where a recording is cut.
-/// Errors   FieldUnknown: it has no runtime_state to cut by; and those of reading
+/// Finds the episodes of a recording.
+/// Errors   FieldUnknown: no runtime_state; and read errors
 Result<std::vector<Episode>> findEpisodes(const Recording& recording, EpisodeChoice::Cut cut);
 
-/// Errors   FieldUnknown, FileNotWritable, DiskFull, InvalidArgument (no episode in any of them), and those of reading
-/// Threads  one in the program: libhdf5 is not made for more. Blocks: until it is written
+/// Writes all episodes to one file.
+/// Errors   FieldUnknown, FileNotWritable, DiskFull, InvalidArgument (no episodes), and read errors
+/// Threads  one in the whole program: libhdf5 is not thread-safe. Blocks: until the file is written
 Result<EpisodeReport> writeEpisodes(const std::vector<const Recording*>& recordings, const Text& path,
                                     const EpisodeChoice& choice);
 

@@ -21,7 +21,7 @@ constexpr std::uint64_t kRowsAtOnce = 4096;
 
 struct Storage {
     hid_t type;      ///< in the file
-    double missing;  ///< what stands for none; NaN where the type knows it
+    double missing;  ///< value for missing numbers; NaN if the type supports it
 };
 
 Storage storageOf(rtde::DataType type) {
@@ -36,7 +36,8 @@ Storage storageOf(rtde::DataType type) {
         case rtde::DataType::Vector6Int32:
             return {H5T_STD_I32LE, 2147483647.0};
         case rtde::DataType::UInt64:
-            return {H5T_STD_U64LE, 9007199254740991.0};  // the greatest one a double holds exactly
+            return {H5T_STD_U64LE,
+                    9007199254740991.0};  // the largest integer that a double represents exactly
         default:
             return {H5T_IEEE_F64LE, std::nan("")};
     }
@@ -53,12 +54,12 @@ struct Field {
     bool hasMissing = false;
 };
 
-/// Names come from a file: one may be there twice, be empty, or mean something else to HDF5.
+/// Names are taken from a file: they may be duplicate, empty, or special in HDF5.
 void makeNamesUsable(std::vector<Field>& fields) {
-    std::set<std::string> used{"time", "gaps"};  // written besides the fields
+    std::set<std::string> used{"time", "gaps"};  // data sets written in addition to the fields
     for (Field& field : fields) {
         std::string name = field.name;
-        // A slash would make a group of it, dots by themselves mean the group.
+        // A slash would create a group; names of dots refer to groups.
         std::replace(name.begin(), name.end(), '/', '_');
         if (name.find_first_not_of('.') == std::string::npos) {
             std::replace(name.begin(), name.end(), '.', '_');
@@ -73,7 +74,7 @@ void makeNamesUsable(std::vector<Field>& fields) {
     }
 }
 
-/// Numbers of one vector, which stand beside one another, become one field.
+/// Combines adjacent components of a vector into one field.
 std::vector<Field> fieldsOf(const Recording& recording, const std::vector<std::size_t>& columns) {
     std::vector<Field> fields;
     for (const std::size_t column : columns) {
@@ -175,7 +176,7 @@ private:
             ok = ok && putCount(file_.get(), "start_utc_ns", static_cast<std::uint64_t>(*start));
         }
         for (const auto& [key, value] : recording_.facts()) {
-            // One of ours that was exported once more has them already.
+            // A recording that was itself an export already has these attributes.
             ok = ok && (H5Aexists(file_.get(), key.c_str()) > 0 || putText(file_.get(), key.c_str(), value));
         }
         time_ = makeSet(file_.get(), "time", H5T_IEEE_F64LE, rows_.count, 1);
@@ -269,7 +270,7 @@ private:
 }  // namespace
 
 Result<ExportReport> exportHdf5(const Recording& recording, const ExportChoice& choice) {
-    // Beside its place first: a file that is there is replaced by a whole one or not at all.
+    // Written to a temporary name first: an existing file is replaced completely or not at all.
     const QString part = choice.path + QStringLiteral(".part");
     const auto report = Exporter(recording, choice, part).run();
     if (!report) {

@@ -19,7 +19,7 @@ using namespace hdf5;
 
 constexpr std::size_t kMostColumns = 20'000;
 constexpr std::uint64_t kMostRows = 4'000'000'000;
-constexpr std::uint64_t kMostAtOnce = 64u << 20;  // numbers in memory
+constexpr std::uint64_t kMostAtOnce = 64u << 20;  // limit of numbers in memory
 
 struct DataSet {
     std::string name;
@@ -39,7 +39,7 @@ std::optional<DataSet> openSet(hid_t file, const std::string& name) {
     DataSet out;
     out.name = name;
     out.set = Handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!out.set) {  // a group, or a link that leads nowhere
+    if (!out.set) {  // a group, or a broken link
         return std::nullopt;
     }
     const Handle type(H5Dget_type(out.set.get()), H5Tclose);
@@ -69,7 +69,7 @@ public:
     explicit Hdf5Recording(const QString& path) : path_(path) {}
 
     Result<void> open() {
-        // The HDF5 library would wait at a pipe.
+        // The HDF5 library would block on a pipe.
         QFile readable;
         if (const Result<void> opened = openForReading(readable, path_); !opened) {
             return opened;
@@ -168,7 +168,7 @@ private:
         return out;
     }
 
-    /// Those of the length that most numbers have.
+    /// Selects the data sets with the most common length.
     void chooseSets(std::vector<DataSet> sets) {
         std::map<std::uint64_t, std::size_t> votes;
         for (const DataSet& set : sets) {
@@ -266,7 +266,7 @@ private:
     std::optional<DataSet> time_;
     double timeStart_ = 0;
     std::vector<RecordedColumn> columns_;
-    std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< set, and number in it
+    std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< data set, and component within it
     std::uint64_t rows_ = 0;
     double period_ = 0.002;
     std::optional<std::int64_t> start_;

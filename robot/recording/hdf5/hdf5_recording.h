@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Opens HDF5 files: those of exportHdf5(), and others whose data sets at the top are numbers, one row a moment.
+// Opens HDF5 files: files written by exportHdf5(), and others with numeric data sets at the top level, one row per
+// sample.
 
 #include <memory>
 
@@ -10,9 +11,9 @@
 
 namespace tiller::recording {
 
-/// Data sets of another length than most, or of texts, are left out, and problems() says so.
-/// Errors   FileNotReadable; FileCorrupt: no HDF5 file, or none with data sets like that
-/// Threads  one in the program: libhdf5 is not made for more
+/// Data sets of another length, or with texts, are skipped and reported by problems().
+/// Errors   FileNotReadable; FileCorrupt: not an HDF5 file, or no suitable data sets
+/// Threads  one in the whole program: libhdf5 is not thread-safe
 Result<std::unique_ptr<Recording>> openHdf5(const Text& path);
 
 }  // namespace tiller::recording

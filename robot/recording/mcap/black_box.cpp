@@ -36,7 +36,7 @@ constexpr double kLongestBefore = 600;
 constexpr double kLongestAfter = 60;
 constexpr std::size_t kMostNotes = 10'000;
 
-/// What a stop of this kind is called in names of files; null for a state that is none.
+/// Name of this type of stop in file names; null if the mode is not a stop.
 const char* reasonOf(SafetyMode mode) {
     switch (mode) {
         case SafetyMode::ProtectiveStop:
@@ -55,7 +55,7 @@ const char* reasonOf(SafetyMode mode) {
     }
 }
 
-/// The fewest digits that read back exactly.
+/// The shortest text that reads back exactly.
 std::string shortestText(double value) {
     std::array<char, 32> text{};
     const auto [end, failed] = std::to_chars(text.data(), text.data() + text.size(), value);
@@ -80,7 +80,7 @@ struct BlackBox::Worker {
     std::int64_t steadyToUtc = 0;
 
     std::thread thread;
-    std::mutex mutex;  // for what follows, and for waiting
+    std::mutex mutex;  // protects the following members, and for waiting
     std::condition_variable wake;
     bool stopping = false;
     std::deque<RecordedNote> notes;
@@ -90,14 +90,14 @@ struct BlackBox::Worker {
     std::map<std::string, std::string> facts;
     std::atomic<std::uint64_t> packets{0};
 
-    // The thread's own.
+    // Used by the thread only.
     std::optional<SampleStore> store;
     std::optional<SafetyMode> previous;
     std::uint64_t lastSequence = 0;
     std::uint64_t lastConnection = 0;
     std::optional<Incident> pending;
-    std::int64_t stopNs = 0;   ///< of it, on the receiver's clock
-    double stopTimestamp = 0;  ///< of it, on the controller's clock [s]
+    std::int64_t stopNs = 0;   ///< of the stop, on the receiver's clock
+    double stopTimestamp = 0;  ///< of the stop, on the controller's clock [s]
 
     void run() {
         realtime::nameThread("tiller-box");
@@ -129,7 +129,7 @@ struct BlackBox::Worker {
             lastSequence = sample.sequence;
             const SafetyMode now = receive::RobotState(sample).safetyMode();
             const std::int64_t timeNs = sample.hostTimeNs;
-            // What is found on connecting happened before.
+            // A stop that is active at the time of connecting happened earlier.
             const bool isNew = previous && sample.connection == lastConnection && *previous != now;
             lastConnection = sample.connection;
             previous = now;
@@ -219,7 +219,7 @@ struct BlackBox::Worker {
         }
         const auto encoder = mcapFormat(format)->encoder({layout, fields, false});
         auto file = systemFile();
-        // By a name of its own until it is whole.
+        // Uses a temporary name until the file is complete.
         const QString part = incident.path + QStringLiteral(".part");
         if (auto opened = file->open(part); !opened) {
             return opened;
@@ -258,7 +258,7 @@ struct BlackBox::Worker {
 
     void removeOldest() {
         const QDir folder(options.folder);
-        // Their names begin with their times.
+        // The file names start with the time.
         const QStringList files =
             folder.entryList({QStringLiteral("incident_*.mcap")}, QDir::Files, QDir::Name);
         for (qsizetype i = 0; i < files.size() - options.keep; ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Always on: keeps the last minute of what the robot sent, and when the safety system stops the arm, or somebody raises an
-// alarm, writes it to an incident file, with ten seconds of what came after, the log, the project and the versions.
+// A permanent recorder of the last minute of robot data. On a safety stop or an alarm it writes an incident file
+// with this minute, ten seconds of the following data, the log, the project and the software versions.
 
 #include <cstdint>
 #include <functional>
@@ -18,56 +18,58 @@
 
 namespace tiller::recording {
 
-/// An incident that was written, or could not be.
+/// An incident file that was written, or failed.
 struct Incident {
-    Text path = {};        ///< of its file; empty when there is none
-    std::string reason{};  ///< "protective-stop", "fault", "violation", "emergency-stop", or that of an alarm
+    Text path = {};  ///< path of the file; empty on failure
+    std::string
+        reason{};  ///< "protective-stop", "fault", "violation", "emergency-stop", or the reason of an alarm
     std::int64_t utcNs = 0;    ///< of the stop [ns since 1970]
-    double secondsBefore = 0;  ///< from the file's first row to the stop
-    Error error = {};          ///< why there is no file; code None otherwise
+    double secondsBefore = 0;  ///< from the first row of the file to the stop
+    Error error = {};          ///< the reason of a failure; otherwise code None
 };
 
 struct BlackBoxOptions {
-    Text folder = {};                            ///< is made when it does not exist
-    double before = 60;                          ///< [s], 1 to 600
-    double after = 10;                           ///< [s], 0 to 60
-    int keep = 50;                               ///< incident files in the folder; older ones go
-    std::map<std::string, std::string> facts{};  ///< into the file: "robot", "software" ...
-    /// Told of each incident, in the thread of the box.
+    Text folder = {};    ///< created if missing
+    double before = 60;  ///< [s], 1 to 600
+    double after = 10;   ///< [s], 0 to 60
+    int keep = 50;       ///< number of incident files in the folder; older ones are deleted
+    std::map<std::string, std::string> facts{};  ///< metadata of the file: "robot", "software" ...
+    /// Called for each incident in the thread of the box.
     std::function<void(const Incident&)> written{};
 };
 
-/// Owns the thread "tiller-box" (normal priority), which drains a subscription and writes the files. What crosses: samples
-/// inward through the subscription; notes, alarms and the project through a lock.
-/// Threads  start() and stop() from one, the rest from any
+/// Owns the thread "tiller-box" (normal priority), which reads a subscription and writes the files. Samples enter
+/// through the subscription; notes, alarms and the project through a mutex.
+/// Threads  start() and stop() from one thread, the rest from any
 class BlackBox {
 public:
     BlackBox();
-    ~BlackBox();  ///< stops
+    ~BlackBox();  ///< calls stop()
     BlackBox(const BlackBox&) = delete;
     BlackBox& operator=(const BlackBox&) = delete;
 
-    /// Ends what was before, as stop() does, and begins anew.
+    /// Calls stop() if running, and starts again.
     /// Errors   InvalidArgument (no folder)
     Result<void> start(const BlackBoxOptions& options, const receive::Receiver& receiver);
-    /// Writes an incident that is under way, as far as it has come. Blocks: until it is written
+    /// Writes a current incident with the data received so far. Blocks: until the file is written
     void stop();
 
-    void note(const RecordedNote& note);  ///< A line of the log; those of the last minute go into the file.
-    /// Something that is no stop, and worth a file all the same. reason  letters, digits and - of it become part of the
-    ///          file's name
+    /// Adds a line of the log; the lines of the last minute are written to the file.
+    void note(const RecordedNote& note);
+    /// Writes an incident file without a stop.
+    /// reason  its letters, digits and hyphens become part of the file name
     void alarm(const Text& reason);
-    /// What goes into the next file as the project; none when the name is empty.
+    /// Sets the project attached to the next file; none if the name is empty.
     void setProject(const Text& name, std::string content);
-    /// Into the next file, beside those it was started with: what is known only later.
+    /// Adds metadata for the next file that are only known after the start.
     void setFact(const std::string& key, const std::string& value);
-    std::uint64_t packets() const;  ///< Taken since start(); 0 while it does not run.
+    std::uint64_t packets() const;  ///< Packets received since start(); 0 when stopped.
 
 private:
     struct Worker;
     std::shared_ptr<Worker> worker() const;
 
-    mutable std::mutex mutex_;  ///< for the pointer: each start makes a new one
+    mutable std::mutex mutex_;  ///< protects the pointer: each start creates a new object
     std::shared_ptr<Worker> d_;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recordings as MCAP files of the profile ros2: every package as one flat message with all its fields, as joint state,
-// wrench and transform for tools that know ROS, the log, and a summary of many rows so that hours open at once. Each
-// chunk is compressed and closed within half a second, so that is what a crash can cost.
+// Recordings as MCAP files with the profile ros2: every package as one flat message with all fields, joint state,
+// wrench and transform for ROS tools, the log, and summaries of many rows, so that hours of data open immediately.
+// Each chunk is compressed and completed within half a second, which limits the loss in a crash.
 
 #include <chrono>
 #include <map>
@@ -15,15 +15,15 @@
 namespace tiller::recording {
 
 struct McapFormatOptions {
-    /// About the recording: "model", "serial_number", "software" ... Goes into the file as metadata.
+    /// Metadata of the recording: "model", "serial_number", "software" ...
     std::map<std::string, std::string> facts{};
-    /// A file to be kept inside, as the project; none when its name is empty.
+    /// An attached file, e.g. the project; none if its name is empty.
     std::string attachmentName{};
     std::string attachment{};
-    /// Joint state, wrench and transform beside the flat message, for ROS tools; a quarter more to write.
+    /// Add joint state, wrench and transform messages for ROS tools; the file becomes a quarter larger.
     bool ros = true;
-    int compression = 1;  ///< of zstd, 1 to 19; 0: none
-    /// A chunk this old is closed when the recorder comes next, every 100 ms.
+    int compression = 1;  ///< zstd level, 1 to 19; 0: none
+    /// A chunk of this age is completed at the next call of the recorder, every 100 ms.
     std::chrono::milliseconds closeAfter{400};
 };
 

@@ -28,16 +28,16 @@ constexpr std::size_t kMostStateChannels = 64;
 constexpr std::size_t kMostColumns = 20'000;
 constexpr int kMostProblems = 20;
 constexpr double kAbsent = receive::kAbsent;
-constexpr std::size_t kChunksKept = 24;  // as many as a block of the history has
+constexpr std::size_t kChunksKept = 24;  // same number as in a block of the history
 
-/// A chunk with robot states, in the order of the file.
+/// A chunk with robot states, in file order.
 struct RowChunk {
-    std::size_t chunk = 0;  ///< in the reader's list
+    std::size_t chunk = 0;  ///< index in the reader's list
     std::uint64_t firstRow = 0;
     std::uint64_t rows = 0;
 };
 
-/// One unpacked chunk and where its states are.
+/// An unpacked chunk with the positions of its states.
 struct UnpackedRows {
     struct Row {
         std::uint16_t channel;
@@ -50,11 +50,11 @@ struct UnpackedRows {
 
 /// Messages of one channel in one chunk.
 struct Share {
-    std::size_t chunk = 0;               ///< in the reader's list
-    std::optional<std::uint64_t> count;  ///< nothing: the file's index is lost there
+    std::size_t chunk = 0;               ///< index in the reader's list
+    std::optional<std::uint64_t> count;  ///< empty: the index in the file is missing
 };
 
-/// A channel of states: its layout, and which column each number of it is.
+/// A channel of states: its layout, and the column of each number.
 struct StateChannel {
     RobotStateLayout layout;
     std::unordered_map<std::size_t, std::size_t> placeOfColumn;
@@ -162,7 +162,7 @@ public:
     std::vector<std::uint64_t> summaryRows() const override {
         std::vector<std::uint64_t> kept;
         for (std::size_t level = 0; level < kSummaryLevels; ++level) {
-            // Behind a crash the last of them are missing, and made from rows.
+            // After a crash the last summaries are missing and are recomputed from the rows.
             const std::uint64_t each = rowsOfLevel(level);
             std::uint64_t there = 0;
             const auto found = levelChannels_[level] ? shares_.find(*levelChannels_[level]) : shares_.end();
@@ -181,7 +181,7 @@ public:
         if (rows_ == 0) {
             return marks;
         }
-        // Log times are arrivals: the first row says how much later they are.
+        // Log times are arrival times: the first row gives the offset.
         const std::uint64_t arrival = reader_->chunks()[rowChunks_.front().chunk].startTime;
         for (const RowChunk& chunk : rowChunks_) {
             const std::uint64_t time = reader_->chunks()[chunk.chunk].startTime;
@@ -200,14 +200,14 @@ public:
         if (rowChunks_.empty()) {
             return 0;
         }
-        // Chunks know their times, so one of them is unpacked and no more.
+        // Chunks have time ranges, so only one of them is unpacked.
         const auto wanted =
             seconds <= 0 ? startNs_ : startNs_ + static_cast<std::uint64_t>(std::min(seconds, 1e9) * 1e9);
         auto chunk = std::upper_bound(rowChunks_.begin(), rowChunks_.end(), wanted,
                                       [&](std::uint64_t time, const RowChunk& each) {
                                           return time < reader_->chunks()[each.chunk].startTime;
                                       });
-        // Log times are arrivals, a little later than the times asked for.
+        // Log times are arrival times, slightly later than the requested times.
         chunk = chunk == rowChunks_.begin() ? chunk : chunk - 1;
         std::uint64_t best = chunk->firstRow;
         for (auto each = chunk; each != rowChunks_.end() && each < chunk + 2; ++each) {
@@ -276,7 +276,7 @@ private:
     }
 
     void findRows() {
-        std::map<std::size_t, std::uint64_t> counts;  // by chunk
+        std::map<std::size_t, std::uint64_t> counts;  // by chunk index
         for (const auto& [channel, state] : states_) {
             const auto found = shares_.find(channel);
             for (std::size_t i = 0; found != shares_.end() && i < found->second.size(); ++i) {
@@ -285,12 +285,12 @@ private:
                     counts[share.chunk] += *share.count;
                 } else if (!counts.contains(share.chunk)) {
                     counts[share.chunk] =
-                        unpack({share.chunk, 0, 0}).rows.size();  // its index is lost: count them
+                        unpack({share.chunk, 0, 0}).rows.size();  // the index is missing: count the messages
                 }
             }
         }
         for (const auto& [number, named] : counts) {
-            // One message takes more than that, so a broken index cannot make up rows without end.
+            // Minimum size of a message, so that a damaged index cannot simulate an unlimited number of rows.
             constexpr std::uint64_t kLeastMessage = 31;
             const std::uint64_t most = reader_->chunks()[number].uncompressedSize / kLeastMessage;
             const std::uint64_t count = std::min(named, most);
@@ -317,7 +317,7 @@ private:
             }
             if (!steps.empty()) {
                 std::sort(steps.begin(), steps.end());
-                // To the microsecond: what the map of the clocks adds is less.
+                // Rounded to microseconds, which is more than the error of the clock conversion.
                 constexpr double kMicroseconds = 1e6;
                 const double seconds =
                     static_cast<double>(steps[steps.size() / 2]) / static_cast<double>(kNsPerSecond);
@@ -364,7 +364,7 @@ private:
         });
     }
 
-    /// Calls sink for each message of a channel, without unpacking chunks that have none.
+    /// Calls sink for each message of a channel; skips chunks without such messages.
     void eachMessage(std::uint16_t channel, const std::function<void(const Message&)>& sink) const {
         const auto found = shares_.find(channel);
         for (std::size_t i = 0; found != shares_.end() && i < found->second.size(); ++i) {
@@ -392,8 +392,8 @@ private:
         findGaps(wanted, {0, rows_}, kSummaryLevels);
     }
 
-    /// Only where a summary says that something is missing are finer ones looked at, and the rows themselves last.
-    /// level  those from here on have been looked at
+    /// Refines the search only where a summary reports lost packages, down to the rows.
+    /// level  levels from here on have already been searched
     void findGaps(std::span<const std::size_t> lost, RowRange range, std::size_t level) {
         while (level > 0) {
             --level;
@@ -402,7 +402,7 @@ private:
                 continue;
             }
             const ColumnSummary& summary = blocks->front();
-            // Neighbours together: a chunk that serves both is unpacked once.
+            // Neighbouring groups together, so that a common chunk is unpacked only once.
             for (std::size_t i = 0; i < summary.max.size();) {
                 std::size_t end = i;
                 while (end < summary.max.size() && summary.max[end] > 0) {
@@ -438,9 +438,8 @@ private:
         }
     }
 
-    /// The complete summaries of one level from a row on, which is at the beginning of one, as far as they follow one
-    /// another.
-    /// until  those behind this row are not needed
+    /// The consecutive complete summaries of one level from a row at the start of a summary.
+    /// until  summaries after this row are not needed
     std::vector<ColumnSummary> readLevel(std::size_t level, std::span<const std::size_t> wanted,
                                          std::uint64_t from, std::uint64_t until) const {
         std::vector<ColumnSummary> out(wanted.size());
@@ -456,7 +455,7 @@ private:
             column.rowsEach = each;
         }
         std::uint64_t next = from;
-        std::uint64_t row = 0;  // the first one of the chunk
+        std::uint64_t row = 0;  // first row of the chunk
         SummaryMessage part;
         for (const Share& share : found->second) {
             if (share.count && row + *share.count * each <= from) {
@@ -504,19 +503,20 @@ private:
         return out;
     }
 
-    /// The summaries that touch a range; what they do not reach to, as behind a crash, is made from the rows.
+    /// The summaries that overlap a range; missing ones, e.g. after a crash, are computed from the rows.
     std::optional<std::vector<ColumnSummary>> fromSummaries(std::size_t level,
                                                             std::span<const std::size_t> wanted,
                                                             RowRange range) const {
         const std::uint64_t each = rowsOfLevel(level);
         const std::uint64_t first = range.first / each;
-        const std::uint64_t last = (range.first + range.count + each - 1) / each;  // one past
+        const std::uint64_t last = (range.first + range.count + each - 1) / each;  // end (exclusive)
         std::vector<ColumnSummary> all = readLevel(level, wanted, first * each, last * each);
         if (all.empty() || wanted.empty()) {
             return std::nullopt;
         }
         const std::uint64_t there = first + all.front().min.size();
-        // A block more or less at the end is nothing; most of the range missing is what another level may have.
+        // One block more or less at the end is acceptable; if most of the range is missing, another level may cover
+        // it.
         if (there < first + (last - first + 1) / 2) {
             return std::nullopt;
         }
@@ -537,7 +537,7 @@ private:
         return all;
     }
 
-    /// Calls sink with each row of a range; null where the chunk that should have it is broken.
+    /// Calls sink with each row of a range; null if its chunk is damaged.
     template <class Sink>
     void eachRow(RowRange range, Sink sink) const {
         const RowRange part = within(range, rows_);
@@ -591,7 +591,7 @@ private:
     mutable QStringList problems_;
     std::map<std::uint16_t, StateChannel> states_;
     std::vector<RecordedColumn> columns_;
-    std::map<std::uint16_t, std::vector<Share>> shares_;  ///< by channel, in the order of the file
+    std::map<std::uint16_t, std::vector<Share>> shares_;  ///< by channel, in file order
     std::array<std::optional<std::uint16_t>, kSummaryLevels> levelChannels_;
     std::vector<RowChunk> rowChunks_;
     std::uint64_t rows_ = 0;
@@ -600,7 +600,7 @@ private:
     std::map<std::string, std::string> facts_;
     std::vector<RecordedGap> gaps_;
     std::vector<RecordedEvent> events_;
-    mutable std::list<std::pair<std::size_t, UnpackedRows>> kept_;  ///< last used first
+    mutable std::list<std::pair<std::size_t, UnpackedRows>> kept_;  ///< most recently used first
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Opens recordings that mcapFormat() wrote, whole ones and those of a crash.
+// Opens recordings written by mcapFormat(), including incomplete files after a crash.
 
 #include <memory>
 
@@ -10,8 +10,8 @@
 
 namespace tiller::recording {
 
-/// Errors   FileNotReadable; FileCorrupt: no MCAP file, or none with robot states in it
-/// Threads  any. Blocks: reads the summary of the file, or the head of every part where it has none
+/// Errors   FileNotReadable; FileCorrupt: not an MCAP file, or no robot states in it
+/// Threads  any. Blocks: reads the summary of the file, or all record headers if there is none
 Result<std::unique_ptr<Recording>> openMcap(const Text& path);
 
 }  // namespace tiller::recording

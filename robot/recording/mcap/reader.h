@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Looks into an MCAP file: by its summary where there is a sound one, or else by going through it from the start, as far
-// as whole records reach. Nothing of a file is trusted: what is broken is left out and said.
+// Reads an MCAP file by its summary or, if that is missing or damaged, by scanning all complete records. All
+// content is validated: damaged parts are skipped and reported.
 
 #include <QFile>
 #include <QStringList>
@@ -20,31 +20,32 @@ namespace tiller::recording::mcap {
 /// Threads  one at a time
 class Reader {
 public:
-    /// Errors   FileNotReadable; FileCorrupt: it is no MCAP file
-    /// Blocks   reads the summary, or looks at every record's head
+    /// Errors   FileNotReadable; FileCorrupt: not an MCAP file
+    /// Blocks   reads the summary, or all record headers
     static Result<std::unique_ptr<Reader>> open(const Text& path);
 
-    const QString& path() const { return path_; }  ///< Of the file.
-    /// It ended as it should, with a summary.
+    const QString& path() const { return path_; }  ///< Path of the file.
+    /// True if the file has a valid summary and end.
     bool isComplete() const { return complete_; }
-    const QStringList& problems() const { return problems_; }  ///< What is broken, a sentence each.
-    const std::string& profile() const { return profile_; }    ///< "ros2"
-    const std::string& library() const { return library_; }    ///< Who wrote it.
-    const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }     ///< By number.
-    const std::map<std::uint16_t, Channel>& channels() const { return channels_; }  ///< By number.
-    const std::vector<ChunkIndex>& chunks() const { return chunks_; }  ///< In the order of the file.
-    const std::vector<AttachmentIndex>& attachments() const { return attachments_; }  ///< In their order.
-    const std::vector<MetadataIndex>& metadata() const { return metadata_; }          ///< In their order.
+    const QStringList& problems() const { return problems_; }  ///< One sentence per damaged part.
+    const std::string& profile() const { return profile_; }    ///< e.g. "ros2"
+    const std::string& library() const { return library_; }    ///< Name of the writer.
+    const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }       ///< By id.
+    const std::map<std::uint16_t, Channel>& channels() const { return channels_; }    ///< By id.
+    const std::vector<ChunkIndex>& chunks() const { return chunks_; }                 ///< In file order.
+    const std::vector<AttachmentIndex>& attachments() const { return attachments_; }  ///< In file order.
+    const std::vector<MetadataIndex>& metadata() const { return metadata_; }          ///< In file order.
 
-    /// How many messages of a channel the indexes behind a chunk name; nothing where they are missing.
+    /// Number of messages of a channel according to the indexes after a chunk; empty if the indexes are missing.
     std::optional<std::uint64_t> messagesIn(const ChunkIndex& chunk, std::uint16_t channel) const;
-    /// The records of a chunk, checked and unpacked.
+    /// The records of a chunk, checked and uncompressed.
     Result<std::string> records(const ChunkIndex& chunk) const;
-    Result<Facts> facts(const MetadataIndex& metadata) const;                 ///< What is in one of them.
-    Result<std::string> attachment(const AttachmentIndex& attachment) const;  ///< Its bytes, checked.
+    Result<Facts> facts(const MetadataIndex& metadata) const;  ///< Content of a metadata record.
+    Result<std::string> attachment(
+        const AttachmentIndex& attachment) const;  ///< Content of an attachment, checked.
 
-    /// Calls sink for each message of unpacked records, in order.
-    /// Returns  false when they ended in the middle of something
+    /// Calls sink for each message of uncompressed records, in order.
+    /// Returns  false if the data are truncated
     static bool forEachMessage(std::string_view records, const std::function<void(const Message&)>& sink);
 
 private:
@@ -61,7 +62,7 @@ private:
     QString path_;
     mutable QFile file_;
     std::uint64_t size_ = 0;
-    std::uint64_t dataStart_ = 0;  ///< behind the header
+    std::uint64_t dataStart_ = 0;  ///< offset after the header
     bool complete_ = false;
     QStringList problems_;
     std::string profile_;

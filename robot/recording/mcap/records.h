@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The records of an MCAP file, as its published specification names them. Only what this library writes or needs to
-// know of a file is here. Source: mcap.dev/spec
+// The records of an MCAP file with the names of its specification, as far as this library uses them. Source:
+// mcap.dev/spec
 
 #include <cstdint>
 #include <map>
@@ -13,7 +13,7 @@
 namespace tiller::recording::mcap {
 
 inline constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
-/// Opcode (1 byte) and length of the content (8 bytes) in front of every record.
+/// Opcode (1 byte) and length of the content (8 bytes) before every record.
 inline constexpr std::size_t kRecordHead = 9;
 
 enum class Opcode : std::uint8_t {
@@ -37,7 +37,7 @@ enum class Opcode : std::uint8_t {
 using Facts = std::map<std::string, std::string>;
 
 struct Schema {
-    std::uint16_t id = 0;  ///< 0 is none
+    std::uint16_t id = 0;  ///< 0: no schema
     std::string name{};
     std::string encoding{};
     std::string data{};
@@ -61,13 +61,14 @@ struct Message {
 };
 
 struct ChunkIndex {
-    std::uint64_t startTime = 0;  ///< least and greatest log time in it
+    std::uint64_t startTime = 0;  ///< minimum and maximum log time
     std::uint64_t endTime = 0;
-    std::uint64_t offset = 0;  ///< of the chunk record in the file
+    std::uint64_t offset = 0;  ///< offset of the chunk record in the file
     std::uint64_t length = 0;  ///< of the whole record
-    /// Channels and where their index records are. A list: a file of hours has a hundred thousand chunks.
+    /// Channels and the offsets of their index records. A list, because a file of hours has a hundred thousand
+    /// chunks.
     std::vector<std::pair<std::uint16_t, std::uint64_t>> messageIndexes{};
-    std::uint64_t messageIndexLength = 0;  ///< of all of them together
+    std::uint64_t messageIndexLength = 0;  ///< total length of the index records
     std::string compression{};
     std::uint64_t compressedSize = 0;
     std::uint64_t uncompressedSize = 0;

@@ -29,7 +29,7 @@ constexpr std::array<NumberType, 6> kNumbers = {{{"float64", rtde::DataType::Dou
                                                  {"uint64", rtde::DataType::UInt64},
                                                  {"int32", rtde::DataType::Int32}}};
 
-/// The type of each number of a vector.
+/// The type of the components of a vector.
 rtde::DataType numberType(rtde::DataType type) {
     switch (type) {
         case rtde::DataType::Vector3D:
@@ -57,7 +57,7 @@ std::string lower(std::string_view name) {
     return out;
 }
 
-/// A whole number out of one that is kept as a double; what is none becomes 0.
+/// Converts a double to an integer; NaN becomes 0.
 template <class T>
 T wholeOf(double value) {
     return std::isnan(value) ? T(0) : static_cast<T>(value);

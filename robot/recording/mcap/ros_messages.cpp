@@ -61,9 +61,9 @@ constexpr MessageType kSummary{
 #undef TILLER_HEADER
 #undef TILLER_VECTOR3
 
-constexpr std::size_t kFixedParts = 512;  // more than any message has besides its texts and lists
+constexpr std::size_t kFixedParts = 512;  // upper limit for the parts other than strings and lists
 
-/// Calls fill(cdr) on room for so many bytes and keeps what was used.
+/// Calls fill(cdr) with a buffer of this size, and keeps the used part.
 template <class Fill>
 void writeCdr(std::string& out, std::size_t room, Fill fill) {
     out.resize(room);
@@ -74,10 +74,10 @@ void writeCdr(std::string& out, std::size_t room, Fill fill) {
     out.resize(cdr.size());
 }
 
-/// Returns  false when the bytes end too early or hold what cannot be
+/// Returns  false if the data are truncated or invalid
 template <class Take>
 bool readCdr(std::string_view message, Take take) {
-    // The library wants to be able to write, and does not here.
+    // The library requires a writable buffer, but only reads here.
     FastBuffer buffer(const_cast<char*>(message.data()), message.size());
     CdrStream cdr(buffer);
     try {
@@ -104,7 +104,7 @@ void putList(CdrStream& cdr, std::span<const double> numbers) {
     cdr.put(numbers.data(), numbers.size());
 }
 
-/// Returns  false when the list claims more than there is
+/// Returns  false if the list is longer than the remaining data
 bool takeList(CdrStream& cdr, std::size_t most, std::vector<double>& numbers) {
     std::uint32_t count = 0;
     cdr >> count;
@@ -231,8 +231,8 @@ bool readSummary(std::string_view message, SummaryMessage& summary) {
 }
 
 bool readSummary(std::string_view message, std::span<const std::size_t> places, SummaryMessage& summary) {
-    // As writeSummary() has them: four bytes that say how, then two numbers and three lists of one length, each number
-    // at a multiple of its size from there.
+    // Format of writeSummary(): an encapsulation header of four bytes, then two numbers and three lists of equal
+    // length, each number aligned to its size.
     constexpr std::string_view kLittleEndian("\0\1", 2);
     constexpr std::size_t kHead = 4;
     constexpr std::size_t kFirstList = 12;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The messages every ROS 2 tool knows, made from a sample: joint states, wrench, TCP transform, log; and ours for the
-// summary of many rows. Definitions are complete, with all that they refer to. CDR by libfastcdr.
+// Standard ROS 2 messages created from a sample: joint states, wrench, TCP transform, log; and Tiller's summary
+// message of many rows. Definitions include all referenced types. CDR by libfastcdr.
 // Source: the .msg files of ROS 2
 
 #include <cstdint>
@@ -15,25 +15,29 @@
 namespace tiller::recording::mcap {
 
 struct MessageType {
-    const char* name;        ///< "sensor_msgs/msg/JointState"
+    const char* name;        ///< e.g. "sensor_msgs/msg/JointState"
     const char* definition;  ///< ros2msg
 };
 const MessageType&
-jointStateType();  ///< Names as the vendor's ROS driver has them; efforts are currents [A], as there.
+jointStateType();  ///< Names as in the vendor's ROS driver; efforts are currents [A], as in the driver.
 const MessageType& wrenchType();     ///< Force and torque at the TCP, in the frame "base".
-const MessageType& transformType();  ///< "base" to "tool0_controller".
-const MessageType& logType();        ///< A line of the log.
-const MessageType& summaryType();    ///< Least, greatest and mean value of many rows.
+const MessageType& transformType();  ///< From "base" to "tool0_controller".
+const MessageType& logType();        ///< One line of the log.
+const MessageType& summaryType();    ///< Minimum, maximum and mean of many rows.
 
-/// Each empties `out` first. utcNs  goes into the header. Returns  false: the sample has not what it takes.
+/// All write functions clear `out` first.
+/// utcNs    time stamp in the header
+/// Returns  false if the sample does not contain the required fields
 bool writeJointState(const receive::Sample& sample, std::int64_t utcNs, std::string& out);
-bool writeWrench(const receive::Sample& sample, std::int64_t utcNs, std::string& out);     ///< As above.
-bool writeTransform(const receive::Sample& sample, std::int64_t utcNs, std::string& out);  ///< As above.
-void writeLog(const RecordedNote& note, std::string& out);                                 ///< As above.
-/// The opposite. Returns  false when it is broken
+bool writeWrench(const receive::Sample& sample, std::int64_t utcNs,
+                 std::string& out);  ///< As writeJointState().
+bool writeTransform(const receive::Sample& sample, std::int64_t utcNs,
+                    std::string& out);                      ///< As writeJointState().
+void writeLog(const RecordedNote& note, std::string& out);  ///< Clears `out` first.
+/// Returns  false if the message is invalid
 bool readLog(std::string_view message, RecordedNote& note);
 
-/// rowsEach rows from firstRow on, of each column.
+/// Statistics of rowsEach rows from firstRow on, for each column.
 struct SummaryMessage {
     std::uint64_t firstRow = 0;
     std::uint32_t rowsEach = 0;
@@ -41,10 +45,11 @@ struct SummaryMessage {
     std::vector<double> max{};
     std::vector<double> mean{};
 };
-void writeSummary(const SummaryMessage& summary, std::string& out);   ///< As above.
-bool readSummary(std::string_view message, SummaryMessage& summary);  ///< Returns false when it is broken.
-/// Of some columns only, which is many times as fast.
-/// places  of the columns in the lists; NaN for those beyond them
+void writeSummary(const SummaryMessage& summary, std::string& out);  ///< Clears `out` first.
+bool readSummary(std::string_view message,
+                 SummaryMessage& summary);  ///< Returns  false if the message is invalid
+/// Reads some columns only, which is much faster.
+/// places  indices of the columns in the lists; NaN for missing columns
 bool readSummary(std::string_view message, std::span<const std::size_t> places, SummaryMessage& summary);
 
 }  // namespace tiller::recording::mcap

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Makes the bytes of an MCAP file, part by part: what is taken is whole records, in order, and belongs at the end of
-// the file. Messages go into chunks, compressed by zstd; every chunk is followed by its message indexes, so a file
-// that ends behind one is as good as a finished one, but for the summary.
+// Generates an MCAP file part by part: each part consists of complete records and is appended to the file. Messages
+// are stored in chunks, compressed by zstd; every chunk is followed by its message indexes, so that a file that
+// ends after a chunk only lacks the summary.
 
 #include <map>
 #include <memory>
@@ -17,19 +17,19 @@ struct ZSTD_CCtx_s;
 
 namespace tiller::recording::mcap {
 
-/// Messages that will lie together. Cheap to fill, empty again after Writer::add().
+/// The messages of a chunk. Cheap to fill; empty after Writer::add().
 class ChunkBuilder {
 public:
-    void add(const Message& message);  ///< Copies its data.
+    void add(const Message& message);  ///< Copies the data.
 
-    bool isEmpty() const { return count_ == 0; }          ///< Nothing was added.
+    bool isEmpty() const { return count_ == 0; }
     std::size_t size() const { return records_.size(); }  ///< [bytes], uncompressed
-    std::uint64_t count() const { return count_; }        ///< Messages in it.
+    std::uint64_t count() const { return count_; }        ///< Number of messages.
 
 private:
     friend class Writer;
     std::string records_;
-    std::map<std::uint16_t, std::string> indexes_;  ///< pairs of log time and offset, as they are written
+    std::map<std::uint16_t, std::string> indexes_;  ///< pairs of log time and offset in file format
     std::uint64_t start_ = 0;
     std::uint64_t end_ = 0;
     std::uint64_t count_ = 0;
@@ -39,29 +39,30 @@ private:
 class Writer {
 public:
     /// profile  "ros2" or empty
-    /// library  who writes
+    /// library  name of the writer
     /// level    of zstd; 0: not compressed
     Writer(std::string_view profile, std::string_view library, int level = 1);
     ~Writer();
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
-    /// Returns  its number, the same one for the same content
+    /// Returns  the id; the same id for the same content
     std::uint16_t addSchema(std::string_view name, std::string_view encoding, std::string_view data);
-    /// The same for a channel.
+    /// Returns  the id; the same id for the same content
     std::uint16_t addChannel(std::uint16_t schema, std::string_view topic, std::string_view encoding,
                              const Facts& metadata);
-    /// Keys and values under one name.
+    /// Adds a record of keys and values.
     void addMetadata(std::string_view name, const Facts& facts);
-    /// A file inside the file. time  when it was as it is [ns since 1970]
+    /// Adds an attached file.
+    /// time  of its content [ns since 1970]
     void addAttachment(std::string_view name, std::string_view mediaType, std::string_view data,
                        std::uint64_t time);
-    /// Closes a chunk; nothing happens when it is empty.
+    /// Completes a chunk; no effect if it is empty.
     void add(ChunkBuilder& chunk);
-    /// Writes the summary and the end. Nothing can be added afterwards.
+    /// Writes the summary and the end. No content can be added afterwards.
     void finish();
 
-    /// Everything since it was last taken.
+    /// Returns the data since the last call.
     std::string take();
 
 private:

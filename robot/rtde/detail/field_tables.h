@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The single (non-register) entries of the field catalogue. Private to this room: everybody else asks
-// fields.h. Source: RTDE guide; the entries marked kRecent from newer software and other clients' tables.
+// The single (non-register) entries of the field catalogue. Private to robot/rtde; other code uses fields.h.
+// Source: RTDE guide; entries marked kRecent from newer software and field tables of other clients.
 
 #include <array>
 
@@ -11,14 +11,14 @@
 namespace tiller::rtde::tables {
 
 inline constexpr Since kAll{};
-/// On recent e-Series and PolyScope X software; since when is not documented.
+/// Recent e-Series and PolyScope X software; the first version is not documented.
 inline constexpr Since kRecent{{Since::kNever, 0, 0, 0}, {}, false};
 
 constexpr Since since(SoftwareVersion cb3, SoftwareVersion eSeries) {
     return {cb3, eSeries, true};
 }
 inline constexpr SoftwareVersion kNoCb3{Since::kNever, 0, 0, 0};
-/// With the newer tool flange, on PolyScope X only. Source: the vendor's Python client, recording with V3.
+/// PolyScope X with the newer tool flange. Source: the vendor's Python client, recording with V3.
 inline constexpr Since kSecondFlange{kNoCb3, {10, 15, 0, 0}, true};
 
 using D = DataType;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads big-endian values off a package that may be cut short or lie about its lengths. Reading past the end
-// gives zeros and is remembered; the caller looks once, at the end.
+// Reads big-endian values from a package that may be truncated or contain invalid lengths. Reading past the end
+// returns zeros and sets an error flag, which the caller checks once at the end.
 
 #include <QString>
 #include <bit>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What everybody who listens to the primary interface does alike: a thread that is begun and ended, waits between
-// two attempts to connect, and bytes that become packages. What is done with the packages is the listener's own.
+// Common parts of the clients of the primary interface: a thread that can be started, stopped and paused between
+// two attempts to connect, and splitting of the stream into packages. The clients process the packages.
 
 #include <array>
 #include <chrono>
@@ -22,29 +22,29 @@
 
 namespace tiller::script {
 
-/// Between two attempts to connect; the last one repeats.
+/// Delays between two attempts to connect; the last one repeats.
 inline constexpr std::array<std::chrono::milliseconds, 4> kReconnectDelays{
     std::chrono::milliseconds(500), std::chrono::milliseconds(1000), std::chrono::milliseconds(2000),
     std::chrono::milliseconds(5000)};
 
-/// A controller sends its state ten times a second. One that is silent for so long has forgotten the
-/// connection, or cannot be reached; nothing else would show it.
+/// A controller sends its state ten times per second. After this time without data the connection is closed: the
+/// controller has dropped it or is not reachable, which TCP does not report.
 inline constexpr std::chrono::milliseconds kPrimaryTimeout(2500);
 
-/// What ends whatever program runs.
+/// Ends any running program.
 inline constexpr std::string_view kStopProgram = "stop program\n";
 
 native_socket::Transfer sendStopProgram(native_socket::Descriptor descriptor);
 
-/// The thread of its owner, who names it. Ends by the token and by `changed`, on which the owner waits.
+/// The thread of a client, which names it. It ends by the token and by `changed`, on which the client waits.
 /// Threads  one for begin() and end()
 class ListenerThread {
 public:
-    /// mutex, changed  of the owner; must outlive this
+    /// mutex, changed  of the client; must outlive this object
     ListenerThread(std::mutex& mutex, std::condition_variable& changed) : mutex_(mutex), changed_(changed) {}
 
-    /// Does nothing when it runs already.
-    /// prepare  runs before, under the mutex
+    /// No effect if it is already running.
+    /// prepare  called before the start, under the mutex
     template <class Prepare, class Run>
     void begin(Prepare prepare, Run run) {
         if (thread_.joinable()) {
@@ -60,7 +60,7 @@ public:
     /// Cancels and joins.
     void end();
 
-    CancelToken cancel;  ///< of this run of the thread
+    CancelToken cancel;  ///< of the current run of the thread
 
 private:
     std::mutex& mutex_;
@@ -72,16 +72,17 @@ private:
 /// Threads  one
 class PrimaryReader {
 public:
-    /// Waits at most so long for bytes, and takes what has come. clock  stamps the messages
-    /// Returns  Ok when something was taken, WouldBlock when nothing came, Failed also after kPrimaryTimeout
-    ///          without a byte, or why nothing more can come
+    /// Waits for bytes, at most for the given time, and reads them.
+    /// clock    for the time stamps of messages
+    /// Returns  Ok after reading, WouldBlock without data, Failed after kPrimaryTimeout without data or when the
+    ///          connection has ended
     native_socket::Status read(native_socket::Descriptor descriptor, std::chrono::milliseconds atMost,
                                const Clock& clock);
     PrimaryParser& parser() { return parser_; }
-    std::size_t lastBytes() const { return lastBytes_; }  ///< taken by the last read()
-    /// False once a package had a length that makes no sense: the connection is to be given up.
+    std::size_t lastBytes() const { return lastBytes_; }  ///< number of bytes of the last read()
+    /// False after a package with an invalid length: the connection has to be closed.
     bool understands() const { return understands_; }
-    /// What it is given up with.
+    /// The error in this case.
     static Error notUnderstood(const QString& context);
 
 private:
@@ -89,7 +90,7 @@ private:
     std::array<std::uint8_t, 8192> bytes_;
     std::size_t lastBytes_ = 0;
     bool understands_ = true;
-    std::optional<std::int64_t> heardNs_;  ///< when bytes came last; at first, when they were waited for
+    std::optional<std::int64_t> heardNs_;  ///< time of the last received bytes; initially of the first wait
 };
 
 }  // namespace tiller::script

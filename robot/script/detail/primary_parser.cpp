@@ -25,13 +25,13 @@ MessageSeverity severityOf(std::int32_t reportLevel) {
         case 4:
         case 5:
             return MessageSeverity::Fault;
-        default:  // 0, and 128 upwards, which are for the manufacturer's developers
+        default:  // 0, and 128 and above, which are reserved for the manufacturer
             return MessageSeverity::Debug;
     }
 }
 
-// Newer software puts a request id and a type in front of the flags. In the older layout text stands where
-// the type would be, so that the number read there is far from any known type.
+// Newer software has a request id and a type before the flags. In the older layout there is text at this position,
+// which does not match any known type.
 bool readPopup(std::span<const std::uint8_t> body, ControllerMessage& message) {
     ByteReader newer(body);
     newer.skip(4);
@@ -156,7 +156,7 @@ bool PrimaryParser::subPackage(std::uint8_t type, std::span<const std::uint8_t> 
             state_ = next;
         }
     } else if (type == kMasterboardData) {
-        in.skip(60);  // I/O, temperature, supply
+        in.skip(60);  // I/O, temperatures, supply
         const auto mode = static_cast<SafetyMode>(in.u8());
         if (in.ok()) {
             state_.safetyMode = mode;
@@ -168,7 +168,7 @@ bool PrimaryParser::subPackage(std::uint8_t type, std::span<const std::uint8_t> 
         readSix(in, dh.a);
         readSix(in, dh.d);
         readSix(in, dh.alpha);
-        // Older software has a package of the same number and another meaning: too short, and skipped.
+        // Older software has a shorter package with the same number and another meaning, which is skipped.
         if (in.ok()) {
             RobotConfiguration next = configuration_.value_or(RobotConfiguration{});
             next.dh = dh;
@@ -192,7 +192,7 @@ bool PrimaryParser::subPackage(std::uint8_t type, std::span<const std::uint8_t> 
         readSix(in, dh.d);
         readSix(in, dh.alpha);
         readSix(in, dh.theta);
-        // KinematicsInfo knows better, whichever comes first.
+        // The values of KinematicsInfo have priority, regardless of the order.
         if (!calibrated_) {
             next.dh = dh;
         }
@@ -236,7 +236,7 @@ bool PrimaryParser::robotMessage(std::span<const std::uint8_t> bytes, std::int64
             version.major = in.u8();
             version.minor = in.u8();
             version.bugfix = in.u32();
-            // Before 3.12 there was one number less; then the text begins here.
+            // Before 3.12 there was one number less, and the text begins here.
             version.build = in.remaining() >= 4 ? in.u32() : 0;
             message.text = in.rest();
             if (in.ok()) {
@@ -289,7 +289,7 @@ bool PrimaryParser::robotMessage(std::span<const std::uint8_t> bytes, std::int64
             break;
     }
     if (in.ok()) {
-        // A package may be 128 kB; thousands of messages are kept until they are taken.
+        // A package may have 128 kB, and thousands of messages are buffered.
         constexpr qsizetype kMaxText = 4096;
         message.title.truncate(kMaxText);
         message.text.truncate(kMaxText);

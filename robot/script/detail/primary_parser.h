@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The bytes of the primary interface made into messages and state. No socket, no thread. What it does not
-// know it skips, what is cut short or lies about its size it counts and skips; nothing a peer sends can crash
-// it. Source: Universal Robots client interface manual.
+// Parses the bytes of the primary interface into messages and state, without socket or thread. Unknown packages are
+// skipped; truncated ones and those with invalid lengths are counted and skipped. No input can crash the parser.
+// Source: Universal Robots client interface manual.
 
 #include <cstdint>
 #include <optional>
@@ -16,11 +16,11 @@ namespace tiller::script {
 
 class PrimaryParser {
 public:
-    /// Takes bytes as they came from the socket, however they were cut.
-    /// Returns  false when a length field makes no sense: where the next package begins is unknown, and the
-    ///          connection has to be made again (reset() first)
+    /// Processes received bytes, independent of their segmentation.
+    /// Returns  false for an invalid length field: the start of the next package is unknown, and a new connection
+    ///          is needed (call reset() first)
     bool feed(std::span<const std::uint8_t> bytes, std::int64_t hostTimeNs);
-    /// Forgets a half package; for a new connection.
+    /// Discards an incomplete package; for a new connection.
     void reset();
 
     std::vector<ControllerMessage> takeMessages();
@@ -28,7 +28,7 @@ public:
     const std::optional<RobotConfiguration>& configuration() const { return configuration_; }
     std::uint64_t malformed() const { return malformed_; }
 
-    /// A length above this is taken for garbage [bytes]. Known packages stay below 4096.
+    /// A larger length is invalid [bytes]. Known packages are below 4096.
     static constexpr std::size_t kMaxPackage = 1 << 17;
 
 private:
@@ -41,7 +41,7 @@ private:
     std::vector<ControllerMessage> messages_;
     PrimaryState state_;
     std::optional<RobotConfiguration> configuration_;
-    bool calibrated_ = false;  ///< its DH parameters are of KinematicsInfo
+    bool calibrated_ = false;  ///< the DH parameters are from KinematicsInfo
     std::uint64_t malformed_ = 0;
 };
 

@@ -22,14 +22,14 @@ constexpr milliseconds kCustomConnectTime(5000);
 constexpr milliseconds kProgramStart(5000);
 constexpr milliseconds kCustomManualStart(60000);
 constexpr milliseconds kProgramEnd(5000);
-// A move takes as long as it takes: at a speed slider of 2 % a minute becomes an hour.
+// No time limit: with the speed slider at 2 %, a move of a minute takes an hour.
 constexpr milliseconds kEver = std::chrono::hours(24 * 365);
 
 const auto never = [](const RegisterState&) { return false; };
 const auto isPlaying = [](const RegisterState& state) { return state.isPlaying(); };
 const auto hasEnded = [](const RegisterState& state) { return state.hasEnded(); };
 
-// A whole program, as programs of users are; the built-in one is what stands between `def` and `end`.
+// Whether it is a complete user program; the built-in program is only the text between `def` and `end`.
 bool isWhole(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
@@ -41,7 +41,7 @@ bool isWhole(const std::string& text) {
     return false;
 }
 
-// Where programs made for ur_rtde want their registers and paths.
+// Placeholders for registers and paths in programs written for ur_rtde.
 constexpr const char* kOffsetPlace = "  # register offset\n";
 constexpr const char* kFloatOffsetPlace = "# float register offset\n";
 constexpr const char* kIntOffsetPlace = "# int register offset\n";
@@ -56,11 +56,11 @@ std::vector<double> numbered(const RecipeCommand& command) {
     return values;
 }
 
-// The arm shall not move on without its client.
+// The arm must not continue without its client.
 const RecipeCommand kStopBeforeLeaving{CommandId::StopJ, 20, {4.0, 1.0}};
 constexpr milliseconds kLastWords(160);
 
-// In the register of results, when the watchdog thread has ended the program.
+// Value of the result register after the watchdog thread has ended the program.
 constexpr int kHeartbeatExpired = 100'004;
 
 script::Heartbeat heartbeatOf(const RegisterLink& link) {
@@ -71,14 +71,14 @@ script::Heartbeat heartbeatOf(const RegisterLink& link) {
     return heartbeat;
 }
 
-// What was not sent needs no end, but what an earlier client or program left must not begin by itself.
+// Removes a command of an earlier client or program, which must not start later.
 void clearUnlessStopping(RegisterLink& link) {
     if (!link.isCommandAlone()) {
         link.clear();
     }
 }
 
-// A connection with no room for it just now has some a moment later.
+// Retries if the send buffer of the connection is full.
 bool sendStop(RegisterLink& link, const RecipeCommand& command) {
     bool sent = false;
     waitUntil(
@@ -115,7 +115,7 @@ void CustomControl::disconnect(control::Supervision supervision) {
         }
         current->close();
     }
-    // Whoever waited has noticed by now.
+    // Time for waiting calls to return.
     if (const std::unique_lock turn(turn_, milliseconds(100)); turn.owns_lock()) {
         scripts_.reset();
     }
@@ -143,7 +143,7 @@ SoftwareVersion CustomControl::version() const {
 }
 
 control::JointLimits CustomControl::jointLimits() const {
-    return check::anyArm();  // nobody asked it
+    return check::anyArm();  // no connection to query
 }
 
 std::string CustomControl::lastError() const {
@@ -226,7 +226,7 @@ std::string CustomControl::program(RegisterLink& link, const std::string& pathCo
                                  std::to_string(link.heartbeatRegister()) + ", which the heartbeat needs");
     }
     if (bare) {
-        // The header of a program with the URCap runs long before its node.
+        // In a program with the URCap, the header is executed long before its node.
         const std::size_t header = text.find(kHeaderEnd);
         const std::size_t begin = header == std::string::npos ? 0 : text.find('\n', header) + 1;
         return text.insert(begin, script::watchdogScript(heartbeatOf(link), version).toStdString());
@@ -238,12 +238,12 @@ std::string CustomControl::program(RegisterLink& link, const std::string& pathCo
 bool CustomControl::upload(RegisterLink& link, const std::string& pathCode) {
     playedBefore_ = link.state().played;
     if (scriptFile_.empty()) {
-        return false;  // somebody else's, which only they can start
+        return false;  // another program, which only its owner can start
     }
     const std::string text = program(link, pathCode, server_ != nullptr);
     if (server_ != nullptr) {
         server_->setProgram(text);
-        pendant_.play();  // the program with the URCap's node asks again when it starts
+        pendant_.play();  // the program with the URCap's node requests the text when it starts
         return true;
     }
     return sendScript(link, text);
@@ -262,14 +262,14 @@ bool CustomControl::sendScript(const RegisterLink& link, const std::string& text
 
 bool CustomControl::awaitProgram(RegisterLink& link, milliseconds atMost,
                                  const std::function<bool(const RegisterState&)>& giveUp) {
-    // A program of the user's that was sent may be over already.
+    // A user program that was sent may have ended already.
     const auto ready = [&](const RegisterState& state) {
         return playedBefore_ ? state.played != *playedBefore_ : state.isPlaying();
     };
     return link.wait(ready, giveUp ? giveUp : never, atMost);
 }
 
-// The polite way first; the dashboard for programs that do not listen.
+// First by command; then by the dashboard for programs that do not respond.
 bool CustomControl::endProgram(RegisterLink& link) {
     link.send(4, {static_cast<double>(CommandId::StopScript)});
     bool ended = link.wait(hasEnded, never, milliseconds(500));
@@ -292,8 +292,8 @@ bool CustomControl::reupload() {
     if (!endProgram(*current) || !upload(*current, {})) {
         return false;
     }
-    // During a stop nothing runs; handed over is all there can be. One that was just unlocked may be in the
-    // next packages still.
+    // During a stop no program runs; handing it over is sufficient. A stop that was just unlocked may still be
+    // reported in the next packages.
     const std::uint64_t settled = current->state().sequence + 50;
     bool stopped = false;
     const auto isStopped = [&](const RegisterState& state) {
@@ -334,8 +334,8 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         text = script::supervised(QString::fromStdString(program), heartbeatOf(*current), current->version())
                    .text.toStdString();
     }
-    // It may be over before this thread looks, which is why the packages are counted; or before any package
-    // tells that it plays: then what programs written for ur_rtde end with tells.
+    // The program may end before this thread checks, so packages with a running program are counted. It may even
+    // end before any package reports it; then the final state of programs written for ur_rtde is used.
     const RegisterState before = current->state();
     const auto hasBegun = [&before](const RegisterState& state) {
         return state.played != before.played || (before.answer != 2 && state.answer == 2);
@@ -359,7 +359,7 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         ran = sendScript(*current, text) && current->wait(hasBegun, isUnwanted, kProgramStart) &&
               current->wait(hasEnded, isUnwanted, kEver) && current->wait(isOver, never, kProgramEnd);
     } catch (const Interrupted&) {
-        // Nobody waits for it any more: it shall not go on by itself.
+        // No caller waits for it any more: it must not continue.
         end();
         throw;
     }
@@ -369,7 +369,7 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
     }
     if (!ran && stopsWaiting_ > 0) {
         end();
-        // It may have been on its way still.
+        // It may not have started yet.
         current->wait(hasBegun, never, milliseconds(500));
         current->wait(isOver, never, kProgramEnd);
     }
@@ -386,7 +386,7 @@ bool CustomControl::follow(const ur_rtde::Path& path, bool asynchronous) {
     return performInTurn({CommandId::MovePath, 15, {asynchronous ? 1.0 : 0.0}}, true).has_value();
 }
 
-// ---- one command: wait for its turn and for the program to be ready, send, wait for the answer -------------
+// ---- commands: wait for the lock and for the program to be ready, send, wait for the answer ---------------
 
 CustomControl::TurnLock CustomControl::takeTurn() {
     TurnLock turn(turn_, std::defer_lock);
@@ -406,7 +406,7 @@ CustomControl::TurnLock CustomControl::takeTurnToStop() {
 }
 
 bool CustomControl::isReady(RegisterLink& link, const std::function<bool(const RegisterState&)>& giveUp) {
-    // A stop nobody waited for is done at standstill. Programs of others may not know it.
+    // A stop without a waiting caller is complete at standstill. Other programs may not report it.
     const auto isFree = [&link](const RegisterState&) { return !link.isCommandAlone(); };
     if (!link.wait(isFree, giveUp, kReadyTime)) {
         if (!link.isAlive() || giveUp(link.state()) || !link.state().isPlaying()) {
@@ -417,9 +417,9 @@ bool CustomControl::isReady(RegisterLink& link, const std::function<bool(const R
     return link.wait([](const RegisterState& state) { return state.answer == 1; }, giveUp, kReadyTime);
 }
 
-// Only after the program has seen a command does "ready" say that it has seen its end too.
+// "Ready" only means completion after the program has seen the command.
 void CustomControl::untilSeen(RegisterLink& link, std::uint64_t sent, milliseconds atMost) {
-    constexpr int kPackages = 3;  // for programs of others, which may call themselves ready all the time
+    constexpr int kPackages = 3;  // for other programs, which may always report ready
     link.wait([&](const RegisterState& s) { return s.answer != 1 || s.sequence > sent + kPackages; },
               [this](const RegisterState& s) { return s.isStopped() || s.hasEnded() || disconnecting_; },
               atMost);
@@ -437,13 +437,13 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         return std::nullopt;
     }
     RegisterLink& robot = *current;
-    // Two reasons to stop waiting that are no failure of the link.
+    // Two reasons to end the wait other than a broken connection.
     const auto hopeless = [&](const RegisterState& state) {
         return state.isStopped() || (!mayBeStopped && !state.isPlaying()) ||
                (mayBeStopped && stopsWaiting_ > 0) || disconnecting_;
     };
-    // A program of others may never answer a stop, which must not keep the next one waiting. And an
-    // interrupted stop takes the place of whatever is under way.
+    // Other programs may never answer a stop, which must not block the next one. An interrupted stop replaces the
+    // current command.
     const auto pointless = [&](const RegisterState& state) {
         return hopeless(state) || stopsWaiting_ > 0 || !robot.holds(command.id);
     };
@@ -464,7 +464,7 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         const bool done = robot.wait(
             [&](const RegisterState& state) {
                 answer = state;
-                // Programs written for others answer some questions with "ready" only, a few packages later.
+                // Other programs answer some queries only with "ready", a few packages later.
                 const bool quick =
                     command.id >= CommandId::ToolContact && command.id <= CommandId::JointPositionsHistory;
                 readySince = readySince == 0 ? state.sequence : readySince;
@@ -477,13 +477,13 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         }
         const RegisterState now = robot.state();
         if (!done && !mayBeStopped && now.answer == 1 && !now.isPlaying() && !now.hasEnded()) {
-            sendStop(robot, command);  // paused before it was seen: obeyed when the program goes on
+            sendStop(robot, command);  // paused before it was seen: executed when the program continues
         } else {
             robot.clear(command.id);
         }
         return done ? std::optional(answer) : std::nullopt;
     } catch (const Interrupted&) {
-        // Nobody waits for it any more: it shall not go on by itself.
+        // No caller waits for it any more: it must not continue.
         const Uninterrupted stopping;
         untilSeen(robot, sent, milliseconds(50));
         robot.clear(command.id);
@@ -519,7 +519,7 @@ bool CustomControl::stop(const RecipeCommand& command, bool wait) {
         if (ready && wait) {
             return performInTurn(command, false).has_value();
         }
-        // A program that is paused, or does not answer, obeys when it goes on.
+        // A program that is paused or does not respond stops when it continues.
         return sendStop(robot, command) && ready;
     } catch (const Interrupted&) {
         if (current && !tried) {
@@ -558,7 +558,7 @@ bool CustomControl::protectiveStop() {
         current && current->wait(
                        isStopped, [](const RegisterState&) { return false; }, milliseconds(1000));
     if (current && !stopped) {
-        current->clear(CommandId::ProtectiveStop);  // not at some later time
+        current->clear(CommandId::ProtectiveStop);  // must not take effect later
     }
     return stopped;
 }

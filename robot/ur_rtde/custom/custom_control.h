@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Carries out the commands of RTDEControlInterface through a program of the user's, by ur_rtde's registers.
-// A program that is sent from here contains the heartbeat watchdog; what else ends a motion there, and
-// everything in a program that was started elsewhere, is up to that program.
+// Executes the commands of RTDEControlInterface through a user program with ur_rtde's registers. A program sent
+// from here contains the heartbeat watchdog; other ends of a motion, and all behaviour of a program started
+// elsewhere, depend on that program.
 
 #include "robot/ur_rtde/custom/register_link.h"
 #include "robot/ur_rtde/detail/control_session.h"
@@ -15,8 +15,9 @@ namespace tiller::urrtde {
 
 class CustomControl final : public ControlBackend {
 public:
-    /// Connects; sends the file, or waits for a program that somebody else starts.
-    /// file  empty: none is sent. Throws as RTDEControlInterface does
+    /// Connects; sends the file, or waits for a program that is started by other means. Throws as
+    /// RTDEControlInterface.
+    /// file  empty: none is sent
     CustomControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server, std::string file);
     ~CustomControl() override;
 
@@ -41,7 +42,7 @@ public:
 private:
     using TurnLock = std::unique_lock<Turn>;
     TurnLock takeTurn();
-    TurnLock takeTurnToStop();  ///< ends what another thread waits for
+    TurnLock takeTurnToStop();  ///< cancels the wait of another thread
     RegisterState state() const;
     void untilSeen(RegisterLink& link, std::uint64_t sent, std::chrono::milliseconds atMost);
     std::shared_ptr<RegisterLink> link() const;
@@ -61,11 +62,11 @@ private:
     Pendant& pendant_;
     ProgramServer* server_;
     const std::string scriptFile_;
-    std::optional<std::uint64_t> playedBefore_;  ///< packages before the last upload; none: nothing was sent
-    Turn turn_;                                  ///< one command after the other
-    std::atomic<int> stopsWaiting_{0};           ///< threads that want to stop something
+    std::optional<std::uint64_t> playedBefore_;  ///< packages before the last upload; empty: not sent
+    Turn turn_;                                  ///< serializes commands
+    std::atomic<int> stopsWaiting_{0};           ///< number of threads that request a stop
     std::atomic<bool> disconnecting_{false};
-    mutable std::mutex linkMutex_;  ///< of what follows
+    mutable std::mutex linkMutex_;  ///< protects the following members
     std::shared_ptr<RegisterLink> link_;
     mutable std::string error_;
     std::unique_ptr<ur_rtde::ScriptClient> scripts_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The RTDE connection to a program of the user's that obeys ur_rtde's registers: what the robot says about
-// it, and the recipes commands travel in. Private to this room.
+// The RTDE connection to a user program with ur_rtde's registers: its state, and the recipes for commands. Private
+// to robot/ur_rtde.
 
 #include <QString>
 #include <array>
@@ -23,77 +23,78 @@ namespace tiller::urrtde {
 
 struct RegisterLinkOptions {
     QString host;
-    double frequency = 0;  ///< 0: the controller's own
+    double frequency = 0;  ///< 0: default of the controller
     int offset = 0;        ///< of the registers: 0 or 24
     int priority = 0;
 };
 
-/// One package of the robot.
+/// Values of one package of the robot.
 struct RegisterState {
     std::uint64_t sequence = 0;  ///< 0: none yet
-    std::uint64_t played = 0;    ///< packages until now in which a program played
+    std::uint64_t played = 0;    ///< number of packages with a running program
     std::uint32_t robotStatus = 0;
     std::uint32_t safetyStatus = 0;
     RuntimeState runtime = RuntimeState::Stopped;
-    int answer = 0;    ///< of the program: 0 busy, 1 ready, 2 done
-    int answered = 0;  ///< the command that is done; 0: the program does not tell
-    int result = 0;    ///< one number
+    int answer = 0;    ///< state of the program: 0 busy, 1 ready, 2 done
+    int answered = 0;  ///< the completed command; 0: not reported
+    int result = 0;    ///< result of the command
     int progress = 0;  ///< see AsyncOperationStatus
     std::array<double, 6> values{};
 
     bool isDone(int command) const { return answer == 2 && (answered == 0 || answered == command); }
     bool isPlaying() const { return runtime == RuntimeState::Playing; }
     bool hasEnded() const { return runtime == RuntimeState::Stopped || runtime == RuntimeState::Stopping; }
-    /// A protective or an emergency stop.
+    /// True in a protective or emergency stop.
     bool isStopped() const { return (safetyStatus & ((1U << 2) | (1U << 7))) != 0; }
 };
 
-/// Thread: one, named "ur_rtde-control", priority as in the options; started by open(), ended by close() and
-/// the destructor within 50 ms. It reads the packages and tells those who wait.
+/// Owns one thread, "ur_rtde-control", with the priority in the options; started by open(), ended by close() and
+/// the destructor within 50 ms. It reads the packages and notifies waiting threads.
 class RegisterLink {
 public:
-    /// Errors   as rtde::Connection::open; FieldUnknown when the robot has not these registers
+    /// Errors   as rtde::Connection::open; FieldUnknown if the robot does not have these registers
     static Result<std::unique_ptr<RegisterLink>> open(const RegisterLinkOptions& options,
                                                       const Deadline& deadline);
     ~RegisterLink();
     RegisterLink(const RegisterLink&) = delete;
     RegisterLink& operator=(const RegisterLink&) = delete;
 
-    // All of the following: threads any.
+    // Threads of all following functions: any.
 
     void close();
     bool isAlive() const { return alive_; }
     SoftwareVersion version() const { return version_; }
     RegisterState state() const;
-    /// Waits for a package that makes `done` true; `giveUp` ends the wait too. Packages that arrive together
-    /// may be seen as one: what does not last has to be counted in the state.
-    /// Returns  whether `done` was true of the last package seen
+    /// Waits for a package for which `done` returns true, or until `giveUp` returns true. Several packages may be
+    /// evaluated together, so that short events need a counter in the state.
+    /// Returns  the last result of `done`
     bool wait(const std::function<bool(const RegisterState&)>& done,
               const std::function<bool(const RegisterState&)>& giveUp, std::chrono::milliseconds atMost);
-    /// Wakes those who wait, so that they ask again.
+    /// Makes waiting threads evaluate their conditions again.
     void wake() { changed_.notify_all(); }
 
-    /// recipe  1 ... 20; values in its order, the command first
-    /// Returns  false when the robot cannot take it
+    /// recipe  1 ... 20
+    /// values  in order of the recipe, starting with the command
+    /// Returns  false if the robot cannot receive it
     bool send(int recipe, const std::vector<double>& values);
     /// Sends "no command".
     bool clear();
-    /// As clear(), unless another command has taken this one's place.
+    /// As clear(), unless another command was sent meanwhile.
     bool clear(CommandId command);
-    /// Whether it is the last that was sent.
+    /// Whether this is the last command sent.
     bool holds(CommandId command) const { return command_ == static_cast<int>(command); }
-    /// Sends a command nobody waits for, and "no command" once it is done or the program has ended.
+    /// Sends a command without a waiting caller, and "no command" when it is done or the program has ended.
     bool sendAlone(int recipe, const std::vector<double>& values);
-    /// Whether such a command is under way. Another one takes its place.
+    /// Whether such a command is active. Another command replaces it.
     bool isCommandAlone() const { return alone_ != 0; }
     void forgetCommandAlone() { alone_ = 0; }
-    /// From now on a heartbeat goes to the robot at least every 20 ms, as long as the link is alive.
-    /// Returns  false when another client owns the register
+    /// Sends a heartbeat at least every 20 ms from now on, while the connection exists.
+    /// Returns  false if another client uses the register
     bool beginHeartbeat();
     void endHeartbeat() { beats_ = false; }
     int heartbeatRegister() const;
     int resultRegister() const { return options_.offset + 1; }
-    /// Sends the command register as it is, for a watchdog: what is under way goes on.
+    /// Sends the command register unchanged, as a watchdog signal.
     bool kick();
 
 private:
@@ -114,12 +115,12 @@ private:
     std::atomic<bool> alive_{true};
     std::atomic<bool> quit_{false};
     std::atomic<bool> beats_{false};
-    std::int32_t beat_ = 0;      ///< under `sending_`
-    std::atomic<int> alone_{0};  ///< the command nobody waits for; 0: none
+    std::int32_t beat_ = 0;      ///< protected by `sending_`
+    std::atomic<int> alone_{0};  ///< the command without a waiting caller; 0: none
     std::mutex sending_;
-    std::atomic<int> command_{0};  ///< in the command register
+    std::atomic<int> command_{0};  ///< value of the command register
 
-    mutable std::mutex mutex_;  ///< of the state
+    mutable std::mutex mutex_;  ///< protects the state
     std::condition_variable changed_;
     RegisterState state_;
     std::thread thread_;

@@ -15,11 +15,12 @@ namespace {
 constexpr double kTwoTurns = 4 * 3.14159265358979323846 + 0.01;
 constexpr double kJointRange = 2 * 3.14159265358979323846 + 0.1;
 constexpr double kRounding = 1e-6;
-// Of velocities given axis by axis: the fastest wrist turns with 2 pi.
+// For velocities of single axes: above the fastest wrist (2 pi).
 constexpr double kMaxTurn = 6.3;
 constexpr double kMaxTravel = 5.0;
-constexpr double kLeast = 1e-6;  // of speeds and accelerations: at 0 a move never ends
-constexpr double kReach = 10.0;  // no arm reaches a third of it, a millimetre value is soon above
+constexpr double kLeast = 1e-6;  // of speeds and accelerations: with 0 a move would never end
+constexpr double kReach =
+    10.0;  // three times the reach of the largest arm; values in millimetres are usually larger
 constexpr const char* kDegrees = "; angles are in radians, is this one in degrees?";
 constexpr const char* kMillimetres = "; lengths are in metres, is this one in millimetres?";
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Checks of what users pass, before anything is sent. All throw std::invalid_argument (wrong number of
-// values, not a number) or std::range_error (too small, too large), naming the argument. Private to this
-// room.
+// Checks arguments before sending. All functions throw std::invalid_argument (wrong number of values, NaN) or
+// std::range_error (too small, too large), with the name of the argument. Private to robot/ur_rtde.
 
 #include <limits>
 #include <string>
@@ -17,29 +16,29 @@ using List = std::vector<double>;
 
 void number(const char* name, double value, double lowest, double highest, const char* unit = "");
 void integer(const char* name, int value, int lowest, int highest);
-/// A list of this many numbers, whatever they are.
+/// A list with this number of values.
 void list(const std::string& name, const List& values, std::size_t size);
 void listWithin(const std::string& name, const List& values, std::size_t size, double limit, const char* unit,
                 const char* hint = "");
-/// Wide enough for every arm: where none is known yet.
+/// The union of all arms' limits, for use while the arm is not known.
 control::JointLimits anyArm();
-/// 6 angles within what the arm can [rad]; a value above is probably in degrees.
+/// 6 angles within the limits of the arm [rad]; larger values are probably in degrees.
 void joints(const std::string& name, const List& q, const control::JointLimits& arm);
-/// 3 lengths within 10 m and a rotation vector within two turns; values above are probably millimetres or
+/// 3 lengths within 10 m and a rotation vector within two turns; larger values are probably in millimetres or
 /// degrees.
 void pose(const std::string& name, const List& pose);
 void jointSpeeds(const std::string& name, const List& qd, const control::JointLimits& arm);
-/// 3 speeds [m/s] and 3 rotational speeds [rad/s].
+/// 3 velocities [m/s] and 3 angular velocities [rad/s].
 void twist(const std::string& name, const List& xd);
-/// Both above 0, as nothing would move otherwise.
+/// Both must be above 0.
 void jointMove(double speed, double acceleration, const control::JointLimits& arm);
 void toolMove(double speed, double acceleration);
 void flags(const char* name, const std::vector<int>& values, std::size_t size);
-/// A port of TCP.
+/// A TCP port number.
 void port(const char* name, int value);
-/// -1 (as many as there are) or 1 ... 500 Hz.
+/// -1 (maximum) or 1 ... 500 Hz.
 void frequency(double value);
-/// Up to 99; below 1 is no wish.
+/// At most 99; below 1: unchanged.
 void priority(int value);
 
 }  // namespace tiller::urrtde::check

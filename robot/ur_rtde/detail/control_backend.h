@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What RTDEControlInterface asks of whoever carries its commands out: our control program (NativeControl), or
-// a program of the user's that obeys ur_rtde's registers (custom/). Private to this room.
+// The interface between RTDEControlInterface and the implementations of its commands: Tiller's control program
+// (NativeControl), or a user program with ur_rtde's registers (custom/). Private to robot/ur_rtde.
 
 #include <array>
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace tiller::urrtde {
 
-/// The numbers programs written for ur_rtde know.
+/// Command numbers used by programs written for ur_rtde.
 enum class CommandId : int {
     MoveJ = 1,
     MoveJIk = 2,
@@ -77,41 +77,41 @@ enum class CommandId : int {
     StopScript = 255,
 };
 
-/// What ur_rtde puts into a recipe's registers.
+/// The register values of a command in ur_rtde.
 struct RecipeCommand {
     CommandId id;
-    int recipe;                  ///< 1 ... 20: the registers ur_rtde gives it
-    std::vector<double> values;  ///< in their order, without the command itself
+    int recipe;                  ///< 1 ... 20: its register layout in ur_rtde
+    std::vector<double> values;  ///< in register order, without the command
 };
 
-/// What comes back of it.
+/// The answer to a command.
 struct CommandResult {
-    int result = 0;  ///< one number; 0: it could not be done
+    int result = 0;  ///< result register; 0: not possible
     std::array<double, 6> values{};
 };
 
-/// Threads  any; commands wait for their turn, stops do not
+/// Threads  any; commands are serialized, stops are not
 class ControlBackend {
 public:
     virtual ~ControlBackend() = default;
 
-    /// Stops what moves; the program keeps running. Unattended: moves and paths continue to their end.
+    /// Ends the active motion; the program keeps running. Unattended: moves and paths continue to their target.
     virtual void disconnect(control::Supervision supervision) = 0;
     virtual bool isConnected() const = 0;
     virtual SoftwareVersion version() const = 0;
     virtual control::JointLimits jointLimits() const = 0;
     virtual std::uint32_t robotStatus() const = 0;
     virtual int progress() const = 0;  ///< see AsyncOperationStatus
-    /// Why the last call that failed did; empty when that is not known.
+    /// The reason of the last failure; empty if unknown.
     virtual std::string lastError() const = 0;
 
-    /// Has a command carried out and waits until it is.
-    /// Returns  none when it was not, or another thread stopped it
+    /// Executes a command and waits for its completion.
+    /// Returns  empty if it failed, or was stopped by another thread
     virtual std::optional<CommandResult> perform(const RecipeCommand& command) = 0;
-    /// Ends what another thread waits for instead of waiting for it.
-    /// wait  false: return when it is on its way
+    /// Cancels the wait of another thread instead of waiting for it.
+    /// wait  false: return after sending
     virtual bool stop(const RecipeCommand& command, bool wait = true) = 0;
-    /// One set point of a stream.
+    /// Sends one set point of a stream.
     virtual bool stream(const RecipeCommand& command) = 0;
     virtual bool follow(const ur_rtde::Path& path, bool asynchronous) = 0;
     virtual bool kickWatchdog() = 0;
@@ -119,7 +119,7 @@ public:
 
     virtual bool reupload() = 0;
     virtual void stopProgram() = 0;
-    /// Runs a program of the user's in between.
+    /// Runs a user program, then the control program again.
     virtual bool runCustom(const std::string& program, control::Supervision supervision) = 0;
 };
 

@@ -17,7 +17,8 @@ using Face = ur_rtde::RTDEControlInterface;
 
 constexpr int kDashboardPort = 29999;
 
-// Addresses where a controller in Local is obeyed all the same: itself, and the vendor's virtual machine.
+// Addresses of controllers that accept commands even in Local: the controller itself, and the vendor's virtual
+// machine.
 bool isExempt(const std::string& host) {
     return host == "localhost" || host == "127.0.0.1" || host == "192.168.56.101";
 }
@@ -60,7 +61,7 @@ void Pendant::connect() {
 }
 
 void Pendant::disconnect() {
-    // Who is talking to a mute server keeps its socket a little longer.
+    // A call to a dashboard that does not respond keeps its socket a little longer.
     if (const std::unique_lock lock(mutex_, std::try_to_lock); lock.owns_lock()) {
         client_.reset();
     }
@@ -72,7 +73,7 @@ bool Pendant::isConnected() {
 }
 
 std::string Pendant::serialNumber() {
-    std::string number;  // old software does not tell
+    std::string number;  // not available in old software
     tryTo([&](ur_rtde::DashboardClient& dashboard) { number = dashboard.getSerialNumber(); });
     return number;
 }
@@ -85,7 +86,8 @@ bool Pendant::allowsRemoteControl() {
         int minor = 0;
         char dot = 0;
         version >> major >> dot >> minor;
-        remote = major != 5 || minor <= 5 || dashboard.isInRemoteControl();  // others cannot tell
+        remote =
+            major != 5 || minor <= 5 || dashboard.isInRemoteControl();  // not available in other versions
     });
     return remote;
 }
@@ -163,7 +165,7 @@ std::shared_ptr<ControlBackend> ControlSession::open() {
     if (uploads || server_) {
         return openNative(false);
     }
-    // Whatever runs: ours, of a client before, or one that knows ur_rtde's registers, now or later.
+    // Any running program: ours, of an earlier client, or one with ur_rtde's registers, now or later.
     std::shared_ptr<ControlBackend> ours;
     if (!options_.has(Face::FLAG_CUSTOM_SCRIPT)) {
         ours = openNative(true);
@@ -194,7 +196,7 @@ std::string ControlSession::lastError() const {
     return backend()->lastError();
 }
 
-// As ur_rtde does, on standard error.
+// On standard error, as in ur_rtde.
 void ControlSession::keepError(const std::string& text) {
     std::cerr << "RTDEControlInterface: " << text << std::endl;
     const std::lock_guard lock(mutex_);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inside of RTDEControlInterface: whom it talks to, who carries its commands out, and since when. Private
-// to this room.
+// Implementation of RTDEControlInterface: connection, current backend and last error. Private to robot/ur_rtde.
 
 #include <memory>
 #include <mutex>
@@ -27,17 +26,17 @@ struct SessionOptions {
     void say(const std::string& text) const;  ///< with FLAG_VERBOSE
 };
 
-/// The dashboard server of one robot, where it has one (PolyScope X has none).
-/// Threads  any, one after the other
+/// The dashboard server of a robot, if it has one (PolyScope X has none).
+/// Threads  any; calls are serialized
 class Pendant {
 public:
     explicit Pendant(const SessionOptions& options) : options_(options) {}
     void connect();
     void disconnect();
     bool isConnected();
-    /// Empty where nobody tells.
+    /// Empty if unknown.
     std::string serialNumber();
-    /// Returns  true also where nobody tells
+    /// Returns  true also if unknown
     bool allowsRemoteControl();
     void stop();
     void play();
@@ -45,7 +44,7 @@ public:
     void unlockProtectiveStop();
 
 private:
-    /// Ignores what the server refuses or does not know.
+    /// Ignores errors of the server.
     template <class Call>
     void tryTo(Call call);
 
@@ -57,22 +56,22 @@ private:
 /// Threads  any
 class ControlSession {
 public:
-    /// Connects and gets a program to run. Throws as RTDEControlInterface does.
+    /// Connects and starts or finds a program. Throws as RTDEControlInterface.
     explicit ControlSession(const SessionOptions& options);
     ~ControlSession();
 
     void disconnect(control::Supervision supervision = control::Supervision::Heartbeat);
     void reconnect();
-    /// Who carries commands out; never null.
+    /// Executes the commands; never null.
     std::shared_ptr<ControlBackend> backend() const;
     bool isConnected() const { return backend()->isConnected(); }
-    /// Whether a program of the user's runs, which may know less than ours.
+    /// Whether a user program is running, which may support fewer commands than Tiller's.
     bool isForeign() const;
-    /// Why the last call that failed did; empty when none did, or it is not known.
+    /// The reason of the last failure; empty if there was none or it is unknown.
     std::string lastError() const;
     void keepError(const std::string& text);
     bool reupload();
-    /// From now on; the program that runs is replaced.
+    /// Replaces the running program by this file, now and in later uploads.
     void useScriptFile(const std::string& file);
     void unlockProtectiveStop() { pendant_.unlockProtectiveStop(); }
 
@@ -93,9 +92,9 @@ private:
     Pendant pendant_{options_};
     Identity identity_;
     std::unique_ptr<ProgramServer> server_;
-    std::mutex changing_;  ///< one after the other: connecting, programs' coming and going
+    std::mutex changing_;  ///< serializes connecting, starting and ending of programs
     std::string scriptFile_;
-    mutable std::mutex mutex_;  ///< of the pointer
+    mutable std::mutex mutex_;  ///< protects the pointer
     std::shared_ptr<ControlBackend> backend_;
     std::string error_;  ///< of connecting
 };

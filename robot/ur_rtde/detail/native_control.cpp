@@ -22,12 +22,12 @@ constexpr milliseconds kManualStart(60000);
 constexpr milliseconds kProgramTime(5000);
 constexpr milliseconds kAnswerTime(3000);
 constexpr milliseconds kJoinTime(500);
-// So long without data the link counts as broken. What moves has long been ended by the robot itself then.
+// Time without data after which the connection counts as broken. The robot has ended all motions long before.
 constexpr milliseconds kSilence(2500);
-// Calmer than the controller's own, as programs for ur_rtde are used to.
+// Softer than the defaults of the controller, as in ur_rtde.
 constexpr control::ForceSettings kCalmForce{0.025, 0.5};
-constexpr double kGentlestBrake = 0.1;  ///< below it a stop is none, says control
-constexpr double kUsualBrake = 10.0;    ///< [m/s2] where ur_rtde's caller has no say
+constexpr double kGentlestBrake = 0.1;  ///< minimum of robot/control
+constexpr double kUsualBrake = 10.0;    ///< [m/s2] for calls without a deceleration argument
 
 Deadline ever() {
     return Deadline::never(CancelToken(&isInterrupted));
@@ -97,7 +97,7 @@ control::PathEntry entryOf(const ur_rtde::PathEntry& entry) {
     return out;
 }
 
-// The ExternalControl URCap puts the text into a program of its own: without the definition around it.
+// The ExternalControl URCap inserts the text into its own program: remove the definition around it.
 std::string insideOf(const QString& program) {
     const qsizetype begin = program.indexOf(QLatin1Char('\n')) + 1;
     const qsizetype end = program.lastIndexOf(QLatin1String("end"));
@@ -106,7 +106,7 @@ std::string insideOf(const QString& program) {
     return inside.replace(QLatin1String(kIndent), QLatin1String("\n")).toStdString();
 }
 
-// What stands between this computer and the robot, and what only the robot's state does.
+// Distinguishes connection errors from errors due to the state of the robot.
 [[noreturn]] void raiseUnconnected(const Error& error, bool wasReached) {
     switch (error.code) {
         case ErrorCode::Timeout:
@@ -142,21 +142,21 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
         wanted.registers =
             options.offset() > 0 ? control::RegisterRange::Upper : control::RegisterRange::Lower;
         wanted.priority = std::max(options.priority, 0);
-        // ur_rtde slows nothing down that the controller does not.
+        // ur_rtde has no speed limit other than the controller's.
         wanted.limits.tcpSpeed = control::kNoCap;
         wanted.limits.tcpRotationSpeed = control::kNoCap;
         wanted.limits.jointSpeed = control::kNoCap;
         wanted.dataTimeout = kSilence;
         wanted.connectionTimeout = kSilence;
         wanted.force = kCalmForce;
-        wanted.keepPaused = true;  // programs for ur_rtde go on after a pause at the pendant
+        wanted.keepPaused = true;  // programs for ur_rtde continue after a pause on the pendant
         if (server != nullptr) {
             wanted.awaitProgram = !options.has(Face::FLAG_NO_WAIT);
             wanted.deliver = [this](const QString& program, const Deadline&) -> Result<void> {
                 const bool again = controller_.version().major > 0 && controller_.status().ticks > 0;
                 server_->setProgram(insideOf(program));
                 if (again) {
-                    pendant_.play();  // the program with the URCap's node asks again when it starts
+                    pendant_.play();  // the program with the URCap's node requests the text when it starts
                 }
                 return {};
             };
@@ -206,7 +206,7 @@ std::string NativeControl::lastError() const {
     return error_;
 }
 
-// As ur_rtde does, on standard error; a loop that goes on failing says it once.
+// On standard error, as in ur_rtde; repeated failures in a loop are printed once.
 NativeControl::Outcome NativeControl::failed(const Error& error) {
     const std::string text = error.toString().toStdString();
     const std::lock_guard lock(state_);
@@ -294,7 +294,7 @@ NativeControl::Outcome NativeControl::begin(const Result<control::Motion>& motio
     return outcome(ended);
 }
 
-// Nobody waits for it any more: it shall not go on by itself.
+// No caller waits for it any more: it must not continue.
 void NativeControl::interrupted() {
     constexpr double kBrake = 4.0;
     (void)motions_.stopJ(kBrake);
@@ -320,7 +320,7 @@ bool NativeControl::stop(const RecipeCommand& command, bool wait) {
         isReady();
         return outcome(compliance_.endForceMode(within(kAnswerTime))).has_value();
     }
-    // Speeds are ended as they were begun; who servoes or jogs is stopped along the line of the tool.
+    // The type of stop matches the type of the speed motion; servo and jog motions are stopped along the tool line.
     const bool byJoints =
         command.id == CommandId::StopJ || (command.id == CommandId::SpeedStop && jointSpeed_.isActive());
     ++stopsMade_;
@@ -330,14 +330,14 @@ bool NativeControl::stop(const RecipeCommand& command, bool wait) {
     if (!stopping) {
         return failed(stopping.error()).has_value();
     }
-    // A program that is paused obeys when it goes on.
+    // A paused program stops when it continues.
     return isReady() && (!wait || outcome(stopping->wait(ever())).has_value());
 }
 
 // ---- streams --------------------------------------------------------------------------------------------
 
-// A loop that goes on sending set points must not take up again what a stop, a silence or a pause has ended:
-// it may never look at what the calls return. Whoever wants the arm to go on says so, with any other call.
+// A loop that ignores return values must not restart a stream that was ended by a stop, a timeout or a pause. Any
+// other call shows the intention to continue.
 bool NativeControl::mayBegin(const control::Motion& before) {
     if (before.id() == control::kNoMotion || streamStart_ != starts_) {
         return true;
@@ -437,7 +437,7 @@ bool NativeControl::stream(const RecipeCommand& command) {
     }
 }
 
-// Called in every cycle by those who change the force; what has not changed is not sent again.
+// Often called in every cycle; unchanged values are not sent again.
 bool NativeControl::forceMode(const List& v) {
     isReady();
     {
@@ -450,7 +450,7 @@ bool NativeControl::forceMode(const List& v) {
     control::ForceMode mode;
     mode.type = static_cast<control::ForceMode::Type>(static_cast<int>(v[0]));
     for (std::size_t axis = 0; axis < 6; ++axis) {
-        // A limit of nothing means standing still, which the controller calls a wrong argument.
+        // A limit of 0 means no motion, but the controller refuses the value.
         constexpr double kNext = 1e-6;
         mode.compliant[axis] = v[1 + axis] != 0;
         mode.limits[axis] = std::max(std::abs(v[19 + axis]), kNext);
@@ -561,7 +561,7 @@ NativeControl::Outcome NativeControl::solve(const RecipeCommand& command, bool o
     control::InverseOptions options;
     if (v.size() > 6) {
         options.near = joints(v, 6);
-        constexpr double kExactly = 1e-12;  // 0 is what no solution is within
+        constexpr double kExactly = 1e-12;  // 0 would match no solution
         options.maxPositionError = std::max(v[12], kExactly);
         options.maxOrientationError = std::max(v[13], kExactly);
     }
@@ -601,7 +601,7 @@ NativeControl::Outcome NativeControl::ask(const RecipeCommand& command) {
         }
         case CommandId::JointPositionsHistory: {
             const auto q = arm_.jointPositionsHistory(static_cast<int>(v[0]), soon);
-            // Software that keeps no history knows the present.
+            // Software without a history has the current value.
             if (isUnknown(q) && v[0] == 0 && status.inControl) {
                 return CommandResult{1, status.q};
             }
@@ -689,10 +689,10 @@ bool NativeControl::reupload() {
     auto again = programs_.reupload(within(kProgramTime));
     const auto plays = [this] { return controller_.status().runtimeState == RuntimeState::Playing; };
     if (!again && plays() && !controller_.status().inControl && pendant_.isConnected()) {
-        pendant_.stop();  // a program that does not listen
+        pendant_.stop();  // a program that does not respond
         again = programs_.reupload(within(kProgramTime));
     }
-    // During a stop nothing runs; to be there for it when it is over is all there can be.
+    // During a stop no program runs; the connection is kept for the time after it.
     const bool stopped = controller_.isConnected() && !allowsMotion(controller_.status().safetyMode);
     return stopped || outcome(again).has_value();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Carries out the commands of RTDEControlInterface through robot/control: a translation, with no rules of its
-// own about what may move and what ends it. Private to this room.
+// Executes the commands of RTDEControlInterface through robot/control, without additional rules about motions and
+// their ends. Private to robot/ur_rtde.
 
 #include <atomic>
 #include <mutex>
@@ -21,15 +21,15 @@ namespace tiller::urrtde {
 
 class NativeControl final : public ControlBackend {
 public:
-    /// server  hands the program to the ExternalControl URCap; null: it is sent
+    /// server  provides the program to the ExternalControl URCap; null: it is sent
     NativeControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server);
     ~NativeControl() override;
 
-    /// Throws std::runtime_error where there is no connection to be had, std::logic_error where the robot is
-    /// in a state in which no program runs.
+    /// Throws std::runtime_error if the connection fails, std::logic_error if the state of the robot does not allow
+    /// a program.
     void connect();
-    /// Takes over from a client that has gone.
-    /// Returns  false when no program of ours runs. Throws as connect()
+    /// Takes over the program of a client that has ended.
+    /// Returns  false if no such program is running. Throws as connect()
     bool join();
 
     void disconnect(control::Supervision supervision) override;
@@ -53,18 +53,18 @@ public:
 private:
     using TurnLock = std::unique_lock<Turn>;
     using Outcome = std::optional<CommandResult>;
-    /// Waits for the turn of a motion. Not owned when a stop came first.
+    /// Locks the motions. Not owned if a stop occurred first.
     TurnLock takeTurn();
-    /// In control; goes on with the program where it was paused and runs again.
+    /// In control; continues with a program that was paused and is running again.
     bool isReady();
     Outcome failed(const Error& error);
     Outcome outcome(const Result<void>& done);
-    /// Begins a motion and, unless asynchronous, waits for its end.
+    /// Starts a motion and, unless asynchronous, waits for its end.
     template <class Start>
     Outcome move(bool asynchronous, Start start);
     Outcome begin(const Result<control::Motion>& motion, bool asynchronous);
     void remember(const control::Motion& motion);
-    /// Whether set points may begin the stream anew; says so otherwise.
+    /// Whether set points may start a new stream; otherwise prints an error.
     bool mayBegin(const control::Motion& before);
     template <class Stream, class Target, class Parameters, class Start>
     bool send(Stream& stream, const Target& target, const Parameters& parameters, Start start);
@@ -88,10 +88,10 @@ private:
     control::ArmQueries arm_{controller_};
     control::Programs programs_{controller_};
 
-    Turn turn_;  ///< one motion after the other; of the streams below
+    Turn turn_;  ///< serializes motions; protects the streams below
     std::atomic<int> stopsMade_{0};
-    std::atomic<int> starts_{0};  ///< calls that begin or end something, set points not among them
-    int streamStart_ = 0;         ///< starts_ when the stream under way began
+    std::atomic<int> starts_{0};  ///< number of calls that start or end a motion, without set points
+    int streamStart_ = 0;         ///< value of starts_ at the start of the current stream
     std::atomic<bool> disconnecting_{false};
     control::JointServo jointServo_;
     control::PoseServo poseServo_;
@@ -99,13 +99,13 @@ private:
     control::JointSpeed jointSpeed_;
     control::ToolSpeed toolSpeed_;
 
-    mutable std::mutex state_;  ///< of what follows
-    control::Motion motion_;    ///< the last
+    mutable std::mutex state_;  ///< protects the following members
+    control::Motion motion_;    ///< the last motion
     control::Motion guiding_;
-    std::vector<double> force_;  ///< what force mode was begun with last; empty: nothing
+    std::vector<double> force_;  ///< last parameters of force mode; empty: none
     int operation_ = 0;
     mutable int changes_ = 0;
-    mutable int reported_ = 0;  ///< running and progress, as told last
+    mutable int reported_ = 0;  ///< last returned state of running and progress
     std::string error_;
 };
 

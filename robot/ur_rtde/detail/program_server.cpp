@@ -74,7 +74,7 @@ void ProgramServer::run() {
     }
 }
 
-// One request after the other, until the URCap hangs up.
+// Serves requests one after the other until the URCap disconnects.
 void ProgramServer::serve(Descriptor client) {
     std::string line;
     while (!quit_) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Hands the control program to the ExternalControl URCap, which connects to this machine and asks for it.
-// Private to this room.
+// Serves the control program to the ExternalControl URCap, which connects to this machine. Private to
+// robot/ur_rtde.
 
 #include <atomic>
 #include <mutex>
@@ -13,16 +13,16 @@
 
 namespace tiller::urrtde {
 
-/// Thread: one, normal priority, from the constructor to the destructor, which takes at most 50 ms.
+/// Owns one thread with normal priority, from the constructor to the destructor, which takes at most 50 ms.
 class ProgramServer {
 public:
-    /// Listens on all addresses. Throws std::runtime_error when the port is in use.
+    /// Listens on all addresses. Throws std::runtime_error if the port is in use.
     explicit ProgramServer(int port);
     ~ProgramServer();
     ProgramServer(const ProgramServer&) = delete;
     ProgramServer& operator=(const ProgramServer&) = delete;
 
-    /// What is handed out from now on.
+    /// Sets the program to serve.
     void setProgram(std::string program);
 
 private:

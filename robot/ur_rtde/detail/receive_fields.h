@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What RTDEReceiveInterface follows unless told otherwise. Private to this room.
+// Default fields of RTDEReceiveInterface. Private to robot/ur_rtde.
 
 #include <string>
 #include <vector>
 
 namespace tiller::urrtde {
 
-/// upper  the registers from 24 on
+/// upper  use the registers from 24 on
 std::vector<std::string> receiveFields(bool upper);
 
 }  // namespace tiller::urrtde

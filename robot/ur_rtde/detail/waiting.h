@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How the calls of this room wait: with a deadline, and ended early where the host program says that its user
-// lost patience (Python on Ctrl-C). Private to this room and robot/python.
+// Waits of robot/ur_rtde: with a deadline, and interruptible by the host program (Python on Ctrl-C). Private to
+// robot/ur_rtde and robot/python.
 
 #include <chrono>
 #include <stdexcept>
@@ -12,20 +12,20 @@
 
 namespace tiller::urrtde {
 
-/// Thrown by a call that waited when the host's check said so.
+/// Thrown by a waiting call after an interrupt by the host's check.
 class Interrupted : public std::runtime_error {
 public:
     Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// check  asked about every 10 ms in the thread that waits; null: never
+/// check  called about every 10 ms in the waiting thread; null: never
 void setInterruptCheck(bool (*check)());
-/// Asks the check, at most every 10 ms of real time.
+/// Calls the check, at most every 10 ms of real time.
 bool isInterrupted();
 void throwIfInterrupted();
 
-/// While one lives, its thread is not interrupted: what an interruption makes necessary, a stop above all, is
-/// done even when the user loses patience twice.
+/// Blocks interrupts of its thread during its lifetime, so that actions after an interrupt, in particular a stop,
+/// are completed even if the user interrupts again.
 class Uninterrupted {
 public:
     Uninterrupted();
@@ -35,10 +35,10 @@ public:
 };
 
 Deadline within(std::chrono::milliseconds time);
-/// Sleeps, in slices, until then.
+/// Sleeps until `end` in slices.
 void sleepUntil(std::chrono::steady_clock::time_point end);
 
-/// std::runtime_error with the error's text; Interrupted when that is why.
+/// Throws std::runtime_error with the text of the error, or Interrupted after an interrupt.
 [[noreturn]] void raise(const Error& error);
 
 }  // namespace tiller::urrtde

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Identifiers of libhdf5 that close themselves, and the few calls this library makes. Private to HDF5.
+// RAII wrappers for identifiers of libhdf5, and the calls used by this library. Private to robot/recording/hdf5.
 
 #include <hdf5.h>
 
@@ -30,7 +30,7 @@ public:
     }
     hid_t get() const { return id_; }
     explicit operator bool() const { return id_ >= 0; }
-    /// Returns  false: what was buffered did not reach the file
+    /// Returns  false if buffered data could not be written to the file
     bool reset() {
         const bool closed = id_ < 0 || close_(std::exchange(id_, -1)) >= 0;
         return closed;
@@ -41,7 +41,7 @@ private:
     Close close_ = nullptr;
 };
 
-/// Without the library's own words on stderr while it lives.
+/// Suppresses the library's messages on stderr.
 class Quiet {
 public:
     Quiet() {
@@ -57,7 +57,7 @@ private:
     void* data_ = nullptr;
 };
 
-bool putText(hid_t object, const char* name, const std::string& text);  ///< As an attribute, UTF-8.
+bool putText(hid_t object, const char* name, const std::string& text);  ///< Writes a UTF-8 attribute.
 bool putNumber(hid_t object, const char* name, double number);
 bool putCount(hid_t object, const char* name, std::uint64_t count);
 std::optional<std::string> takeText(hid_t object, const char* name);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Little-endian numbers and counted texts into a string of bytes, and out of one that may end anywhere. Private to
-// MCAP.
+// Writes little-endian numbers and length-prefixed strings to a byte string, and reads them with bounds checks.
+// Private to robot/recording/mcap.
 
 #include <bit>
 #include <concepts>
@@ -35,14 +35,14 @@ inline void putFacts(std::string& out, const Facts& facts) {
     }
     putText(out, entries);
 }
-/// Head and content of a record.
+/// Header and content of a record.
 inline void putRecord(std::string& out, Opcode opcode, std::string_view content) {
     out.push_back(static_cast<char>(opcode));
     put(out, static_cast<std::uint64_t>(content.size()));
     out.append(content);
 }
 
-/// Reads on; what is not there is 0 or empty, and `ok` says so from then on.
+/// Reads sequentially; missing data are 0 or empty, and `ok` is then false.
 class ByteReader {
 public:
     explicit ByteReader(std::string_view bytes) : rest_(bytes) {}

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Numbers and texts as ROS 2 messages have them: CDR, little endian. By Fast CDR 1, as in Debian 12, or 2, as in
-// Debian 13, which calls some things by other names.
+// Encodes numbers and strings as in ROS 2 messages: CDR, little endian. Supports Fast CDR 1 (Debian 12) and Fast
+// CDR 2
+// (Debian 13), which has different names.
 
 #include <fastcdr/Cdr.h>
 
@@ -21,7 +22,7 @@ public:
     void take(double* numbers, std::size_t count) {
         deserialize_array(numbers, count);
     }
-    /// What was written [bytes], with the four that say how.
+    /// Number of bytes written, including the encapsulation header of four bytes.
     std::size_t size() const {
         return get_serialized_data_length();
     }
@@ -33,7 +34,7 @@ public:
     void take(double* numbers, std::size_t count) {
         deserializeArray(numbers, count);
     }
-    /// What was written [bytes], with the four that say how.
+    /// Number of bytes written, including the encapsulation header of four bytes.
     std::size_t size() const {
         return getSerializedDataLength();
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Puts the controller's clock on the calendar: its time stamps are even where arrivals on this computer are not. The
-// package that came soonest tells the difference of the two clocks; where they drift apart, the map follows slowly.
-// Private to MCAP.
+// Converts controller time to UTC: its time stamps are regular, whereas the arrival times have jitter. The earliest
+// package determines the offset of the two clocks; the conversion slowly follows their drift. Private to
+// robot/recording/mcap.
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,12 @@ namespace tiller::recording::mcap {
 /// Threads  one
 class ClockMap {
 public:
-    /// timestamp   of the controller [s]; NaN: the arrival is all there is
+    /// timestamp   of the controller [s]; NaN: the arrival time is used
     /// arrivalNs   [ns since 1970]
-    /// connection  another one may be another controller
-    /// Returns     when it was sent [ns since 1970], never before the one before
+    /// connection  a change may mean another controller
+    /// Returns     the time of sending [ns since 1970], never earlier than the previous one
     std::int64_t toUtc(double timestamp, std::int64_t arrivalNs, std::uint64_t connection) {
-        // 25 ppm at 500 packages a second: more than two quartz clocks part by.
+        // 25 ppm at 500 packages per second: more than the drift between two quartz clocks.
         constexpr std::int64_t kDriftNs = 50;
         constexpr std::int64_t kRestartedNs = 1'000'000'000;
         std::int64_t sent = arrivalNs;

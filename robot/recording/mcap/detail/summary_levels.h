@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Summaries of 32, 128, 512 ... rows of all columns, made while rows come. Private to MCAP.
+// Summaries of 32, 128, 512 ... rows of all columns, computed during recording. Private to robot/recording/mcap.
 
 #include <functional>
 #include <span>
@@ -14,7 +14,7 @@ namespace tiller::recording::mcap {
 
 inline constexpr std::uint32_t kFinestSummary = 32;
 inline constexpr std::uint32_t kCoarserBy = 4;
-inline constexpr std::size_t kSummaryLevels = 8;  ///< the coarsest of 524 288 rows, 17 minutes at 500 Hz
+inline constexpr std::size_t kSummaryLevels = 8;  ///< the coarsest covers 524 288 rows, 17 minutes at 500 Hz
 
 constexpr std::uint32_t rowsOfLevel(std::size_t level) {
     std::uint32_t rows = kFinestSummary;
@@ -27,14 +27,14 @@ constexpr std::uint32_t rowsOfLevel(std::size_t level) {
 /// Threads  one
 class SummaryLevels {
 public:
-    /// sink  is given the level and each summary that is complete
+    /// sink  called with the level for each complete summary
     SummaryLevels(std::size_t columns, std::function<void(std::size_t, const SummaryMessage&)> sink)
         : sink_(std::move(sink)), levels_(kSummaryLevels) {
         for (Level& level : levels_) {
             level.extents.resize(columns);
         }
     }
-    /// value(i)  of each column in this row
+    /// value(i)  value of column i in this row
     template <class Value>
     void addRow(Value value) {
         Level& finest = levels_.front();
@@ -45,7 +45,7 @@ public:
             close(0);
         }
     }
-    /// What is begun on every level.
+    /// Completes the current summary of every level.
     void finish() {
         for (std::size_t level = 0; level < kSummaryLevels; ++level) {
             if (levels_[level].rows > 0) {
