@@ -45,7 +45,8 @@ public:
     const Surroundings& surroundings() const { return surroundings_; }  ///< As passed to the constructor.
     double safetyDistance() const { return safetyDistance_; }           ///< As passed to the constructor [m].
 
-    // Threads: any, several at once. Blocks: never. Applies to all following functions.
+    // Threads: any, several at once. Blocks: never. A position with a number that is not finite counts as in
+    // contact. This applies to all following functions.
 
     /// The contact in this position, if any.
     /// Real-time: no (some ten microseconds)

@@ -65,8 +65,9 @@ struct ControllerOptions {
     /// robot does not notice have no effect.
     std::chrono::milliseconds dataTimeout{100};
     /// Time without data after which the connection is closed and control is lost (ControlLoss::LinkLost). This
-    /// does not depend on TCP, which does not report a power failure of the peer. Not less than `dataTimeout` or
-    /// the timeout of the current move; 0: only when the connection ends.
+    /// does not depend on TCP, which does not report a power failure of the peer. Not less than `dataTimeout`, the
+    /// timeout of the current move, or 2 s while a control program is being sent (takeControl(), paths, functions);
+    /// 0: only when the connection ends.
     std::chrono::milliseconds connectionTimeout{450};
     /// True: a paused control program may be resumed (joinProgram()); earlier commands are discarded. If false, or
     /// if force mode, freedrive or teach mode might continue during the pause, the program is stopped.

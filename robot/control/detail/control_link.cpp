@@ -215,11 +215,15 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
     int looks = 0;  // without success, since the newest package
+    // While a controller compiles a program it may send nothing, and no motion depends on this connection.
+    constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
         // After a delay of this computer, data may still be in transit.
         constexpr int kLooks = 10;
         const std::int64_t silentNs = nowNs - std::max(lastData(), begunNs);
-        return timeoutNs > 0 && looks >= kLooks && silentNs > std::max(timeoutNs, loop_.dataTimeoutNs());
+        const std::int64_t takingNs = loop_.status().loss == ControlLoss::Taking ? kTakingTimeoutNs : 0;
+        return timeoutNs > 0 && looks >= kLooks &&
+               silentNs > std::max({timeoutNs, loop_.dataTimeoutNs(), takingNs});
     };
     const auto answer = [&](const Command& command) {
         doneNs = now();

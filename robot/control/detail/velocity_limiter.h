@@ -42,7 +42,8 @@ public:
     };
     /// q, tcpPose  current position of the arm (base frame). A jog with contact detection (contactForce) may touch
     ///             the surroundings with the tool and wrist 3.
-    /// Returns     Limiter::scale, the factor for the target; 0 if motion in this direction is not possible
+    /// Returns     Limiter::scale, the factor for the target; 0 if motion in this direction is not possible or if a
+    ///             number is not finite
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose,
                   const Situation& situation) const;
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose) const {
