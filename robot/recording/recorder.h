@@ -33,7 +33,7 @@ using tiller::operator<<;  // makes the enumerations below printable
 
 class RecordingFile;
 
-/// Names of the fields recorded by default.
+/// The fields that ur_rtde records. The command line writes them to CSV unless others are requested.
 std::vector<std::string> defaultRecordedFields();
 
 /// Name of the last column.
@@ -41,13 +41,15 @@ inline constexpr const char* kLostColumn = "packages_lost";
 
 struct RecorderOptions {
     Text path = {};
-    /// Field names, all of which must be subscribed to by the receiver; empty: those of defaultRecordedFields()
-    /// that are. `timestamp` always comes first.
+    /// Field names, all of which must be subscribed to by the receiver; empty: all subscribed fields. `timestamp`
+    /// always comes first.
     std::vector<std::string> fields{};
     bool asGiven = false;  ///< exactly these fields in this order, without timestamp and packages_lost
     /// Record every n-th package, 1 or more. Skipped packages do not count as lost.
     int every = 1;
-    std::shared_ptr<const RecordingFormat> format{};  ///< null: CSV
+    /// Null: CSV, which is refused for a path that ends in .mcap, .h5 or .hdf5. formatForPath() in
+    /// recording/formats/open_recording.h selects the format by the extension.
+    std::shared_ptr<const RecordingFormat> format{};
     /// Waits for the trigger and writes numbered files: see numberedPath(). Empty: one file, immediately.
     std::optional<RecordingTrigger> trigger{};
     /// Ends with DiskFull if less space would remain on the disk [bytes]; 0: when the disk is full.
@@ -86,7 +88,7 @@ public:
     /// Creates the file (replacing an existing one), writes the header and starts with the next package.
     /// Errors   FileNotWritable (also if another recording uses the file), DiskFull; FieldUnknown, with all fields
     ///          that the receiver does not subscribe to (an existing file is unchanged); InvalidArgument (a
-    ///          recording is active)
+    ///          recording is active, or the extension belongs to another format)
     /// Blocks   until the file is created
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);

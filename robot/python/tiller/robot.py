@@ -255,7 +255,7 @@ class Robot:
         FileNotWritable (also for a file in use by another recording), DiskFull.
         """
         name = os.fspath(path)
-        recording = Recording(_native.Recorder(self._receiver, name, list(fields or self._layout)), name)
+        recording = Recording(_native.Recorder(self._receiver, name, list(fields)), name)
         _recordings.add(recording)
         return recording
 
