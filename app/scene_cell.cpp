@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "robot/simulator/simulator.h"
-#include "widgets/project/project_document.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/link/robot_session.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/session/robot_session.h"
 
 namespace tiller::app {
 

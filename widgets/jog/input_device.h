@@ -34,7 +34,7 @@ struct DeviceShape : DeviceTuning {
     QString directions;   ///< which stick moves what, in a sentence
     /// A hand is never quite still: deflected and without a report for longer than this, the device or its
     /// driver hangs, and what it said last is nobody's wish any more. Longer than 100 ms it holds only as far
-    /// as HoldRules::silenceAt() lets the arm go.
+    /// as HoldBounds::silenceAt() lets the arm go.
     std::chrono::milliseconds silenceAtMost{100};
 };
 

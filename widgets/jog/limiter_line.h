@@ -9,22 +9,9 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "robot/control/motion_types.h"
-#include "widgets/session/session_state.h"
+#include "robot/station/jog/limiter_advice.h"
 
 namespace tiller {
-
-/// What limits the arm, and what to do; both empty when nothing does.
-struct LimiterAdvice {
-    QString what;
-    QString advice;
-};
-
-/// The nearest limit worth a word: a joint within 15 deg of its range, or a singularity close by.
-/// Threads  any
-/// R_base_frame  the axes the keys of the pad move in, for the way out
-LimiterAdvice nearestLimiter(const SessionState& state,
-                             const Eigen::Matrix3d& R_base_frame = Eigen::Matrix3d::Identity());
 
 class LimiterLine : public QWidget {
     Q_OBJECT

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "robot/core/deadline.h"
-#include "widgets/session/session_worker.h"
+#include "robot/station/executor/serial_executor.h"
 
 class QLabel;
 
@@ -102,7 +102,7 @@ private:
     std::optional<Outcome> outcome_;  ///< of it; nothing: it is under way
     bool again_ = false;              ///< something else is wanted once it has ended
     CancelToken cancel_;              ///< of what is under way
-    SessionWorker worker_;            ///< last: its jobs end before the rest
+    SerialExecutor worker_;           ///< last: its jobs end before the rest
 };
 
 }  // namespace tiller

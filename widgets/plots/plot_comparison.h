@@ -11,7 +11,7 @@
 
 #include "robot/core/deadline.h"
 #include "robot/divergence/divergence.h"
-#include "widgets/session/session_worker.h"
+#include "robot/station/executor/serial_executor.h"
 
 class QWidget;
 
@@ -89,8 +89,8 @@ private:
     divergence::Limits limits_;
     QHash<QString, Entry> entries_;
     std::uint64_t runs_ = 0;
-    QSet<QString> told_;    ///< of these files, what
-    SessionWorker worker_;  ///< last: its jobs end before the rest
+    QSet<QString> told_;     ///< of these files, what
+    SerialExecutor worker_;  ///< last: its jobs end before the rest
 };
 
 }  // namespace tiller

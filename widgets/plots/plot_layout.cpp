@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/signals/derivation.h"
+#include "robot/station/history/derived_signal.h"
 
 namespace tiller {
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr qsizetype kLongestName = 60;
 /// A recording's name, which is a file's, and what a computed signal may be written as.
-constexpr qsizetype kLongestKey = Derivation::kLongestText;
+constexpr qsizetype kLongestKey = DerivedSignal::kLongestText;
 constexpr double kLeastShare = 0.05;
 constexpr double kMostShare = 20;
 

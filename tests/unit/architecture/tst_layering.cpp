@@ -68,11 +68,67 @@ const QList<Room>& rooms() {
          {"robot/core", "robot/realtime", "robot/kinematics", "robot/rtde/protocol.h", "robot/rtde/codec.h",
           "robot/rtde/splitter.h", "robot/rtde/values.h", "robot/rtde/fields.h"},
          kGui},
-        {"widgets/common", {"robot/core", "robot/control/motion_types.h"}, {}},
-        {"widgets",
+        {"robot/station/text", {"robot/core", "robot/control", "robot/collision", "robot/project"}, kGui},
+        {"robot/station/executor", {"robot/core"}, kGui},
+        {"robot/station/link",
          {"robot/core", "robot/realtime", "robot/receive", "robot/control", "robot/io", "robot/script",
-          "robot/dashboard", "robot/kinematics", "robot/collision", "robot/project", "robot/recording",
-          "robot/divergence", "robot/doctor"},
+          "robot/dashboard", "robot/kinematics", "robot/collision", "robot/recording", "robot/station/text",
+          "robot/station/executor"},
+         kGui},
+        {"robot/station/capture",
+         {"robot/core", "robot/receive", "robot/script", "robot/dashboard", "robot/recording",
+          "robot/station/text", "robot/station/executor", "robot/station/link"},
+         kGui},
+        {"robot/station/history",
+         {"robot/core", "robot/receive", "robot/recording", "robot/divergence", "robot/station/text",
+          "robot/station/executor", "robot/station/link"},
+         kGui},
+        {"robot/station/jog",
+         {"robot/core", "robot/control", "robot/kinematics", "robot/collision", "robot/station/text",
+          "robot/station/link"},
+         kGui},
+        {"robot/station/document",
+         {"robot/core", "robot/kinematics", "robot/project", "robot/station/executor"},
+         kGui},
+        {"robot/station/route",
+         {"robot/core", "robot/receive", "robot/control", "robot/kinematics", "robot/project",
+          "robot/recording", "robot/station/text", "robot/station/executor", "robot/station/link",
+          "robot/station/document"},
+         kGui},
+        {"widgets/common",
+         {"robot/core", "robot/control/motion_types.h", "robot/station/text",
+          "robot/station/link/hold_motion.h"},
+         {}},
+        {"widgets/signals", {"robot/station", "widgets/common"}, {}},
+        {"widgets/plots",
+         {"robot/core", "robot/divergence", "robot/recording", "robot/station", "widgets/common",
+          "widgets/signals"},
+         {}},
+        {"widgets/jog",
+         {"robot/core", "robot/control", "robot/io", "robot/kinematics", "robot/station", "widgets/common"},
+         {}},
+        {"widgets/io", {"robot/core", "robot/io", "robot/receive", "robot/station", "widgets/common"}, {}},
+        {"widgets/log", {"robot/core", "robot/station", "widgets/common"}, {}},
+        {"widgets/scene",
+         {"robot/core", "robot/receive", "robot/kinematics", "robot/collision", "robot/station",
+          "widgets/common"},
+         {}},
+        {"widgets/status",
+         {"robot/core", "robot/script", "robot/dashboard", "robot/doctor", "robot/station", "widgets/common"},
+         {}},
+        {"widgets/project", {"robot/core", "robot/project", "robot/station", "widgets/common"}, {}},
+        {"widgets/waypoints",
+         {"robot/core", "robot/receive", "robot/kinematics", "robot/project", "robot/recording",
+          "robot/station", "widgets/common", "widgets/project"},
+         {}},
+        {"widgets/frames", {"robot/project", "robot/station", "widgets/common", "widgets/project"}, {}},
+        {"widgets/tools",
+         {"robot/core", "robot/kinematics", "robot/project", "robot/station", "widgets/common",
+          "widgets/project"},
+         {}},
+        {"widgets/practice",
+         {"robot/core", "robot/kinematics", "robot/project", "robot/station", "widgets/common",
+          "widgets/project"},
          {}},
         {"app", {"widgets", "robot"}, {}},
     };
@@ -138,7 +194,7 @@ QByteArray contentsOf(const QString& file) {
 /// Those a program of others can include; the classes of the ur_rtde interface are given.
 QStringList publicHeaders() {
     static const QRegularExpression kOwn(
-        "/(detail|custom|python|examples|ur_rtde)/|simulator/"
+        "/(detail|custom|python|examples|ur_rtde|station)/|simulator/"
         "(?!(assumptions|simulator|simulator_options|arm/arm_state|arm/environment|box/personality)\\.h)");
     QStringList headers;
     for (const QString& file : sourceFiles()) {
@@ -208,12 +264,41 @@ private Q_SLOTS:
         QVERIFY(isAllowed(*receive, "robot/rtde/codec.h"));
         QVERIFY(!isAllowed(*roomOf("robot/simulator/simulator.cpp"), "robot/rtde/session.h"));
         QVERIFY(!isAllowed(*roomOf("widgets/jog/jog_column.cpp"), "robot/simulator/simulator.h"));
-        for (const char* outside :
-             {"widgets/session/robot_session.cpp", "app/main.cpp", "robot/ur_rtde/detail/native_control.cpp",
-              "robot/python/native_control.cpp", "robot/io/outputs.cpp"}) {
+        for (const char* outside : {"robot/station/link/robot_session.cpp", "app/main.cpp",
+                                    "robot/ur_rtde/detail/native_control.cpp",
+                                    "robot/python/native_control.cpp", "robot/io/outputs.cpp"}) {
             QVERIFY2(!isAllowed(*roomOf(outside), "robot/control/detail/mailbox.h"), outside);
         }
         QVERIFY(isAllowed(*roomOf("robot/control/motions.cpp"), "robot/control/detail/mailbox.h"));
+        QVERIFY(!isAllowed(*roomOf("robot/station/link/robot_session.cpp"),
+                           "robot/station/history/signal_store.h"));
+        QVERIFY(!isAllowed(*roomOf("widgets/io/io_tab.cpp"), "robot/station/link/detail/session_backend.h"));
+        QVERIFY(roomOf("robot/station/new_folder/x.h") == nullptr);
+        QVERIFY(roomOf("widgets/new_folder/x.h") == nullptr);
+    }
+
+    void everyFolderHasARow() {
+        QStringList missing;
+        for (const QString& file : sourceFiles()) {
+            if (!file.startsWith("tests/") && roomOf(file) == nullptr) {
+                missing << file;
+            }
+        }
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join('\n')));
+    }
+
+    // The rows are in order: a folder of robot/station or widgets may include only folders above its own row.
+    void stationAndWidgetsHaveNoCycle() {
+        const QList<Room>& table = rooms();
+        for (qsizetype i = 0; i < table.size(); ++i) {
+            for (qsizetype later = i + 1; later < table.size(); ++later) {
+                const QString path = QString::fromLatin1(table[later].path);
+                if (path.startsWith("robot/station/") || path.startsWith("widgets/")) {
+                    QVERIFY2(!table[i].mayInclude.contains(path),
+                             qPrintable(table[i].path + (" includes " + path)));
+                }
+            }
+        }
     }
 
     void includesFollowTheArchitecture() {
